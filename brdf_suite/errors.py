@@ -1,0 +1,69 @@
+"""The one exception tree of the suite.
+
+Every message is written for the person at the screen: it names the file and the place in it, says what is
+wrong, and, where there is one, the way on. A program shows ``str(error)`` and nothing else.
+"""
+
+from __future__ import annotations
+
+import os
+
+
+class SuiteError(Exception):
+    """Anything that a user can be told about. ``str(error)`` is a complete sentence or two."""
+
+
+class Cancelled(SuiteError):
+    """Raised by a progress callback, or by a task that was told to stop; never shown as an error."""
+
+    def __init__(self, what: str = "The task was cancelled.") -> None:
+        super().__init__(what)
+
+
+class FileError(SuiteError):
+    """A file that cannot be read or written.
+
+    Parameters
+    ----------
+    path
+        The file as the user named it.
+    reason
+        What is wrong, starting in lower case, without a full stop.
+    place
+        Where in the file: a byte offset, a line, a field; ``None`` where there is none.
+    """
+
+    def __init__(self, path: str | os.PathLike[str], reason: str, place: str | None = None) -> None:
+        self.path = os.fspath(path)
+        self.reason = reason
+        self.place = place
+        where = f", at {place}" if place else ""
+        super().__init__(f"{self.path}{where}: {reason}.")
+
+
+class DocumentError(FileError):
+    """A document of ours (paint, palette, view) whose content is not valid; ``place`` names the field."""
+
+
+class ValueRangeError(SuiteError, ValueError):
+    """A value out of its range; the message names the quantity, its unit, the value and the range.
+
+    ``place`` names the field, as in ``measurements[1].lab[0]``.
+    """
+
+    def __init__(self, place: str, reason: str) -> None:
+        self.place = place
+        self.reason = reason
+        super().__init__(f"{place}: {reason}.")
+
+
+class UnreachableError(SuiteError):
+    """A reading that no physical surface of the asked kind can give; the message says what could."""
+
+
+class FittingError(SuiteError):
+    """A target to which no lobes can be fitted (not finite, negative, wrong shape)."""
+
+
+class GraphicsError(SuiteError):
+    """OpenGL is missing, too old, lost, or a shader failed; the message names shader file and line."""

@@ -1,0 +1,29 @@
+"""How long work reports its progress and is cancelled.
+
+A long function takes ``progress: Progress | None``. It calls ``progress(fraction, what)`` with a fraction
+from 0 to 1 and a few words, often enough for a bar to move. The callback cancels the work by raising
+:class:`brdf_suite.errors.Cancelled`; the function lets it pass and leaves nothing half done.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+Progress = Callable[[float, str], None]
+
+
+def report(progress: Progress | None, fraction: float, what: str) -> None:
+    """Call ``progress`` where there is one; ``fraction`` is clipped to 0…1."""
+    if progress is not None:
+        progress(min(1.0, max(0.0, fraction)), what)
+
+
+def part(progress: Progress | None, start: float, end: float) -> Progress | None:
+    """Return a callback that maps 0…1 onto ``start``…``end`` of ``progress``, for one step of several."""
+    if progress is None:
+        return None
+
+    def mapped(fraction: float, what: str) -> None:
+        report(progress, start + (end - start) * fraction, what)
+
+    return mapped
