@@ -1,0 +1,1 @@
+"""Meshes as arrays: the value, its repair, and generated forms."""
