@@ -1,0 +1,52 @@
+"""Bring documents of older versions up to the present one, a version at a time.
+
+A change of a format adds one to its number in ``VERSIONS`` and registers a function that turns a document of
+the version before into the next. Documents from a newer program are refused: guessing could lose data.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+
+from brdf_suite.documents.parameter import describe
+from brdf_suite.documents.reading import FieldReader
+from brdf_suite.errors import DocumentError
+
+Migration = Callable[[dict[str, object]], dict[str, object]]
+
+VERSIONS: dict[str, int] = {"brdfpaint": 1, "brdfview": 1}
+"""The present version of each format."""
+
+MIGRATIONS: dict[tuple[str, int], Migration] = {}
+"""``MIGRATIONS[format, n]`` turns the fields of version n (format and version left out) into those of n + 1."""
+
+
+def open_envelope(value: object, expected: str, path: str | os.PathLike[str]) -> FieldReader:
+    """Check ``format`` and ``version``, migrate, and return a reader of the remaining fields."""
+    reader = FieldReader(value, path)
+    found = reader.take("format")
+    if found != expected:
+        reader.fail(f'"{expected}" is wanted, not {describe(found)}', "format")
+    version = reader.take("version")
+    if isinstance(version, bool) or not isinstance(version, int) or version < 1:
+        reader.fail(f"a whole number from 1 is wanted, not {describe(version)}", "version")
+    newest = VERSIONS[expected]
+    if version > newest:
+        reader.fail(
+            f"version {describe(version)} is newer than this program, which knows up to {newest}; update it",
+            "version",
+        )
+    fields = {name: item for name, item in dict(_mapping(value)).items() if name not in ("format", "version")}
+    for step in range(version, newest):
+        migration = MIGRATIONS.get((expected, step))
+        if migration is None:
+            raise DocumentError(path, f"version {step} is too old to be read", "version")
+        fields = migration(fields)
+    return FieldReader(fields, path)
+
+
+def _mapping(value: object) -> dict[str, object]:
+    # FieldReader has refused everything else.
+    assert isinstance(value, dict)
+    return value

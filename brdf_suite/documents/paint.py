@@ -1,0 +1,208 @@
+"""The paint as a colourist knows it: a colour per aspecular angle, gloss and flakes.
+
+All values are frozen; an edit makes a new one. A bad value raises :class:`ValueRangeError` whose ``place``
+names the field (``measurements[1].lab[0]``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import Literal, get_args
+
+from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.errors import ValueRangeError
+
+Interpolation = Literal["flake", "monotone", "polynomial"]
+INTERPOLATIONS: tuple[str, ...] = get_args(Interpolation)
+Lab = tuple[float, float, float]
+
+# An instrument of a hundred angles is far beyond any made; more is a damaged file.
+_MOST_MEASUREMENTS = 100
+_SAME_ANGLE_DEG = 1e-9
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        "illumination_deg": Parameter(
+            "Illumination", "°", 0.0, 85.0, 45.0, "Polar angle of the instrument's light"
+        ),
+        "aspecular_deg": Parameter(
+            "Aspecular angle",
+            "°",
+            -45.0,
+            170.0,
+            45.0,
+            "From the mirror direction to the view, past the normal",
+        ),
+        # Metallic paints reach L* 130 at 15°; nothing known passes 250.
+        "lab[0]": Parameter("L*", "", 0.0, 250.0, 50.0, "Lightness"),
+        "lab[1]": Parameter("a*", "", -250.0, 250.0, 0.0, "Green to red"),
+        "lab[2]": Parameter("b*", "", -250.0, 250.0, 0.0, "Blue to yellow"),
+        "gloss.gu_20": Parameter(
+            "Gloss 20°", "GU", 0.0, 200.0, 90.0, "Reading at 20°, coat and base together"
+        ),
+        "gloss.gu_60": Parameter(
+            "Gloss 60°", "GU", 0.0, 200.0, 95.0, "Reading at 60°, coat and base together"
+        ),
+        "flakes.density_per_mm2": Parameter(
+            "Flake density", "1/mm²", 0.0, 100_000.0, 120.0, "Flakes that can be seen per area"
+        ),
+        "flakes.size_um": Parameter("Flake size", "µm", 0.1, 2000.0, 20.0, "Mean diameter of a flake"),
+        "flakes.roughness": Parameter("Flake roughness", "", 0.001, 1.0, 0.17, "Spread of the flake tilts"),
+        "flakes.colour_spread": Parameter(
+            "Flake colour spread", "", 0.0, 1.0, 0.0, "0: all flakes of one colour; 1: every hue"
+        ),
+        "near_specular": Parameter(
+            "Near-specular", "", 0.0, 10.0, 1.0, "Scales the base in the mirror direction; not measured"
+        ),
+    }
+)
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """One reading: CIE L*a*b* at an illumination and an aspecular angle, both in degrees.
+
+    The view's polar angle is ``illumination_deg - aspecular_deg`` and must be above the horizon.
+    """
+
+    illumination_deg: float
+    aspecular_deg: float
+    lab: Lab
+
+    def __post_init__(self) -> None:
+        for name in ("illumination_deg", "aspecular_deg"):
+            object.__setattr__(self, name, PARAMETERS[name].check(getattr(self, name), name))
+        view_deg = self.illumination_deg - self.aspecular_deg
+        if abs(view_deg) >= 90.0:
+            raise ValueRangeError(
+                "aspecular_deg",
+                f"with the light at {self.illumination_deg:g}°, {self.aspecular_deg:g}° would look from "
+                f"below the surface (polar angle {view_deg:g}°)",
+            )
+        object.__setattr__(self, "lab", _checked_lab(self.lab))
+
+
+@dataclass(frozen=True)
+class Gloss:
+    """Glossmeter readings in gloss units at 20° and, where known, at 60°; coat and base together."""
+
+    gu_20: float
+    gu_60: float | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "gu_20", PARAMETERS["gloss.gu_20"].check(self.gu_20, "gu_20"))
+        if self.gu_60 is not None:
+            object.__setattr__(self, "gu_60", PARAMETERS["gloss.gu_60"].check(self.gu_60, "gu_60"))
+
+
+@dataclass(frozen=True)
+class Flakes:
+    """The flakes that sparkle: how many, how large, how tilted, how differently coloured."""
+
+    density_per_mm2: float = 120.0
+    size_um: float = 20.0
+    roughness: float = 0.17
+    colour_spread: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("density_per_mm2", "size_um", "roughness", "colour_spread"):
+            object.__setattr__(self, name, PARAMETERS[f"flakes.{name}"].check(getattr(self, name), name))
+
+
+@dataclass(frozen=True)
+class Paint:
+    """A designed paint: at least three measurements, in any order, no two at the same angles.
+
+    L*a*b* is CIE 1976 with the white of ``illuminant`` and ``observer_deg``; only D65 and 10° are known so
+    far. ``near_specular`` scales what the interpolation gives in the mirror direction, where no instrument
+    of three angles looks.
+
+    >>> paint = solid_paint("white", (95.0, 0.0, 1.0))
+    >>> paint.with_lab(45.0, (94.0, 0.0, 1.0)).lab_at(45.0)
+    (94.0, 0.0, 1.0)
+    """
+
+    name: str
+    measurements: tuple[Measurement, ...]
+    gloss: Gloss
+    flakes: Flakes | None = None
+    interpolation: Interpolation = "flake"
+    near_specular: float = 1.0
+    illuminant: str = "D65"
+    observer_deg: int = 10
+    notes: str = ""
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        check_text(self.name, "name", longest=200, lines=False, empty=False)
+        object.__setattr__(self, "measurements", _checked_measurements(self.measurements))
+        if not isinstance(self.gloss, Gloss):
+            raise ValueRangeError("gloss", f"gloss readings are wanted, not {describe(self.gloss)}")
+        if self.flakes is not None and not isinstance(self.flakes, Flakes):
+            raise ValueRangeError("flakes", f"flakes or nothing are wanted, not {describe(self.flakes)}")
+        check_choice(self.interpolation, "interpolation", INTERPOLATIONS)
+        near = PARAMETERS["near_specular"].check(self.near_specular, "near_specular")
+        object.__setattr__(self, "near_specular", near)
+        check_choice(self.illuminant, "illuminant", ("D65",))
+        if self.observer_deg != 10 or isinstance(self.observer_deg, bool):
+            raise ValueRangeError(
+                "observer_deg", f"only the 10° observer is known, not {self.observer_deg!r}"
+            )
+        object.__setattr__(self, "observer_deg", 10)
+        check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
+        check_text(self.source, "source", longest=10_000, lines=True, empty=True)
+
+    def lab_at(self, aspecular_deg: float) -> Lab:
+        """Return the measured L*a*b* at ``aspecular_deg``; raise :class:`ValueRangeError` where none is."""
+        return self.measurements[self._index(aspecular_deg)].lab
+
+    def with_lab(self, aspecular_deg: float, lab: Lab) -> Paint:
+        """Return this paint with the L*a*b* at one of its measured angles replaced."""
+        index = self._index(aspecular_deg)
+        changed = list(self.measurements)
+        changed[index] = replace(changed[index], lab=lab)
+        return replace(self, measurements=tuple(changed))
+
+    def _index(self, aspecular_deg: float) -> int:
+        for index, measurement in enumerate(self.measurements):
+            if abs(measurement.aspecular_deg - aspecular_deg) <= _SAME_ANGLE_DEG:
+                return index
+        known = ", ".join(f"{m.aspecular_deg:g}" for m in self.measurements)
+        raise ValueRangeError("aspecular_deg", f"{aspecular_deg:g}° is not measured; there are {known}°")
+
+
+def solid_paint(name: str, lab: Lab, gloss: Gloss | None = None) -> Paint:
+    """Return a paint without flop: the same L*a*b* at 15, 45 and 110° with the light at 45°."""
+    measurements = tuple(Measurement(45.0, angle, lab) for angle in (15.0, 45.0, 110.0))
+    return Paint(name=name, measurements=measurements, gloss=gloss or Gloss(90.0))
+
+
+def _checked_lab(lab: object) -> Lab:
+    if not isinstance(lab, (tuple, list)) or len(lab) != 3:
+        raise ValueRangeError("lab", f"three numbers L*, a*, b* are wanted, not {describe(lab)}")
+    lightness, a, b = (PARAMETERS[f"lab[{i}]"].check(lab[i], f"lab[{i}]") for i in range(3))
+    return (lightness, a, b)
+
+
+def _checked_measurements(measurements: object) -> tuple[Measurement, ...]:
+    if not isinstance(measurements, (tuple, list)):
+        raise ValueRangeError("measurements", f"a list is wanted, not {describe(measurements)}")
+    if not 3 <= len(measurements) <= _MOST_MEASUREMENTS:
+        raise ValueRangeError(
+            "measurements",
+            f"from 3 to {_MOST_MEASUREMENTS} measurements are wanted, there are {len(measurements)}",
+        )
+    for index, item in enumerate(measurements):
+        if not isinstance(item, Measurement):
+            raise ValueRangeError(f"measurements[{index}]", f"a measurement is wanted, not {describe(item)}")
+        for earlier, other in enumerate(measurements[:index]):
+            if (
+                abs(other.illumination_deg - item.illumination_deg) <= _SAME_ANGLE_DEG
+                and abs(other.aspecular_deg - item.aspecular_deg) <= _SAME_ANGLE_DEG
+            ):
+                raise ValueRangeError(
+                    f"measurements[{index}]", f"has the same angles as measurements[{earlier}]"
+                )
+    return tuple(measurements)

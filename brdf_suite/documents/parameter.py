@@ -1,0 +1,94 @@
+"""A number of a document, declared once: its unit, range, default and meaning.
+
+Validation, parameter panels and help texts all read the same declaration, so they cannot disagree.
+"""
+
+from __future__ import annotations
+
+import math
+import unicodedata
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from brdf_suite.errors import ValueRangeError
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One number: ``low`` and ``high`` belong to the range; ``unit`` is empty for a pure number."""
+
+    label: str
+    unit: str
+    low: float
+    high: float
+    default: float
+    meaning: str
+
+    def check(self, value: object, place: str) -> float:
+        """Return ``value`` as a float; raise :class:`ValueRangeError` naming ``place`` where it is not one.
+
+        >>> Parameter("Gloss", "GU", 0.0, 200.0, 90.0, "").check(82, "gloss.gu_20")
+        82.0
+        """
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise ValueRangeError(place, f"a number is wanted, not {describe(value)}")
+        try:
+            number = float(value)
+        except OverflowError:
+            number = math.inf
+        if not math.isfinite(number):
+            raise ValueRangeError(place, f"a finite number is wanted, not {number}")
+        if not self.low <= number <= self.high:
+            unit = f" {self.unit}" if self.unit else ""
+            raise ValueRangeError(
+                place, f"{number:g}{unit} is outside the range {self.low:g} to {self.high:g}{unit}"
+            )
+        return number
+
+
+def describe(value: object) -> str:
+    """Say what kind of value was found, in the words of a JSON file, short enough for a message."""
+    if value is None:
+        return "null"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return f"the text {value[:40]!r}"
+    if isinstance(value, Mapping):
+        return "an object"
+    if isinstance(value, (list, tuple)):
+        return f"a list of {len(value)}"
+    return f"{value!r}"[:60]
+
+
+def check_text(value: object, place: str, *, longest: int, lines: bool, empty: bool) -> str:
+    """Return ``value`` where it is a text that can be shown and saved.
+
+    Parameters
+    ----------
+    longest
+        The largest number of characters.
+    lines
+        Whether line breaks and tabs are allowed; other control characters never are.
+    empty
+        Whether the empty text is allowed.
+    """
+    if not isinstance(value, str):
+        raise ValueRangeError(place, f"a text is wanted, not {describe(value)}")
+    if len(value) > longest:
+        raise ValueRangeError(place, f"{len(value)} characters are more than the {longest} allowed")
+    if not empty and not value.strip():
+        raise ValueRangeError(place, "the text is empty")
+    allowed = "\n\t" if lines else ""
+    for character in value:
+        # Cc: control characters; Cs: half of a surrogate pair, which UTF-8 cannot hold.
+        if unicodedata.category(character) in {"Cc", "Cs"} and character not in allowed:
+            raise ValueRangeError(place, f"the character {character!r} is not allowed in this text")
+    return value
+
+
+def check_choice(value: object, place: str, choices: tuple[str, ...]) -> str:
+    """Return ``value`` where it is one of ``choices``."""
+    if not isinstance(value, str) or value not in choices:
+        raise ValueRangeError(place, f"one of {', '.join(choices)} is wanted, not {describe(value)}")
+    return value

@@ -1,0 +1,133 @@
+"""Read the fields of a JSON object one by one; every complaint names its place.
+
+A :class:`FieldReader` hands out fields and knows which were asked for; what is left over is unknown and
+refused, so that a misspelt field is never silently ignored.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import stat
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NoReturn, TypeVar
+
+from brdf_suite.documents.parameter import describe
+from brdf_suite.errors import DocumentError, FileError, ValueRangeError
+
+LARGEST_FILE = 16 * 1024 * 1024
+"""Bytes; a document of ours is a few kilobytes, so more than this is something else."""
+
+_T = TypeVar("_T")
+
+
+class FieldReader:
+    """The fields of one JSON object at ``place`` of the file ``path``."""
+
+    def __init__(self, value: object, path: str | os.PathLike[str], place: str = "") -> None:
+        self.path = path
+        self.place = place
+        if not isinstance(value, Mapping):
+            self.fail(f"an object is wanted, not {describe(value)}")
+        self._fields: dict[str, object] = dict(value)
+
+    def where(self, name: str) -> str:
+        """Return the full place of field ``name``."""
+        return f"{self.place}.{name}" if self.place and name else self.place or name
+
+    def fail(self, reason: str, name: str = "") -> NoReturn:
+        """Raise :class:`DocumentError` about field ``name``, or about the object itself."""
+        raise DocumentError(self.path, reason, self.where(name) or "the top level")
+
+    def take(self, name: str) -> object:
+        """Return a field that must be there."""
+        if name not in self._fields:
+            self.fail(f'the field "{name}" is missing')
+        return self._fields.pop(name)
+
+    def take_or(self, name: str, default: _T) -> object | _T:
+        """Return a field, or ``default`` where it is absent."""
+        return self._fields.pop(name, default)
+
+    def take_object(self, name: str) -> FieldReader:
+        """Return a reader of the object in field ``name``."""
+        return FieldReader(self.take(name), self.path, self.where(name))
+
+    def take_objects(self, name: str) -> list[FieldReader]:
+        """Return a reader for each object of the list in field ``name``."""
+        items = self.take(name)
+        if not isinstance(items, list):
+            self.fail(f"a list is wanted, not {describe(items)}", name)
+        return [FieldReader(item, self.path, f"{self.where(name)}[{i}]") for i, item in enumerate(items)]
+
+    def finish(self) -> None:
+        """Refuse fields that nobody took."""
+        if self._fields:
+            unknown = next(iter(self._fields))
+            self.fail(f"the field {describe(unknown).removeprefix('the text ')} is unknown")
+
+    @contextmanager
+    def naming(self) -> Iterator[None]:
+        """Turn a range error from inside into a :class:`DocumentError` at this object's place."""
+        try:
+            yield
+        except ValueRangeError as error:
+            raise DocumentError(self.path, error.reason, self.where(error.place)) from error
+
+
+def read_json(path: str | os.PathLike[str]) -> object:
+    """Return the value in a JSON file.
+
+    NaN and infinities are let through as floats: the field that holds one refuses it by name, which is a
+    better place than a line. A key given twice is refused, since one of the two would be lost.
+
+    Raises
+    ------
+    FileError
+        The file cannot be read.
+    DocumentError
+        It is not UTF-8, not JSON, too large or nested too deep; with line and column where they are known.
+    """
+    content = _read_bytes(path)
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise DocumentError(path, "is not text in UTF-8", f"byte {error.start}") from error
+
+    def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
+        found = dict(pairs)
+        if len(found) != len(pairs):
+            names = [name for name, _ in pairs]
+            twice = next(name for name in names if names.count(name) > 1)
+            raise DocumentError(path, "the field is given twice", twice[:80])
+        return found
+
+    try:
+        value: object = json.loads(text, object_pairs_hook=unique)
+    except json.JSONDecodeError as error:
+        place = f"line {error.lineno}, column {error.colno}"
+        raise DocumentError(path, f"is not valid JSON ({error.msg.lower()})", place) from error
+    except RecursionError as error:
+        raise DocumentError(path, "is nested too deep to be a document of ours") from error
+    except ValueError as error:  # an integer of more digits than Python converts
+        raise DocumentError(path, f"holds a number that cannot be read ({error})") from error
+    return value
+
+
+def _read_bytes(path: str | os.PathLike[str]) -> bytes:
+    try:
+        # A pipe or a device would be waited for without end.
+        if not stat.S_ISREG(Path(path).stat().st_mode):
+            raise FileError(path, "is not a plain file")
+        with Path(path).open("rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise FileError(path, f"cannot be read: {reason}") from error
+    if len(content) > LARGEST_FILE:
+        raise DocumentError(
+            path, f"is larger than {LARGEST_FILE // 2**20} MB, too large to be a document of ours"
+        )
+    return content

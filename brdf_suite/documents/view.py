@@ -1,0 +1,101 @@
+"""How a paint is looked at: camera, environment, surface and tone curve, as a frozen value."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import PurePosixPath, PureWindowsPath
+from types import MappingProxyType
+from typing import Literal, get_args
+
+from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.errors import ValueRangeError
+
+ToneCurve = Literal["neutral", "characteristic", "linear"]
+TONE_CURVES: tuple[str, ...] = get_args(ToneCurve)
+Background = Literal["environment", "grey"]
+BACKGROUNDS: tuple[str, ...] = get_args(Background)
+
+SENSOR_WIDTH_MM = 36.0
+"""The width of the picture that ``focal_length_mm`` refers to: a full-frame camera."""
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        "camera.azimuth_deg": Parameter("Azimuth", "°", -3600.0, 3600.0, 35.0, "Around the y axis, 0 on +z"),
+        "camera.elevation_deg": Parameter("Elevation", "°", -90.0, 90.0, 12.0, "Above the horizontal plane"),
+        "camera.distance": Parameter("Distance", "m", 1e-4, 1e6, 1.0, "From the target to the camera"),
+        "camera.target": Parameter("Target", "m", -1e6, 1e6, 0.0, "The point in the middle of the picture"),
+        "camera.focal_length_mm": Parameter("Focal length", "mm", 8.0, 1200.0, 50.0, "On a 36 mm sensor"),
+        "rotation_deg": Parameter(
+            "Rotation", "°", -3600.0, 3600.0, 0.0, "Turns the light counter-clockwise, seen from above"
+        ),
+        "exposure_ev": Parameter("Exposure", "EV", -24.0, 24.0, 0.0, "Each step doubles the light"),
+    }
+)
+
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_\-]{0,99}\Z")
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A camera that orbits ``target`` (metres); ``distance`` or ``target`` None: frame the object."""
+
+    azimuth_deg: float = 35.0
+    elevation_deg: float = 12.0
+    distance: float | None = None
+    target: tuple[float, float, float] | None = None
+    focal_length_mm: float = 50.0
+
+    def __post_init__(self) -> None:
+        for name in ("azimuth_deg", "elevation_deg", "focal_length_mm"):
+            object.__setattr__(self, name, PARAMETERS[f"camera.{name}"].check(getattr(self, name), name))
+        if self.distance is not None:
+            distance = PARAMETERS["camera.distance"].check(self.distance, "distance")
+            object.__setattr__(self, "distance", distance)
+        if self.target is not None:
+            if not isinstance(self.target, (tuple, list)) or len(self.target) != 3:
+                raise ValueRangeError("target", f"three numbers are wanted, not {describe(self.target)}")
+            check = PARAMETERS["camera.target"].check
+            target = tuple(check(value, f"target[{i}]") for i, value in enumerate(self.target))
+            object.__setattr__(self, "target", target)
+
+
+@dataclass(frozen=True)
+class View:
+    """A scene without its paint.
+
+    ``environment`` and ``surface`` are the name of a packaged one (``booth``, ``speed_form``) or the
+    absolute path of a file. Whether it exists is found out where it is opened.
+    """
+
+    camera: Camera = field(default_factory=Camera)
+    environment: str = "booth"
+    surface: str = "speed_form"
+    rotation_deg: float = 0.0
+    exposure_ev: float = 0.0
+    tone_curve: ToneCurve = "neutral"
+    background: Background = "environment"
+    fresnel: bool = True
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.camera, Camera):
+            raise ValueRangeError("camera", f"a camera is wanted, not {describe(self.camera)}")
+        for name in ("environment", "surface"):
+            _check_name_or_path(getattr(self, name), name)
+        for name in ("rotation_deg", "exposure_ev"):
+            object.__setattr__(self, name, PARAMETERS[name].check(getattr(self, name), name))
+        check_choice(self.tone_curve, "tone_curve", TONE_CURVES)
+        check_choice(self.background, "background", BACKGROUNDS)
+        if not isinstance(self.fresnel, bool):
+            raise ValueRangeError("fresnel", f"true or false is wanted, not {describe(self.fresnel)}")
+
+
+def _check_name_or_path(value: object, place: str) -> None:
+    text = check_text(value, place, longest=4096, lines=False, empty=False)
+    # A file written on another system is still valid here; opening it will say that it is missing.
+    absolute = PurePosixPath(text).is_absolute() or PureWindowsPath(text).is_absolute()
+    if not absolute and not _NAME.match(text):
+        raise ValueRangeError(
+            place, f"the name of a packaged one or an absolute path is wanted, not {describe(value)}"
+        )

@@ -1,0 +1,1 @@
+"""Directions about a surface: frames, angles, half-angle coordinates and Fresnel's equations."""

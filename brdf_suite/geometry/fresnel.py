@@ -1,0 +1,42 @@
+"""Fresnel's equations for an interface between air and a clear dielectric, unpolarised light.
+
+With c = cos θ outside and t = cos θ' = √(1 - (1 - c²)/n²) inside (Snell),
+
+    r_s = (c - n t) / (c + n t),    r_p = (n c - t) / (n c + t),    F = (r_s² + r_p²) / 2.
+
+Born and Wolf, Principles of Optics, section 1.5.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.geometry.directions import Floats
+
+
+def fresnel_dielectric(cos_theta: npt.ArrayLike, ior: float) -> Floats:
+    """Return the reflected share F (...), 0 to 1, at ``cos_theta`` (outside, clipped to 0…1) for ``ior`` ≥ 1.
+
+    >>> round(float(fresnel_dielectric(1.0, 1.5)), 6)
+    0.04
+    """
+    c = np.clip(np.asarray(cos_theta, float), 0.0, 1.0)
+    t = np.sqrt(1.0 - (1.0 - c * c) * (1.0 / (ior * ior)))
+    nt, nc = ior * t, ior * c
+    # ior = 1 at grazing is 0/0; there is no interface and nothing is reflected.
+    tiny = np.finfo(float).tiny
+    r_s = (c - nt) / np.maximum(c + nt, tiny)
+    r_p = (nc - t) / np.maximum(nc + t, tiny)
+    return np.asarray(0.5 * (r_s * r_s + r_p * r_p))
+
+
+def fresnel_at(theta_deg: float, ior: float) -> float:
+    """Return F for one angle in degrees; a plain number, for solvers that need it many times."""
+    c = math.cos(math.radians(theta_deg))
+    t = math.sqrt(1.0 - (1.0 - c * c) / (ior * ior))
+    r_s = (c - ior * t) / (c + ior * t)
+    r_p = (ior * c - t) / (ior * c + t)
+    return 0.5 * (r_s * r_s + r_p * r_p)
