@@ -1,0 +1,92 @@
+"""Build the wheel, install it in a fresh environment, and render with it: ``check_wheel.py``.
+
+Proves that what a user installs is complete: resources and shaders inside, no file of the checkout needed.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import venv
+import zipfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+LOCK = ROOT / "packaging" / "lock.txt"
+NEEDED = (
+    "brdf_suite/_resources/paints/blue.brdfpaint",
+    "brdf_suite/_resources/meshes/speed_form.glb",
+    "brdf_suite/_resources/environments/booth.exr",
+    "brdf_suite/realtime/shaders/",
+    "brdf_designer/__main__.py",
+    "brdf_viewer/__main__.py",
+)
+
+
+def _run(*command: str | Path, cwd: Path, **more: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([str(c) for c in command], cwd=cwd, check=True, text=True, **more)  # type: ignore[call-overload, no-any-return] # keyword arguments go through
+
+
+def main() -> int:
+    """Return 0 when the installed wheel renders a picture that is not empty."""
+    with tempfile.TemporaryDirectory(prefix="brdf-suite-wheel-") as scratch:
+        folder = Path(scratch)
+        _run(
+            sys.executable,
+            "-m",
+            "build",
+            "--wheel",
+            "--no-isolation",
+            "--outdir",
+            folder,
+            ROOT,
+            cwd=ROOT,
+            stdout=subprocess.DEVNULL,
+        )
+        (wheel,) = folder.glob("*.whl")
+        names = zipfile.ZipFile(wheel).namelist()
+        missing = [n for n in NEEDED if not any(name.startswith(n) for name in names)]
+        if missing:
+            print(f"{wheel.name} lacks {', '.join(missing)}", file=sys.stderr)
+            return 1
+        print(f"{wheel.name}: {len(names)} files, {wheel.stat().st_size / 1e6:.1f} MB", flush=True)
+
+        venv.create(folder / "env", with_pip=True)
+        binaries = folder / "env" / "bin"
+        _run(
+            binaries / "python",
+            "-m",
+            "pip",
+            "install",
+            "-q",
+            "--disable-pip-version-check",
+            "-c",
+            LOCK,
+            wheel,
+            cwd=folder,
+        )
+        clean = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "VIRTUAL_ENV"))}
+        clean["BRDF_SUITE_CACHE"] = str(folder / "cache")
+        picture = folder / "wheel.png"
+        done = _run(
+            binaries / "brdf-suite", "render", "blue", "-o", picture, "--size", "320x240", "--json",
+            cwd=folder, env=clean, stdout=subprocess.PIPE,
+        )  # fmt: skip
+        answer = json.loads(done.stdout)
+        spread = _run(
+            binaries / "python", "-c",
+            "import sys; from PIL import Image; print(max(high - low for low, high in Image.open(sys.argv[1]).convert('RGB').getextrema()))",
+            picture, cwd=folder, env=clean, stdout=subprocess.PIPE,
+        )  # fmt: skip
+        if int(spread.stdout) < 50:
+            print(f"the picture is empty: its channels span {spread.stdout.strip()} of 255", file=sys.stderr)
+            return 1
+        print(f"rendered {answer['output']} with the installed wheel: {answer['width']}x{answer['height']}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,190 @@
+"""Prepare what the suite needs on this machine: system libraries and a Python environment of its own.
+
+Standard library only, since it runs before anything is installed. ``run.py`` and ``test.py`` call
+:func:`prepare`; it is idempotent, shows what it does, and costs a few milliseconds when all is there.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+ENVIRONMENT = ROOT / ".venv"
+LOCK = ROOT / "packaging" / "lock.txt"
+STAMP = ENVIRONMENT / "brdf-suite-prepared"
+PYTHON = ENVIRONMENT / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+MINIMUM = (3, 11)
+
+#: Shared library (as the loader knows it) -> Debian package that holds it.
+_LIBRARIES = {
+    "libEGL.so.1": "libegl1",
+    "libGL.so.1": "libgl1",
+    "libfontconfig.so.1": "libfontconfig1",
+    "libfreetype.so.6": "libfreetype6",
+    "libglib-2.0.so.0": "libglib2.0-0",
+    "libdbus-1.so.3": "libdbus-1-3",
+    "libxkbcommon.so.0": "libxkbcommon0",
+    "libxkbcommon-x11.so.0": "libxkbcommon-x11-0",
+    "libxcb-cursor.so.0": "libxcb-cursor0",
+    "libxcb-icccm.so.4": "libxcb-icccm4",
+    "libxcb-image.so.0": "libxcb-image0",
+    "libxcb-keysyms.so.1": "libxcb-keysyms1",
+    "libxcb-randr.so.0": "libxcb-randr0",
+    "libxcb-render-util.so.0": "libxcb-render-util0",
+    "libxcb-shape.so.0": "libxcb-shape0",
+    "libxcb-xinerama.so.0": "libxcb-xinerama0",
+    "libxcb-xkb.so.1": "libxcb-xkb1",
+}
+_DRIVER_PLACES = ("/usr/lib/*/dri/*_dri.so", "/usr/lib*/dri/*_dri.so", "/usr/lib/*/libEGL_nvidia.so.0")
+_FONT_PLACES = ("/usr/share/fonts", "/usr/local/share/fonts")
+
+
+class NotPrepared(SystemExit):
+    """Ends the program with a message and exit status 1."""
+
+
+def _say(text: str) -> None:
+    print(f"[brdf-suite] {text}", flush=True)
+
+
+def _missing_packages(for_tests: bool) -> list[str]:
+    """Name the Debian packages of the libraries and programs that this Linux lacks."""
+    missing = []
+    for library, package in _LIBRARIES.items():
+        try:
+            ctypes.CDLL(library)
+        except OSError:
+            missing.append(package)
+    if not any(next(Path("/").glob(place[1:]), None) for place in _DRIVER_PLACES):
+        missing.append("libgl1-mesa-dri")
+    fonts = (f for place in _FONT_PLACES for kind in ("ttf", "otf") for f in Path(place).rglob(f"*.{kind}"))
+    if next(fonts, None) is None:
+        missing.append("fonts-dejavu-core")
+    if for_tests and shutil.which("Xvfb") is None:
+        missing.append("xvfb")
+    try:
+        import ensurepip  # noqa: F401 - Debian splits it from Python; only its presence is asked
+    except ImportError:
+        missing.append(f"python{sys.version_info.major}.{sys.version_info.minor}-venv")
+    return missing
+
+
+def _install_system_libraries(for_tests: bool) -> None:
+    if not sys.platform.startswith("linux"):
+        return  # the wheels bring what Windows and macOS need, and both have OpenGL 3.3 of their own
+    missing = _missing_packages(for_tests)
+    if not missing:
+        return
+    if shutil.which("apt-get") is None:
+        raise NotPrepared(
+            "These system libraries are missing (named as Debian names them): "
+            + ", ".join(missing)
+            + ".\nInstall their counterparts with this system's package manager, then run this again."
+        )
+    install = ["apt-get", "install", "-y", "--no-install-recommends", *missing]
+    prefix = _root_prefix()
+    if prefix is None:
+        raise NotPrepared(
+            "System libraries are missing and may not be installed from here. Run this one line, then "
+            "this command again:\n\n    sudo apt-get update && sudo " + " ".join(install) + "\n"
+        )
+    _say(f"Installing system libraries: {' '.join(missing)}")
+    quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
+    subprocess.run([*prefix, "apt-get", "update", "-q"], env=quiet, check=False, stdin=subprocess.DEVNULL)
+    done = subprocess.run([*prefix, *install], env=quiet, check=False, stdin=subprocess.DEVNULL)
+    if done.returncode != 0:
+        raise NotPrepared(
+            f"The system libraries could not be installed; see above. The line was:\n\n    {' '.join(install)}\n"
+        )
+    if "-venv" in " ".join(missing):
+        _say("Starting again with the new Python modules")
+        os.execv(sys.executable, [sys.executable, *sys.argv])
+
+
+def _root_prefix() -> list[str] | None:
+    """Return what to put before a command that needs root; ``None`` where we may not."""
+    if os.geteuid() == 0:
+        return []
+    if (
+        shutil.which("sudo")
+        and subprocess.run(["sudo", "-n", "true"], capture_output=True, check=False).returncode == 0
+    ):
+        return ["sudo", "-n"]
+    return None
+
+
+def _fingerprint() -> str:
+    """Return what the environment depends on: Python, build settings, lock, place."""
+    state = hashlib.sha256()
+    for part in (sys.version, sysconfig.get_platform(), str(ROOT)):
+        state.update(part.encode())
+    for file in (ROOT / "pyproject.toml", LOCK):
+        state.update(file.read_bytes())
+    return state.hexdigest()
+
+
+def _prepared_extras() -> set[str] | None:
+    """Return the extras of an environment that is complete and current, else ``None``."""
+    try:
+        fingerprint, *extras = STAMP.read_text().split()
+    except OSError:
+        return None
+    return set(extras) if fingerprint == _fingerprint() and PYTHON.exists() else None
+
+
+def _pip(*arguments: str) -> None:
+    command = [
+        str(PYTHON),
+        "-m",
+        "pip",
+        "--disable-pip-version-check",
+        "install",
+        "-c",
+        str(LOCK),
+        *arguments,
+    ]
+    if subprocess.run(command, cwd=ROOT, check=False, stdin=subprocess.DEVNULL).returncode != 0:
+        raise NotPrepared(
+            "The Python packages could not be installed; see above. What was there is kept; run this again."
+        )
+
+
+def _install_environment(extras: set[str]) -> None:
+    have = _prepared_extras()
+    if have is not None and extras <= have:
+        return
+    import venv
+
+    extras = extras | (have or set())
+    if have is None:
+        _say(f"Making a Python environment in {ENVIRONMENT.relative_to(ROOT)}/ (once; about a minute)")
+        STAMP.unlink(missing_ok=True)
+        venv.EnvBuilder(with_pip=True, clear=ENVIRONMENT.exists(), symlinks=os.name != "nt").create(
+            ENVIRONMENT
+        )
+    _say("Installing Python packages" + (f" with extras {', '.join(sorted(extras))}" if extras else ""))
+    _pip("--quiet", "--progress-bar", "off", "hatchling")
+    wanted = f"[{','.join(sorted(extras))}]" if extras else ""
+    _pip("--progress-bar", "off", "--no-build-isolation", "--editable", f".{wanted}")
+    STAMP.write_text(" ".join([_fingerprint(), *sorted(extras)]))
+    _say("The environment is ready")
+
+
+def prepare(*extras: str) -> Path:
+    """Make sure of the system libraries and the environment with ``extras``; return its Python.
+
+    Exits with a message, and status 1, where something is missing that may not be installed from here.
+    """
+    if sys.version_info < MINIMUM:
+        found = ".".join(map(str, sys.version_info[:3]))
+        raise NotPrepared(f"BRDF Suite needs Python {MINIMUM[0]}.{MINIMUM[1]} or newer; this is {found}.")
+    _install_system_libraries(for_tests="dev" in extras)
+    _install_environment(set(extras))
+    return PYTHON

@@ -1,0 +1,38 @@
+"""Prepare this machine and run the tests: ``python3 packaging/test.py [pytest arguments]``.
+
+Without arguments everything runs, in two processes: what needs no screen (Qt's ``offscreen`` platform,
+OpenGL through EGL), and the windows with OpenGL, on an X server of their own (Xvfb). With arguments they
+go to one pytest, as in ``python3 packaging/test.py tests/fitting -k limit``.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+from prepare import ROOT, prepare
+
+SCREEN = ("tests/viewer", "tests/qt_gl")
+
+
+def main() -> int:
+    """Prepare, run, and return pytest's exit status (the first that is not zero)."""
+    if sys.argv[1:] == ["--prepare-only"]:
+        prepare("dev")
+        return 0
+    python = str(prepare("dev"))
+    environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", "PYTHONFAULTHANDLER": "1"}
+    pytest = [python, "-m", "pytest"]
+    if sys.argv[1:]:
+        runs = [[*pytest, *sys.argv[1:]]]
+    else:
+        screen = [folder for folder in SCREEN if (ROOT / folder).is_dir()]
+        without = [f"--ignore={folder}" for folder in screen]
+        runs = [[*pytest, "-n", "2", "--dist", "loadfile", *without], [*pytest, *screen]]
+    codes = [subprocess.run(run, cwd=ROOT, env=environment, check=False).returncode for run in runs]
+    return next((code for code in codes if code), 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
