@@ -1,0 +1,131 @@
+"""Where a designed paint is sampled for the fit: fixed directions, so that the program's matrix never changes.
+
+The base (flakes and pigment, seen through the coat) is sampled as paints are measured: light at 45°, view in the
+plane of incidence over the aspecular angle γ.
+
+The coat is sampled as an environment shows it: view at 45°, lights on rings around the view's mirror direction,
+spaced evenly in log γ, each ring's value the mean over its azimuths of ``f_r·(N·L)``. Rings rather than the plane
+of incidence alone, because a microfacet coat at 45° is narrower across the plane than in it: a round lobe fitted
+in the plane holds 1/cos 45° = 1.41 times the energy. The ring mean is what a round lobe can follow, and the
+weighted sum over rings is the coat's directional reflectance.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+
+#: Incidence of the fit: 45°, where paints are measured (ASTM E2194).
+THETA_FIT_RAD = np.pi / 4.0
+
+#: Aspecular angles of the base's samples in degrees, and their weights before perceptual weighting.
+#: The angles of the instruments (15, 25, 45, 75, 110) count most: an L1 fit then passes through them.
+BASE_GAMMAS_DEG = (-30.0, -15.0, 0.0, 8.0, 15.0, 20.0, 25.0, 35.0, 45.0, 60.0, 75.0, 92.0, 110.0, 130.0)
+BASE_WEIGHTS = (0.1, 0.3, 0.5, 0.5, 8.0, 0.5, 1.0, 0.5, 8.0, 0.5, 1.0, 0.5, 8.0, 0.3)
+
+#: Rings of the coat: the first, in radians, and the step in log γ; the last lies at or below 90°.
+COAT_FIRST_RING_RAD = 0.001
+COAT_LOG_STEP = 0.4
+COAT_AZIMUTHS = 6
+
+
+def _incidence(theta: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return light, mirror direction, and the in-plane unit vector at the mirror direction towards the normal."""
+    light = np.array([-np.sin(theta), 0.0, np.cos(theta)])
+    mirror = np.array([np.sin(theta), 0.0, np.cos(theta)])
+    towards_normal = np.array([-np.cos(theta), 0.0, np.sin(theta)])
+    return light, mirror, towards_normal
+
+
+@dataclass(frozen=True, eq=False)
+class BaseSamples:
+    """Sample directions of the base: ``light`` (3,), ``views`` (n, 3), ``gamma_rad`` (n,), ``weights`` (n,)."""
+
+    theta_rad: float = THETA_FIT_RAD
+    gammas_deg: tuple[float, ...] = BASE_GAMMAS_DEG
+    raw_weights: tuple[float, ...] = BASE_WEIGHTS
+    light: FloatArray = field(init=False)
+    views: FloatArray = field(init=False)
+    gamma_rad: FloatArray = field(init=False)
+    weights: FloatArray = field(init=False)
+
+    def __post_init__(self) -> None:
+        light, mirror, towards_normal = _incidence(self.theta_rad)
+        gamma = np.deg2rad(np.array(self.gammas_deg, dtype=np.float64))
+        views = np.cos(gamma)[:, None] * mirror + np.sin(gamma)[:, None] * towards_normal
+        object.__setattr__(self, "light", light)
+        object.__setattr__(self, "views", views)
+        object.__setattr__(self, "gamma_rad", gamma)
+        object.__setattr__(self, "weights", np.array(self.raw_weights, dtype=np.float64))
+
+    def cosine_lobes(self, exponents: FloatArray) -> FloatArray:
+        """Return ``(n, m)``: ``(R·V)^E``, 0 where the dot is negative."""
+        lobes: FloatArray = np.clip(np.cos(self.gamma_rad), 0.0, None)[:, None] ** exponents
+        return lobes
+
+
+@dataclass(frozen=True, eq=False)
+class CoatSamples:
+    """Ring samples of the coat around the mirror direction of a view at ``theta_rad``.
+
+    ``gamma_rad`` (n,) with the mirror direction itself first; ``view`` (3,); ``lights`` (n, azimuths, 3);
+    ``cosines`` (n, azimuths) their ``N·L``, 0 below the horizon; ``lit`` (n,) the share of each ring above the
+    horizon; ``solid_angle`` (n,) in sr, the weights of a trapezium rule over log γ, so that
+    ``solid_angle @ ring_means`` is an integral over the directions above the horizon and within 90° of the
+    mirror direction.
+    """
+
+    theta_rad: float = THETA_FIT_RAD
+    first_ring_rad: float = COAT_FIRST_RING_RAD
+    log_step: float = COAT_LOG_STEP
+    azimuths: int = COAT_AZIMUTHS
+    view: FloatArray = field(init=False)
+    lights: FloatArray = field(init=False)
+    cosines: FloatArray = field(init=False)
+    lit: FloatArray = field(init=False)
+    gamma_rad: FloatArray = field(init=False)
+    solid_angle: FloatArray = field(init=False)
+
+    def __post_init__(self) -> None:
+        view, mirror, towards_normal = _incidence(self.theta_rad)
+        across = np.array([0.0, 1.0, 0.0])
+        count = int(np.floor(np.log(np.pi / 2.0 / self.first_ring_rad) / self.log_step)) + 1
+        rings = self.first_ring_rad * np.exp(self.log_step * np.arange(count))
+        # The rings that the rule would have inside the first one, all with the value of the mirror direction.
+        inner = np.exp(-2.0 * self.log_step) / (1.0 - np.exp(-2.0 * self.log_step))
+        ring_angle = 2.0 * np.pi * np.sin(rings) * rings * self.log_step
+        gamma = np.concatenate([[0.0], rings])
+        # Half a ring is enough: every isotropic reflectance is symmetric about the plane of incidence.
+        azimuth = (np.arange(self.azimuths) + 0.5) * np.pi / self.azimuths
+        around = np.cos(azimuth)[:, None] * towards_normal + np.sin(azimuth)[:, None] * across
+        lights = np.cos(gamma)[:, None, None] * mirror + np.sin(gamma)[:, None, None] * around
+        for name, value in {
+            "view": view,
+            "lights": lights,
+            "cosines": np.clip(lights[..., 2], 0.0, None),
+            "lit": (lights[..., 2] > 0.0).mean(axis=1),
+            "gamma_rad": gamma,
+            "solid_angle": np.concatenate([[ring_angle[0] * inner], ring_angle]),
+        }.items():
+            object.__setattr__(self, name, value)
+
+    def cosine_lobes(self, exponents: FloatArray) -> FloatArray:
+        """Return ``(n, m)``: ring means of ``(R·L)^E`` above the horizon.
+
+        Computed as ``exp(E·log1p(-2 sin²(γ/2)))``, which is exact for sharp lobes.
+        """
+        log_cosine = np.log1p(-2.0 * np.sin(self.gamma_rad / 2.0) ** 2)
+        lobes: FloatArray = self.lit[:, None] * np.exp(log_cosine[:, None] * exponents)
+        return lobes
+
+    def lobe_energy(self, exponents: FloatArray) -> FloatArray:
+        """Return ``(m,)`` the integral of ``(R·L)^E`` above the horizon, in sr: ``2π/(E+1)`` times the lit share."""
+        log_cosine = np.log1p(-2.0 * np.sin(self.gamma_rad / 2.0) ** 2)
+        whole = np.exp(log_cosine[:, None] * exponents)
+        share = (self.solid_angle * self.lit) @ whole / (self.solid_angle @ whole)
+        energy: FloatArray = 2.0 * np.pi / (exponents + 1.0) * share
+        return energy

@@ -1,0 +1,101 @@
+"""What a fit gives: the non-negative weights of the cosine lobes, and the reflectance that they make."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.errors import FittingError
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class LobeWeights:
+    """Weights of diffuse (KD), directional-diffuse (KDD) and gloss (KG) lobes, linear Rec. 2020, ≥ 0.
+
+    With ``wi`` to the light (polar cosine ``N·L``), ``R`` its mirror direction and ``V`` the view::
+
+        f_r·(N·L) ≈ KD·(N·L) + (N·L)·Σ KDD_i·(R·V)^E_i + Σ KG_i·(R·V)^E_i      (negative dots are 0)
+
+    Parameters
+    ----------
+    exponents
+        ``(m,)`` lobe exponents E.
+    kd, kdd, kg
+        ``(3,)``, ``(m, 3)``, ``(m, 3)`` float64; finite and not negative; KD and KDD in 1/sr, KG without the
+        cosine's share (radiance per irradiance on a plane that faces the light).
+    theta_fit_rad
+        Incidence angle of the fit, from which Fresnel factors are taken towards grazing.
+    ior
+        Refractive index of the coat.
+    time_limited
+        The time limit came before the optimum: the best weights at hand, not the best there are.
+
+    Raises
+    ------
+    FittingError
+        A shape that does not fit, or a weight that is negative or not finite.
+    """
+
+    exponents: FloatArray
+    kd: FloatArray
+    kdd: FloatArray
+    kg: FloatArray
+    theta_fit_rad: float
+    ior: float
+    time_limited: bool = False
+
+    def __post_init__(self) -> None:
+        count = np.asarray(self.exponents).size
+        shapes = {"exponents": (count,), "kd": (3,), "kdd": (count, 3), "kg": (count, 3)}
+        for name, shape in shapes.items():
+            value = np.array(getattr(self, name), dtype=np.float64)
+            if value.shape != shape:
+                raise FittingError(f"The lobe weights {name} have shape {value.shape}, not {shape}.")
+            if not (np.isfinite(value).all() and (value >= 0.0).all()):
+                raise FittingError(f"The lobe weights {name} hold a negative or not finite value.")
+            value.setflags(write=False)
+            object.__setattr__(self, name, value)
+
+    def reflected(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+        """Return ``f_r·(N·L)`` in 1/sr: reflected radiance for light of unit strength (cosine included).
+
+        ``wi``, ``wo``: unit directions ``(..., 3)`` to light and view, local frame with the normal as z; they
+        broadcast. Result ``(..., 3)``, 0 where either is at or below the horizon.
+        """
+        cos_light, lit, base, gloss = self._sums(wi, wo)
+        result: FloatArray = np.where(lit[..., None], cos_light[..., None] * base + gloss, 0.0)
+        return result
+
+    def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+        """Return the lobes' f_r in 1/sr, **without** the cosine: ``reflected`` over ``N·L``.
+
+        Shapes as for :meth:`reflected`; 0 at or below the horizon. The gloss part grows without bound as
+        light goes to grazing, as the representation says; use :meth:`reflected` for radiance.
+        """
+        cos_light, lit, base, gloss = self._sums(wi, wo)
+        safe = np.where(lit, cos_light, 1.0)[..., None]
+        result: FloatArray = np.where(lit[..., None], base + gloss / safe, 0.0)
+        return result
+
+    def _sums(
+        self, wi: FloatArray, wo: FloatArray
+    ) -> tuple[FloatArray, NDArray[np.bool_], FloatArray, FloatArray]:
+        light, view = np.broadcast_arrays(np.asarray(wi, np.float64), np.asarray(wo, np.float64))
+        cos_light = light[..., 2]
+        lit = (cos_light > 0.0) & (view[..., 2] > 0.0)
+        # R·V with R = (-x, -y, z): the mirror direction of the light about the normal.
+        dot = light[..., 2] * view[..., 2] - light[..., 0] * view[..., 0] - light[..., 1] * view[..., 1]
+        lobes = np.clip(dot, 0.0, 1.0)[..., None] ** self.exponents
+        return cos_light, lit, self.kd + lobes @ self.kdd, lobes @ self.kg
+
+    def coat_energy(self) -> FloatArray:
+        """Return ``(3,)`` what the gloss lobes reflect of a constant environment: ``Σ KG_i·2π/(E_i+1)``.
+
+        The part of wide lobes that reaches below the horizon is counted; for a car's clearcoat it is nothing.
+        """
+        result: FloatArray = (2.0 * np.pi / (self.exponents + 1.0)) @ self.kg
+        return result
