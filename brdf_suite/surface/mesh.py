@@ -21,8 +21,9 @@ Material: TypeAlias = Literal["paint", "glass", "rubber", "chrome", "lamp", "tri
 
 MATERIALS: tuple[str, ...] = get_args(Material)
 
-Float32: TypeAlias = NDArray[np.float32]
-UInt32: TypeAlias = NDArray[np.uint32]
+# Any width is accepted and converted; what a Part holds is float32 and uint32.
+Reals: TypeAlias = NDArray[np.floating[Any]]
+Integers: TypeAlias = NDArray[np.integer[Any]]
 
 _T = TypeVar("_T", bound=np.generic)
 
@@ -56,10 +57,10 @@ class Part:
 
     name: str
     material: str
-    positions: Float32
-    normals: Float32
-    uvs: Float32
-    triangles: UInt32
+    positions: Reals
+    normals: Reals
+    uvs: Reals
+    triangles: Integers
 
     def __post_init__(self) -> None:
         if not self.name:
@@ -87,7 +88,7 @@ class Part:
     def _place(self, field: str) -> str:
         return f"part {self.name!r}, {field}"
 
-    def _floats(self, field: str, width: int) -> Float32:
+    def _floats(self, field: str, width: int) -> NDArray[np.float32]:
         given: ArrayLike = getattr(self, field)
         array = np.asarray(given)
         if array.dtype.kind not in "fiu":
@@ -100,7 +101,7 @@ class Part:
             raise ValueRangeError(self._place(f"{field}[{bad[0]}]"), "not a finite single-precision number")
         return _read_only(array, np.float32)
 
-    def _indices(self) -> UInt32:
+    def _indices(self) -> NDArray[np.uint32]:
         array = np.asarray(self.triangles)
         if array.dtype.kind not in "iu":
             raise ValueRangeError(self._place("triangles"), f"type {array.dtype}, not integers")

@@ -1,0 +1,187 @@
+"""Reading meshes: glTF (``.glb``, ``.gltf``), OBJ, STL and PLY.
+
+Our own ``.glb`` files are read directly (:mod:`brdf_suite.files.glb`). All others go through ``trimesh``; its
+scene graph is applied, so that the parts stand in world axes, and :mod:`brdf_suite.surface.repair` makes them
+drawable. What was changed or assumed stands in ``Mesh.notes``.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from brdf_suite.errors import FileError
+from brdf_suite.files.glb import is_own, read_own_glb, split_glb, write_mesh_glb
+from brdf_suite.files.material_words import material_word
+from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.repair import RawPart, repair
+
+__all__ = ["MESH_ENDINGS", "read_mesh", "write_mesh_glb"]
+
+MESH_ENDINGS = (".glb", ".gltf", ".obj", ".stl", ".ply")
+
+_LARGEST_FILE = 1 << 30
+_SMALLEST_M, _LARGEST_M = 0.001, 50.0
+_UNREADABLE = {
+    "EXT_meshopt_compression": "meshopt compression",
+    "KHR_meshopt_compression": "meshopt compression",
+    "KHR_draco_mesh_compression": "Draco compression",
+}
+
+
+def read_mesh(path: str | os.PathLike[str]) -> Mesh:
+    """Return the mesh in a file, in metres, every part with normals and texture coordinates in millimetres.
+
+    Parameters
+    ----------
+    path
+        A file whose name ends in one of :data:`MESH_ENDINGS`.
+
+    Raises
+    ------
+    FileError
+        No such file, not a mesh, damaged, compressed in a way that cannot be read, or without triangles.
+    """
+    file = Path(path)
+    ending = file.suffix.lower()
+    if ending not in MESH_ENDINGS:
+        known = ", ".join(MESH_ENDINGS)
+        raise FileError(path, f"not a mesh file that can be read; the name has to end in one of {known}")
+    data = _content(file)
+    if ending == ".glb":
+        document, binary = split_glb(path, data)
+        if is_own(document):
+            return read_own_glb(path, document, binary, file.stem)
+        _check_gltf(path, document)
+    elif ending == ".gltf":
+        _check_gltf(path, _gltf_json(path, data))
+    return _repaired(path, _raw_parts(path))
+
+
+def _content(file: Path) -> bytes:
+    try:
+        size = file.stat().st_size
+        if not file.is_file():
+            raise FileError(file, "not a file")
+        if size == 0:
+            raise FileError(file, "the file is empty")
+        if size > _LARGEST_FILE:
+            raise FileError(file, f"{size / 2**30:.1f} GiB; meshes of up to 1 GiB can be read")
+        return file.read_bytes()
+    except OSError as error:
+        raise FileError(file, f"cannot be read ({error.strerror or error})") from error
+
+
+def _gltf_json(path: str | os.PathLike[str], data: bytes) -> dict[str, Any]:
+    try:
+        document = json.loads(data)
+    except (ValueError, RecursionError) as error:
+        raise FileError(path, f"not glTF: its JSON is damaged ({error})") from error
+    if not isinstance(document, dict):
+        raise FileError(path, "not glTF: its JSON is not an object")
+    return document
+
+
+def _check_gltf(path: str | os.PathLike[str], document: dict[str, Any]) -> None:
+    """Refuse what no reader here can decode, and a scene graph that runs in a circle."""
+    required = document.get("extensionsRequired", [])
+    for extension in required if isinstance(required, list) else []:
+        if extension in _UNREADABLE:
+            what = f"its triangles are stored with {_UNREADABLE[extension]} ({extension})"
+            raise FileError(path, f"{what}, which cannot be read; export it again without compression")
+    nodes = document.get("nodes", [])
+    if not isinstance(nodes, list) or not all(isinstance(node, dict) for node in nodes):
+        raise FileError(path, "not a list of objects", "nodes")
+    parents = [0] * len(nodes)
+    for place, node in enumerate(nodes):
+        for child in node.get("children", []):
+            if not isinstance(child, int) or not 0 <= child < len(nodes):
+                raise FileError(path, "a child that is not there", f"nodes[{place}].children")
+            parents[child] += 1
+    # A forest can be taken apart from its roots; what stays has a circle, or a node with two parents.
+    free = [index for index, count in enumerate(parents) if count == 0]
+    reached = 0
+    while free:
+        reached += 1
+        for child in nodes[free.pop()].get("children", []):
+            parents[child] -= 1
+            if parents[child] == 0:
+                free.append(child)
+    if reached < len(nodes):
+        raise FileError(path, "the scene graph runs in a circle", "nodes")
+
+
+def _raw_parts(path: str | os.PathLike[str]) -> list[RawPart]:
+    # Imported here: it takes a third of a second, and only meshes of others need it.
+    import trimesh
+
+    try:
+        scene = trimesh.load_scene(os.fspath(path), process=False)
+        names = scene.graph.nodes_geometry
+        return [_raw_part(scene, node) for node in names if _has_faces(scene.geometry[scene.graph[node][1]])]
+    except FileError:
+        raise
+    except Exception as error:  # its readers raise whatever a damaged file runs them into
+        detail = " ".join(str(error).split())[:120] or type(error).__name__
+        raise FileError(path, f"damaged, or not the kind of mesh that its name says ({detail})") from error
+
+
+def _has_faces(geometry: Any) -> bool:
+    return getattr(geometry, "faces", None) is not None and len(geometry.faces) > 0
+
+
+def _raw_part(scene: Any, node: str) -> RawPart:
+    transform, name = scene.graph[node]
+    mesh = scene.geometry[name]
+    matrix = np.asarray(transform, dtype=np.float64)
+    turn = matrix[:3, :3]
+    positions = np.asarray(mesh.vertices, dtype=np.float64) @ turn.T + matrix[:3, 3]
+    triangles = np.asarray(mesh.faces, dtype=np.int64)
+    normals = None
+    # trimesh computes normals on demand; only those that came from the file are in its cache by now.
+    if "vertex_normals" in mesh._cache and abs(np.linalg.det(turn)) > 0.0:
+        normals = np.asarray(mesh.vertex_normals, dtype=np.float64) @ np.linalg.inv(turn)
+    if np.linalg.det(turn) < 0.0:
+        triangles = triangles[:, ::-1]
+    uvs = getattr(mesh.visual, "uv", None)
+    uvs = None if uvs is None else np.asarray(uvs, dtype=np.float64)
+    material = str(getattr(getattr(mesh.visual, "material", None), "name", None) or "")
+    label = Path(str(name)).stem if str(name).lower().endswith(MESH_ENDINGS) else str(name)
+    return RawPart(label, material_word(material, str(name)), positions, triangles, normals, uvs)
+
+
+def _repaired(path: str | os.PathLike[str], raw: list[RawPart]) -> Mesh:
+    if not raw:
+        raise FileError(path, "holds no triangles (points or lines alone cannot be drawn)")
+    factor, note = _scale(raw)
+    notes = [note] if note else []
+    parts: list[Part] = []
+    for one in raw:
+        scaled = RawPart(one.name, one.material, one.positions * factor, one.triangles, one.normals, one.uvs)
+        part, said = repair(scaled)
+        notes += said
+        if part is not None:
+            parts.append(part)
+    if not parts:
+        raise FileError(path, f"no triangle that can be drawn ({'; '.join(notes)})")
+    return Mesh(Path(path).stem, tuple(parts), tuple(notes))
+
+
+def _scale(raw: list[RawPart]) -> tuple[float, str | None]:
+    """Return the factor to metres, and a note where the size in the file cannot be one in metres."""
+    points = np.concatenate([one.positions for one in raw])
+    points = points[(np.abs(points) < 1e12).all(axis=1)]
+    if not len(points):
+        return 1.0, None
+    size = float(np.ptp(points, axis=0).max())
+    if size == 0.0 or _SMALLEST_M <= size <= _LARGEST_M:
+        return 1.0, None
+    factor = 10.0 ** -round(math.log10(size))
+    if not 0.3 <= size * factor <= 3.2:
+        factor = 1.0 / size
+    return factor, f"{size:.3g} m across as written, which no object is; scaled by {factor:g}"

@@ -1,0 +1,110 @@
+"""Normals of triangle meshes: of faces, and smooth ones that keep creases.
+
+A corner of a face gets the mean of the faces around its vertex that can be reached without crossing a
+crease, weighted by the angle that each face takes up at the vertex (Thürmer and Wüthrich 1998), so that the
+result does not depend on how a flat side was cut into triangles.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Float64 = NDArray[np.float64]
+Int64 = NDArray[np.int64]
+
+
+def face_normals(positions: Float64, triangles: Int64) -> Float64:
+    """Return the unit normal of each triangle, (k, 3); zero where it has no area."""
+    a, b, c = (positions[triangles[:, corner]] for corner in range(3))
+    normal = np.cross(b - a, c - a)
+    length = np.linalg.norm(normal, axis=1, keepdims=True)
+    return np.asarray(np.divide(normal, length, out=np.zeros_like(normal), where=length > 0.0))
+
+
+def weld(positions: Float64) -> Int64:
+    """Number the places of vertices, (n,): equal where positions agree to 1e-6 of the size."""
+    size = float(np.ptp(positions, axis=0).max())
+    step = size * 1e-6 if size > 0.0 else 1.0
+    cells = np.round((positions - positions.min(axis=0)) / step).astype(np.int64)
+    return np.unique(cells, axis=0, return_inverse=True)[1].reshape(-1)
+
+
+def corner_angles(positions: Float64, triangles: Int64) -> Float64:
+    """Return the interior angles (k, 3), radians, at the corners of each triangle."""
+    corners = positions[triangles]
+    ahead = np.roll(corners, -1, axis=1) - corners
+    back = np.roll(corners, 1, axis=1) - corners
+    sine = np.linalg.norm(np.cross(ahead, back), axis=2)
+    return np.asarray(np.arctan2(sine, np.einsum("kij,kij->ki", ahead, back)))
+
+
+def smooth_edges(triangles: Int64, faces: Float64, crease_deg: float) -> tuple[Int64, Int64]:
+    """Return the pairs of corners that are joined across edges below the crease angle.
+
+    A corner's number is 3·face + corner; ``triangles`` index welded places. An edge of more than two faces
+    joins them in turn.
+    """
+    count = len(triangles)
+    start, end = triangles.reshape(-1), np.roll(triangles, -1, axis=1).reshape(-1)
+    start_corner = np.arange(3 * count)
+    end_corner = np.roll(start_corner.reshape(-1, 3), -1, axis=1).reshape(-1)
+    forward = start < end
+    low, high = np.where(forward, start, end), np.where(forward, end, start)
+    low_corner = np.where(forward, start_corner, end_corner)
+    high_corner = np.where(forward, end_corner, start_corner)
+    order = np.lexsort((high, low))
+    same = (low[order][1:] == low[order][:-1]) & (high[order][1:] == high[order][:-1])
+    one, other = order[:-1][same], order[1:][same]
+    cosine = np.einsum("ij,ij->i", faces[one // 3], faces[other // 3])
+    joined = cosine >= np.cos(np.radians(crease_deg))
+    one, other = one[joined], other[joined]
+    left = np.concatenate([low_corner[one], high_corner[one]])
+    right = np.concatenate([low_corner[other], high_corner[other]])
+    return left, right
+
+
+def corner_normals(positions: Float64, triangles: Int64, welded: Int64, crease_deg: float) -> Float64:
+    """Return a unit normal for each corner of each triangle, (k, 3, 3).
+
+    Parameters
+    ----------
+    positions, triangles
+        (n, 3) and (k, 3); no triangle without area.
+    welded
+        (n,) place numbers of :func:`weld`, so that seams of texture coordinates do not show as edges.
+    crease_deg
+        Faces that meet at more than this angle, degrees, do not share a normal.
+    """
+    # Imported here: a generated mesh needs no scipy, and a program starts faster without it.
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    faces = face_normals(positions, triangles)
+    left, right = smooth_edges(welded[triangles], faces, crease_deg)
+    corner_count = 3 * len(triangles)
+    graph = coo_array((np.ones(len(left), np.int8), (left, right)), shape=(corner_count, corner_count))
+    count, group = connected_components(graph, directed=False)
+    weight = corner_angles(positions, triangles).reshape(-1)
+    summed = np.zeros((count, 3))
+    for axis in range(3):
+        summed[:, axis] = np.bincount(group, weight * np.repeat(faces[:, axis], 3), minlength=count)
+    length = np.linalg.norm(summed, axis=1)
+    corners = summed[group]
+    lost = length[group] < 1e-9  # faces that cancel out keep their own normal
+    corners[lost] = np.repeat(faces, 3, axis=0)[lost]
+    corners /= np.linalg.norm(corners, axis=1, keepdims=True)
+    return np.asarray(corners.reshape(-1, 3, 3))
+
+
+def is_inside_out(positions: Float64, triangles: Int64, welded: Int64) -> bool:
+    """Return whether the mesh is closed, wound one way throughout, and encloses a negative volume."""
+    places = welded[triangles]
+    directed = np.stack([places.reshape(-1), np.roll(places, -1, axis=1).reshape(-1)], axis=1)
+    ahead = directed[np.lexsort(directed.T[::-1])]
+    back = directed[:, ::-1]
+    back = back[np.lexsort(back.T[::-1])]
+    if not np.array_equal(ahead, back):
+        return False
+    a, b, c = (positions[triangles[:, corner]] - positions.mean(axis=0) for corner in range(3))
+    return bool(np.einsum("ij,ij->", a, np.cross(b, c)) < 0.0)

@@ -1,0 +1,278 @@
+"""Meshes of others are read, repaired aloud, or refused in one line."""
+
+from __future__ import annotations
+
+import json
+import struct
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+from brdf_suite.errors import FileError
+from brdf_suite.files.material_words import material_word
+from brdf_suite.files.meshes import read_mesh, write_mesh_glb
+from brdf_suite.surface.mesh import Mesh, Part
+
+
+def ball_of_triangles() -> trimesh.Trimesh:
+    return trimesh.creation.icosphere(subdivisions=2, radius=0.5)
+
+
+def one_line(error: pytest.ExceptionInfo[FileError]) -> str:
+    text = str(error.value)
+    assert "\n" not in text
+    return text
+
+
+@pytest.mark.parametrize(
+    ("name", "triangles", "materials"),
+    [
+        ("CesiumMilkTruck.glb", 3624, ["paint", "glass", "trim", "rubber", "rubber"]),
+        ("materialx_shaderball.glb", 88264, ["neutral", "paint"]),
+        ("spot.obj", 5856, ["paint"]),
+        ("teapot.obj", 6320, ["paint"]),
+    ],
+)
+def test_real_files(shared_data: Path, name: str, triangles: int, materials: list[str]) -> None:
+    mesh = read_mesh(shared_data / "meshes" / name)
+    assert mesh.triangle_count == triangles
+    assert [part.material for part in mesh.parts] == materials
+    for part in mesh.parts:
+        a, b, c = (part.positions[part.triangles[:, k]] for k in range(3))
+        facing = np.einsum("ij,ij->i", np.cross(b - a, c - a), part.normals[part.triangles].sum(axis=1))
+        assert (facing > 0).mean() > 0.99, "normals point to the side that triangles are wound for"
+
+
+def test_the_compressed_file_is_refused_with_the_reason(shared_data: Path) -> None:
+    with pytest.raises(FileError, match="meshopt compression") as error:
+        read_mesh(shared_data / "meshes" / "polyhaven_boombox_meshopt.glb")
+    one_line(error)
+
+
+def test_draco_is_refused_with_the_reason(tmp_path: Path) -> None:
+    file = tmp_path / "a.gltf"
+    file.write_text(json.dumps({"extensionsRequired": ["KHR_draco_mesh_compression"]}))
+    with pytest.raises(FileError, match="Draco compression"):
+        read_mesh(file)
+
+
+@pytest.mark.parametrize("ending", ["glb", "obj", "stl", "ply"])
+def test_every_format_gives_the_same_sphere(tmp_path: Path, ending: str) -> None:
+    file = tmp_path / f"ball.{ending}"
+    ball_of_triangles().export(file)
+    mesh = read_mesh(file)
+    (part,) = mesh.parts
+    outwards = np.einsum("ij,ij->i", part.positions, part.normals) / 0.5
+    assert outwards.min() > 0.99
+    assert mesh.triangle_count == 320
+    assert any("texture coordinates" in note for note in mesh.notes)
+    # Projected coordinates are lengths on the surface: the area in mm² agrees within the projection's √3.
+    corners = part.uvs.astype(np.float64)[part.triangles]
+    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    flat = np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]).sum() / 2
+    assert 0.6 < flat / (np.pi * 1e6) <= 1.0
+
+
+def test_scene_transforms_apply_to_positions_and_normals(tmp_path: Path) -> None:
+    scene = trimesh.Scene()
+    ball = ball_of_triangles()
+    ball.vertex_normals  # noqa: B018 - makes the exporter write them
+    mirror = np.diag([-2.0, 1.0, 1.0, 1.0])
+    mirror[:3, 3] = [5.0, 0.0, 0.0]
+    scene.add_geometry(ball, node_name="left", geom_name="left tyre")
+    scene.add_geometry(ball, node_name="right", geom_name="right", transform=mirror)
+    file = tmp_path / "two.glb"
+    scene.export(file, include_normals=True)
+    mesh = read_mesh(file)
+    low, high = mesh.bounds()
+    np.testing.assert_allclose([low[0], high[0]], [-0.5, 6.0], atol=1e-5)
+    assert sorted(part.material for part in mesh.parts) == ["paint", "rubber"]
+    (right,) = (part for part in mesh.parts if part.material == "paint")
+    local = right.positions - [5.0, 0.0, 0.0]
+    gradient = local / [4.0, 1.0, 1.0]
+    gradient /= np.linalg.norm(gradient, axis=1, keepdims=True)
+    assert np.einsum("ij,ij->i", gradient, right.normals).min() > 0.98
+    a, b, c = (right.positions[right.triangles[:, k]] for k in range(3))
+    assert (np.einsum("ij,ij->i", np.cross(b - a, c - a), right.normals[right.triangles[:, 0]]) > 0).all()
+
+
+@pytest.mark.parametrize(("size", "expected"), [(4000.0, 4.0), (0.00001, 1.0), (3.0, 3.0)])
+def test_a_size_that_no_object_has_is_scaled_and_said(tmp_path: Path, size: float, expected: float) -> None:
+    file = tmp_path / "ball.stl"
+    trimesh.creation.icosphere(subdivisions=2, radius=size / 2).export(file)
+    mesh = read_mesh(file)
+    low, high = mesh.bounds()
+    assert np.max(high - low) == pytest.approx(expected, rel=0.05) or size == 4000.0
+    assert any("scaled" in note for note in mesh.notes) == (size != 3.0)
+    assert 0.3 <= np.max(high - low) <= 3.2
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "reason"),
+    [
+        ("a.glb", b"", "empty"),
+        ("a.glb", b"this is a text file and no mesh", "does not begin with"),
+        ("a.gltf", b"{ not json", "JSON is damaged"),
+        ("a.gltf", b"[]", "not an object"),
+        ("a.gltf", b'{"nodes":[{"children":[1]},{"children":[0]}]}', "circle"),
+        ("a.gltf", b'{"nodes":[{"children":[7]}]}', "not there"),
+        ("a.obj", b"just some words\n", "triangles"),
+        ("a.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n", "triangles"),
+        ("a.stl", b"solid nothing\nendsolid\n", "no triangles|damaged"),
+        ("a.ply", b"ply\nformat ascii 1.0\nelement vertex 9\n", "damaged"),
+        ("a.txt", b"x", "ends? in one of"),
+    ],
+)
+def test_what_is_no_mesh_is_refused_in_one_line(
+    tmp_path: Path, name: str, content: bytes, reason: str
+) -> None:
+    file = tmp_path / name
+    file.write_bytes(content)
+    with pytest.raises(FileError, match=reason) as error:
+        read_mesh(file)
+    assert str(file) in one_line(error)
+
+
+def test_missing_files_and_folders_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "folder.glb").mkdir()
+    for name in ("nothing.glb", "folder.glb"):
+        with pytest.raises(FileError):
+            read_mesh(tmp_path / name)
+
+
+@pytest.mark.parametrize("name", ["CesiumMilkTruck.glb", "materialx_shaderball.glb"])
+@pytest.mark.parametrize("share", [0.0001, 0.01, 0.5, 0.999])
+def test_truncated_binary_gltf(shared_data: Path, tmp_path: Path, name: str, share: float) -> None:
+    data = (shared_data / "meshes" / name).read_bytes()
+    file = tmp_path / name
+    file.write_bytes(data[: int(len(data) * share)])
+    with pytest.raises(FileError, match=r"cut short|does not begin"):
+        read_mesh(file)
+
+
+def test_a_point_cloud_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "points.ply"
+    trimesh.PointCloud(np.random.default_rng(1).random((10, 3))).export(file)
+    with pytest.raises(FileError, match="holds no triangles"):
+        read_mesh(file)
+
+
+def test_corners_that_are_not_finite_are_left_out_and_said(tmp_path: Path) -> None:
+    ball = ball_of_triangles()
+    triangles = ball.triangles.astype("<f4").copy()
+    triangles[0, 0, 0] = np.nan
+    triangles[5] = triangles[5, 0]
+    record = np.zeros(len(triangles), dtype=[("n", "<f4", 3), ("v", "<f4", (3, 3)), ("a", "<u2")])
+    record["v"] = triangles
+    file = tmp_path / "ball.stl"
+    file.write_bytes(b"\0" * 80 + struct.pack("<I", len(triangles)) + record.tobytes())
+    mesh = read_mesh(file)
+    assert mesh.triangle_count == 318
+    text = " ".join(mesh.notes)
+    assert "not finite" in text
+    assert "without area" in text
+    record["v"] = np.nan
+    file.write_bytes(b"\0" * 80 + struct.pack("<I", len(triangles)) + record.tobytes())
+    with pytest.raises(FileError, match="no triangle that can be drawn"):
+        read_mesh(file)
+
+
+def own_mesh(corners: int = 5) -> Mesh:
+    rng = np.random.default_rng(corners)
+    parts = []
+    for name, material in (("shell", "paint"), ("pane", "glass")):
+        normals = rng.normal(size=(corners, 3))
+        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+        triangles = rng.integers(0, corners, (2 * corners, 3))
+        uvs = rng.random((corners, 2)) * 1000
+        parts.append(Part(name, material, rng.random((corners, 3)), normals, uvs, triangles))
+    return Mesh("own", tuple(parts))
+
+
+@pytest.mark.parametrize("corners", [5, 65534, 65536])
+def test_our_own_files_come_back_exactly(tmp_path: Path, corners: int) -> None:
+    mesh = own_mesh(corners)
+    write_mesh_glb(mesh, tmp_path / "own.glb")
+    again = read_mesh(tmp_path / "own.glb")
+    assert again.name == "own"
+    assert not again.notes
+    for before, after in zip(mesh.parts, again.parts, strict=True):
+        assert (before.name, before.material) == (after.name, after.material)
+        for field in ("positions", "normals", "uvs", "triangles"):
+            np.testing.assert_array_equal(getattr(before, field), getattr(after, field))
+    first = (tmp_path / "own.glb").read_bytes()
+    write_mesh_glb(mesh, tmp_path / "own.glb")
+    assert (tmp_path / "own.glb").read_bytes() == first
+    assert [file.name for file in tmp_path.iterdir()] == ["own.glb"]
+
+
+def test_our_own_files_are_gltf_for_others(tmp_path: Path) -> None:
+    mesh = own_mesh(50)
+    write_mesh_glb(mesh, tmp_path / "own.glb")
+    scene = trimesh.load_scene(tmp_path / "own.glb", process=False)
+    assert set(scene.geometry) == {"shell", "pane"}
+    pane = scene.geometry["pane"]
+    assert pane.visual.material.name == "glass"
+    np.testing.assert_array_equal(pane.vertices, mesh.parts[1].positions)
+    np.testing.assert_array_equal(pane.faces, mesh.parts[1].triangles)
+
+
+def test_a_damaged_file_of_ours_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "own.glb"
+    write_mesh_glb(own_mesh(), file)
+    data = file.read_bytes()
+    file.write_bytes(data.replace(b'"POSITION":0', b'"POSITION":9'))
+    with pytest.raises(FileError, match="damaged mesh file"):
+        read_mesh(file)
+    file.write_bytes(data.replace(b'"name":"glass"', b'"name":"gloss"'))
+    with pytest.raises(FileError, match="'gloss' is none of"):
+        read_mesh(file)
+
+
+def test_writing_into_a_missing_folder_is_an_error_of_the_file(tmp_path: Path) -> None:
+    with pytest.raises(FileError, match="cannot be written"):
+        write_mesh_glb(own_mesh(), tmp_path / "none" / "own.glb")
+
+
+def test_our_own_files_are_read_fast(tmp_path: Path) -> None:
+    write_mesh_glb(own_mesh(100_000), tmp_path / "own.glb")
+    read_mesh(tmp_path / "own.glb")
+    best = 9.0
+    for _ in range(3):
+        start = time.perf_counter()
+        read_mesh(tmp_path / "own.glb")
+        best = min(best, time.perf_counter() - start)
+    assert best < 0.15
+
+
+def test_a_gltf_with_its_buffer_beside_it(shared_data: Path, tmp_path: Path) -> None:
+    for name, content in ball_of_triangles().export(file_type="gltf").items():
+        (tmp_path / ("ball.gltf" if name.endswith("gltf") else name)).write_bytes(content)
+    assert read_mesh(tmp_path / "ball.gltf").triangle_count == 320
+    for file in tmp_path.glob("*.bin"):
+        file.unlink()
+    with pytest.raises(FileError):
+        read_mesh(tmp_path / "ball.gltf")
+
+
+@pytest.mark.parametrize(
+    ("material", "part", "word"),
+    [
+        ("", "", "paint"),
+        ("Glass_Windscreen", "", "glass"),
+        ("CarPaintMetallic", "", "paint"),
+        ("metallic paint", "", "paint"),
+        ("Metal", "", "chrome"),
+        ("material_0", "FrontTyre", "rubber"),
+        ("metallic_red", "body", "paint"),
+        ("window_trim", "", "trim"),
+        ("HeadLight", "", "paint"),
+        ("Headlight", "", "lamp"),
+        ("primer", "antibody", "paint"),
+    ],
+)
+def test_names_that_tell_the_material(material: str, part: str, word: str) -> None:
+    assert material_word(material, part) == word
