@@ -1,0 +1,134 @@
+"""The mouse gestures of every picture in the suite, as intents: no camera and no rendering is known here.
+
+Left drag orbits; middle drag or Shift + left drag pans; the wheel zooms; Alt + left drag turns the light;
+F frames the object. What a drag does is settled when its button goes down.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QWidget
+
+ORBIT_DEG_PER_PIXEL = 0.35
+LIGHT_DEG_PER_PIXEL = 0.5
+ZOOM_PER_NOTCH = 0.88
+_NOTCH = 120.0
+
+
+class CameraGestures(QObject):
+    """Turns the mouse and key events of ``widget`` into intents.
+
+    Signals
+    -------
+    orbited(azimuth_deg, elevation_deg)
+        Changes of the camera's angles; the object follows the mouse.
+    panned(right, up)
+        How far the picture moved, as fractions of the widget's height.
+    zoomed(factor)
+        What the distance is to be multiplied by; below 1 comes nearer.
+    light_turned(degrees)
+        Change of the environment's rotation, positive counter-clockwise seen from above.
+    framed()
+        The object is to fill the picture.
+    started(), finished()
+        Around each drag.
+    """
+
+    orbited = Signal(float, float)
+    panned = Signal(float, float)
+    zoomed = Signal(float)
+    light_turned = Signal(float)
+    framed = Signal()
+    started = Signal()
+    finished = Signal()
+
+    def __init__(self, widget: QWidget, parent: QObject | None = None) -> None:
+        super().__init__(parent or widget)
+        self._widget = widget
+        self._drag: str | None = None
+        self._button = Qt.MouseButton.NoButton
+        self._last = QPointF()
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        kind = event.type()
+        if kind == QEvent.Type.MouseButtonPress:
+            return self._press(event)
+        if kind == QEvent.Type.MouseMove:
+            return self._move(event)
+        if kind == QEvent.Type.MouseButtonRelease:
+            return self._release(event)
+        if kind == QEvent.Type.Wheel:
+            return self._wheel(event)
+        if kind == QEvent.Type.KeyPress:
+            return self._key(event)
+        if kind in (QEvent.Type.Hide, QEvent.Type.WindowDeactivate):
+            self._end()
+        return super().eventFilter(watched, event)
+
+    def _press(self, event: QMouseEvent) -> bool:
+        drag = _drag_of(event)
+        if drag is None or self._drag is not None:
+            return False
+        self._drag, self._button, self._last = drag, event.button(), event.position()
+        self._widget.setCursor(Qt.CursorShape.ClosedHandCursor)
+        self.started.emit()
+        return True
+
+    def _move(self, event: QMouseEvent) -> bool:
+        if self._drag is None:
+            return False
+        if not event.buttons() & self._button:  # released where nobody told us
+            self._end()
+            return False
+        step = event.position() - self._last
+        self._last = event.position()
+        if self._drag == "orbit":
+            self.orbited.emit(-ORBIT_DEG_PER_PIXEL * step.x(), ORBIT_DEG_PER_PIXEL * step.y())
+        elif self._drag == "pan":
+            height = max(1, self._widget.height())
+            self.panned.emit(step.x() / height, -step.y() / height)
+        else:
+            self.light_turned.emit(LIGHT_DEG_PER_PIXEL * step.x())
+        return True
+
+    def _release(self, event: QMouseEvent) -> bool:
+        if self._drag is None or event.button() != self._button:
+            return False
+        self._end()
+        return True
+
+    def _wheel(self, event: QWheelEvent) -> bool:
+        delta = event.angleDelta().y() or event.angleDelta().x()  # Alt turns a wheel sideways
+        if delta == 0:
+            return False
+        self.zoomed.emit(ZOOM_PER_NOTCH ** (delta / _NOTCH))
+        event.accept()
+        return True
+
+    def _key(self, event: QKeyEvent) -> bool:
+        if event.key() != Qt.Key.Key_F or event.modifiers() != Qt.KeyboardModifier.NoModifier:
+            return False
+        self.framed.emit()
+        return True
+
+    def _end(self) -> None:
+        if self._drag is not None:
+            self._drag = None
+            self._widget.unsetCursor()
+            self.finished.emit()
+
+
+def _drag_of(event: QMouseEvent) -> str | None:
+    """Which drag a button press begins; None where it is none of ours."""
+    if event.button() == Qt.MouseButton.MiddleButton:
+        return "pan"
+    if event.button() != Qt.MouseButton.LeftButton:
+        return None
+    modifiers = event.modifiers()
+    if modifiers & Qt.KeyboardModifier.AltModifier:
+        return "light"
+    if modifiers & Qt.KeyboardModifier.ShiftModifier:
+        return "pan"
+    return "orbit"

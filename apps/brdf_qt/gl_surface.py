@@ -1,0 +1,272 @@
+"""A widget that shows what a renderer draws with OpenGL, or says why it cannot.
+
+The widget owns the context and the frame buffer (3.3 core, 4× multisampling, device pixels) and knows nothing
+of what is drawn: a factory makes the :class:`Drawer` for a context, and again for a new context after a loss.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Callable
+from typing import Protocol
+
+import moderngl
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtGui import QImage, QOpenGLContext
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QStackedLayout, QVBoxLayout, QWidget
+
+from brdf_qt.application import surface_format
+from brdf_suite.errors import GraphicsError, SuiteError
+
+log = logging.getLogger(__name__)
+
+_NO_CONTEXT = (
+    "This computer gave no OpenGL 3.3 context, so the picture cannot be shown. Update the graphics driver, "
+    "or set LIBGL_ALWAYS_SOFTWARE=1 to draw in software."
+)
+
+
+class Drawer(Protocol):
+    """What draws the picture; every call is made with its context current."""
+
+    def draw(self, framebuffer: moderngl.Framebuffer, size: tuple[int, int], view: object) -> None:
+        """Draw ``view`` into ``framebuffer`` of ``size`` (width, height) device pixels."""
+
+    def release(self) -> None:
+        """Free what was made in the context."""
+
+
+class GlSurface(QWidget):
+    """The picture's widget.
+
+    ``canvas_changed(canvas)`` tells which widget gets the mouse and keys, after :meth:`retry` made a new one.
+
+    Parameters
+    ----------
+    make_drawer
+        Called with the context once it is there (and current), and again after :meth:`retry`.
+
+    Signals: ``frame_drawn(ms)`` after each frame, with the time that it took until the GPU was done;
+    ``failed(text)`` when the picture had to give way to a message.
+    """
+
+    frame_drawn = Signal(float)
+    failed = Signal(str)
+    canvas_changed = Signal(QWidget)
+    _finished = Signal(float)
+
+    def __init__(
+        self, make_drawer: Callable[[moderngl.Context], Drawer], parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._make_drawer = make_drawer
+        self._view: object = None
+        self._failure = ""
+        # Queued: what listens may grab a frame, which must not happen inside the paint that it is told of.
+        self._finished.connect(self.frame_drawn, Qt.ConnectionType.QueuedConnection)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMinimumSize(160, 120)
+        self._notice = _Notice(self.retry)
+        self._layout = QStackedLayout(self)
+        self._layout.addWidget(self._notice)
+        self._canvas = self._new_canvas()
+
+    @property
+    def failure(self) -> str:
+        """Why there is no picture; empty where there is one."""
+        return self._failure
+
+    @property
+    def canvas(self) -> QOpenGLWidget:
+        """The widget that gets the mouse; replaced by :meth:`retry`, see ``canvas_changed``."""
+        return self._canvas
+
+    @property
+    def device_size(self) -> tuple[int, int]:
+        """Width and height of the picture in device pixels."""
+        return self._canvas.device_size()
+
+    def set_view(self, view: object) -> None:
+        """Draw ``view`` from the next frame on."""
+        self._view = view
+        self._canvas.update()
+
+    def redraw(self) -> None:
+        """Draw again: something other than the view has changed."""
+        self._canvas.update()
+
+    def with_context(self, work: Callable[[], None]) -> None:
+        """Run ``work`` (an upload) with the context current, and show why it failed if it does.
+
+        Without a context nothing is done: the factory will be asked for a drawer when there is one.
+        """
+        if self._failure or not self._canvas.isValid() or self._canvas.drawer is None:
+            return
+        self._canvas.makeCurrent()
+        try:
+            work()
+        except (GraphicsError, moderngl.Error) as error:
+            self._fail(str(error))
+            return
+        finally:
+            self._canvas.doneCurrent()
+        self.redraw()
+
+    def grab_image(self) -> QImage:
+        """Draw a frame now and return it, in device pixels; a null image where there is no picture."""
+        if self._failure or not self._canvas.isValid():
+            return QImage()
+        return self._canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB32)
+
+    def retry(self) -> None:
+        """Try again with a new context."""
+        self.release()
+        self._layout.removeWidget(self._canvas)
+        self._canvas.deleteLater()
+        self._failure = ""
+        self._canvas = self._new_canvas()
+        self.canvas_changed.emit(self._canvas)
+
+    def release(self) -> None:
+        """Free the drawer and all that it holds; the last thing before the widget goes."""
+        self._canvas.release()
+
+    def showEvent(self, event: QEvent) -> None:
+        super().showEvent(event)
+        QTimer.singleShot(0, self, self._check_context)
+
+    def _new_canvas(self) -> _Canvas:
+        canvas = _Canvas(self)
+        self._layout.addWidget(canvas)
+        self._layout.setCurrentWidget(canvas)
+        self.setFocusProxy(canvas)
+        if self.isVisible():
+            QTimer.singleShot(0, self, self._check_context)
+        return canvas
+
+    def _check_context(self) -> None:
+        if not self._failure and self.isVisible() and not self._canvas.isValid():
+            self._fail(_NO_CONTEXT)
+
+    def _fail(self, text: str) -> None:
+        if self._failure:
+            return
+        log.error("picture: %s", text)
+        self._failure = text
+        self._notice.set_text(text)
+        self._layout.setCurrentWidget(self._notice)
+        self.failed.emit(text)
+
+
+class _Canvas(QOpenGLWidget):
+    """The part of the widget with the context; failures are told to the surface, never raised into Qt."""
+
+    def __init__(self, surface: GlSurface) -> None:
+        super().__init__(surface)
+        self.setFormat(surface_format())
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self._surface = surface
+        self._context: moderngl.Context | None = None
+        self._framebuffer: moderngl.Framebuffer | None = None
+        self.drawer: Drawer | None = None
+
+    def device_size(self) -> tuple[int, int]:
+        size = self.size() * self.devicePixelRatioF()
+        return (max(1, size.width()), max(1, size.height()))
+
+    def initializeGL(self) -> None:
+        qt_context = self.context()
+        qt_context.aboutToBeDestroyed.connect(self.release)
+        try:
+            self._context = _adopt(qt_context)
+            self.drawer = self._surface._make_drawer(self._context)
+        except (SuiteError, moderngl.Error, ValueError) as error:
+            self._defer_failure(f"The picture cannot be drawn: {error}")
+
+    def paintGL(self) -> None:
+        if self.drawer is None or self._context is None or self._surface._view is None:
+            return
+        start = time.perf_counter()
+        size = self.device_size()
+        try:
+            self.drawer.draw(self._target(self._context, size), size, self._surface._view)
+            self._context.finish()
+            problem = self._context.error
+        except (SuiteError, moderngl.Error) as error:
+            self._defer_failure(str(error))
+            return
+        if problem != "GL_NO_ERROR":
+            self._defer_failure(f"The graphics driver reported {problem} while drawing.")
+            return
+        self._surface._finished.emit((time.perf_counter() - start) * 1000.0)
+
+    def release(self) -> None:
+        if self.drawer is None:
+            return
+        drawer, self.drawer = self.drawer, None
+        self.makeCurrent()
+        drawer.release()
+        self._framebuffer = None
+        self.doneCurrent()
+
+    def _target(self, context: moderngl.Context, size: tuple[int, int]) -> moderngl.Framebuffer:
+        number = self.defaultFramebufferObject()
+        known = self._framebuffer
+        if known is None or known.glo != number or known.size != size:
+            self._framebuffer = known = context.detect_framebuffer(number)
+        return known
+
+    def _defer_failure(self, text: str) -> None:
+        """Change the widgets only after Qt has finished with this paint."""
+        QTimer.singleShot(0, self._surface, lambda: self._surface._fail(text))
+
+
+class _Notice(QWidget):
+    """The message in the picture's place."""
+
+    def __init__(self, retry: Callable[[], None]) -> None:
+        super().__init__()
+        self._text = QLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        again = QPushButton("Try again")
+        again.clicked.connect(retry)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(32, 32, 32, 32)
+        layout.setSpacing(16)
+        layout.addStretch()
+        layout.addWidget(self._text)
+        layout.addWidget(again, alignment=Qt.AlignmentFlag.AlignCenter)
+        layout.addStretch()
+
+    def set_text(self, text: str) -> None:
+        self._text.setText(text)
+
+
+class _QtLoader:
+    """How moderngl finds OpenGL's functions: by asking Qt, which works with GLX, EGL, WGL and CGL alike."""
+
+    def __init__(self, context: QOpenGLContext) -> None:
+        self._context = context
+
+    def load(self, name: str) -> int:
+        return int(self._context.getProcAddress(name.encode()) or 0)
+
+    def release(self) -> None:
+        """The context is Qt's."""
+
+    def __enter__(self) -> _QtLoader:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+
+def _adopt(context: QOpenGLContext) -> moderngl.Context:
+    """Return moderngl's view of Qt's current context; raise :class:`GraphicsError` below OpenGL 3.3."""
+    try:
+        return moderngl.create_context(require=330, context=_QtLoader(context))
+    except (moderngl.Error, ValueError, TypeError, RuntimeError) as error:
+        raise GraphicsError(f"OpenGL 3.3 is needed, and this driver does not give it ({error}).") from error

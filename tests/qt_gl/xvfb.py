@@ -1,0 +1,43 @@
+"""An X server without a screen, for tests of OpenGL widgets: Qt's offscreen platform has none."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+_servers: list[subprocess.Popen[bytes]] = []
+_HOLD = '"$@" & server=$!; read -r _; kill $server'
+"""The server lives as long as the pipe to this process, so it also ends when the tests are killed."""
+
+
+def use_screen() -> None:
+    """Point Qt at an X server, started where there is none; before any QApplication exists."""
+    if sys.platform != "linux":
+        return
+    os.environ["QT_QPA_PLATFORM"] = "xcb"
+    os.environ.setdefault("LIBGL_ALWAYS_SOFTWARE", "1")
+    if os.environ.get("DISPLAY"):
+        return
+    program = shutil.which("Xvfb")
+    if program is None:
+        pytest.skip("no screen and no Xvfb: install the package xvfb")
+    reader, writer = os.pipe()
+    command = [program, "-displayfd", str(writer), "-screen", "0", "2000x1300x24", "-nolisten", "tcp"]
+    server = subprocess.Popen(
+        ["sh", "-c", _HOLD, "sh", *command],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        pass_fds=[writer],
+    )
+    os.close(writer)
+    _servers.append(server)
+    with os.fdopen(reader) as answer:
+        number = answer.readline().strip()
+    if not number:
+        pytest.skip("Xvfb did not start")
+    os.environ["DISPLAY"] = f":{number}"
