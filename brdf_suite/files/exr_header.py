@@ -1,0 +1,165 @@
+"""Read and check an OpenEXR header before the library sees the file.
+
+The library believes the header: it allocates what the header asks for. Here the header is parsed first (a few
+hundred bytes) and everything that we do not read, or that cannot be true, is refused with its place in the
+file. Layout: the OpenEXR file layout document of the Academy Software Foundation.
+"""
+
+from __future__ import annotations
+
+import os
+import struct
+from dataclasses import dataclass
+
+from brdf_suite.errors import FileError
+from brdf_suite.files.primaries import Chromaticities
+
+MAX_PIXELS = 16384 * 8192
+"""Largest image that is read: about 1.6 GB as float32 RGB."""
+
+_MAGIC = b"\x76\x2f\x31\x01"
+_TILED, _NON_IMAGE, _MULTI_PART = 0x200, 0x800, 0x1000
+_HEADER_LIMIT = 16 * 1024 * 1024
+_REQUIRED = ("channels", "compression", "dataWindow", "displayWindow", "lineOrder")
+_LINES_PER_CHUNK = {0: 1, 1: 1, 2: 1, 3: 16, 4: 32, 5: 16, 6: 32, 7: 32, 8: 32, 9: 256, 10: 256, 11: 32}
+
+Window = tuple[int, int, int, int]
+"""First and last column and row, both included: x_min, y_min, x_max, y_max."""
+
+
+@dataclass(frozen=True)
+class ExrChannel:
+    """One channel of an EXR file: its name, type ("uint", "half", "float") and subsampling."""
+
+    name: str
+    kind: str
+    x_sampling: int
+    y_sampling: int
+
+
+@dataclass(frozen=True)
+class ExrHeader:
+    """What the reader needs to know of an EXR file."""
+
+    channels: tuple[ExrChannel, ...]
+    data_window: Window
+    display_window: Window
+    chromaticities: Chromaticities | None
+    is_cube: bool
+
+
+def parse_header(path: str | os.PathLike[str], data: bytes | memoryview, file_size: int) -> ExrHeader:
+    """Parse the header at the start of ``data`` (the first bytes of a file of ``file_size`` bytes).
+
+    Raises
+    ------
+    FileError
+        Not an EXR file, truncated, of a kind that is not read, or with impossible sizes.
+    """
+    reader = _Reader(path, bytes(data[:_HEADER_LIMIT]))
+    if reader.take(4) != _MAGIC:
+        raise FileError(
+            path, "is not an OpenEXR file (its first four bytes are not the magic number)", "byte 0"
+        )
+    flags = reader.int32()
+    if flags & 0xFF != 2:
+        raise FileError(path, f"has OpenEXR version {flags & 0xFF}; only version 2 is read", "byte 4")
+    if flags & _MULTI_PART:
+        raise FileError(path, "is a multi-part OpenEXR file; save the environment as a single part", "byte 4")
+    if flags & _NON_IMAGE:
+        raise FileError(path, "is a deep OpenEXR file; flatten it to an ordinary image first", "byte 4")
+    attributes = reader.attributes()
+    for name in _REQUIRED:
+        if name not in attributes:
+            raise FileError(path, f"lacks the header attribute {name!r}", f"byte {reader.at}")
+    channels = _channels(path, *attributes["channels"])
+    window = _window(path, "dataWindow", *attributes["dataWindow"])
+    display = _window(path, "displayWindow", *attributes["displayWindow"])
+    compression = attributes["compression"][1][:1]
+    if not compression or compression[0] not in _LINES_PER_CHUNK:
+        raise FileError(path, "has a compression that is not known", f"byte {attributes['compression'][0]}")
+    if not flags & _TILED:
+        _check_chunks(path, reader, window, _LINES_PER_CHUNK[compression[0]], file_size)
+    elif "tiles" not in attributes or len(attributes["tiles"][1]) != 9:
+        raise FileError(path, "is tiled but lacks a sound 'tiles' attribute", f"byte {reader.at}")
+    chromaticities = attributes.get("chromaticities")
+    primaries: Chromaticities | None = None
+    if chromaticities is not None and len(chromaticities[1]) == 32:
+        primaries = struct.unpack("<8f", chromaticities[1])
+    return ExrHeader(channels, window, display, primaries, attributes.get("envmap", (0, b"\0"))[1] == b"\1")
+
+
+class _Reader:
+    """Reads little-endian values one after the other; running off the end names the place."""
+
+    def __init__(self, path: str | os.PathLike[str], data: bytes) -> None:
+        self.path, self.data, self.at = path, data, 0
+
+    def take(self, count: int) -> bytes:
+        if count < 0 or self.at + count > len(self.data):
+            raise FileError(self.path, "is cut off within its header", f"byte {len(self.data)}")
+        self.at += count
+        return self.data[self.at - count : self.at]
+
+    def int32(self) -> int:
+        return int(struct.unpack("<i", self.take(4))[0])
+
+    def name(self) -> str:
+        end = self.data.find(b"\0", self.at, self.at + 256)
+        if end < 0:
+            raise FileError(self.path, "is cut off or damaged within a name of its header", f"byte {self.at}")
+        text = self.take(end - self.at).decode("utf-8", errors="replace")
+        self.at += 1
+        return text
+
+    def attributes(self) -> dict[str, tuple[int, bytes]]:
+        """Return the attributes as name -> (place, value)."""
+        found: dict[str, tuple[int, bytes]] = {}
+        while name := self.name():
+            self.name()  # the type; our attributes have one each
+            size = self.int32()
+            found[name] = (self.at, self.take(size))
+        return found
+
+
+def _channels(path: str | os.PathLike[str], place: int, value: bytes) -> tuple[ExrChannel, ...]:
+    reader = _Reader(path, value)
+    found = []
+    while name := reader.name():
+        kind, _, x_sampling, y_sampling = struct.unpack("<iiii", reader.take(16))
+        if kind not in (0, 1, 2) or x_sampling < 1 or y_sampling < 1:
+            raise FileError(
+                path, f"has a damaged description of channel {name!r}", f"byte {place + reader.at}"
+            )
+        found.append(ExrChannel(name, ("uint", "half", "float")[kind], x_sampling, y_sampling))
+    if not found:
+        raise FileError(path, "has no channels", f"byte {place}")
+    return tuple(found)
+
+
+def _window(path: str | os.PathLike[str], name: str, place: int, value: bytes) -> Window:
+    if len(value) != 16:
+        raise FileError(path, f"has a damaged {name}", f"byte {place}")
+    x_min, y_min, x_max, y_max = struct.unpack("<iiii", value)
+    width, height = x_max - x_min + 1, y_max - y_min + 1
+    if width < 1 or height < 1:
+        raise FileError(path, f"has a {name} of {width} × {height} pixels", f"byte {place}")
+    if width * height > MAX_PIXELS:
+        limit = f"the limit is {MAX_PIXELS:,} pixels"
+        raise FileError(path, f"has a {name} of {width:,} × {height:,} pixels; {limit}", f"byte {place}")
+    return x_min, y_min, x_max, y_max
+
+
+def _check_chunks(
+    path: str | os.PathLike[str], reader: _Reader, window: Window, lines: int, file_size: int
+) -> None:
+    """Check that the table of chunk offsets is whole and points into the file."""
+    count = -(-(window[3] - window[1] + 1) // lines)
+    place = reader.at
+    offsets = struct.unpack(f"<{count}Q", reader.take(8 * count))
+    if 0 in offsets:
+        raise FileError(path, "is incomplete: its writer was stopped before the end", f"byte {place}")
+    if max(offsets) + 8 >= file_size:
+        raise FileError(
+            path, f"is cut off: pixel data is expected at byte {max(offsets):,}", f"byte {file_size:,}"
+        )

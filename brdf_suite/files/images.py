@@ -1,0 +1,97 @@
+"""Environment images from files, in the working space; pictures to files.
+
+``read_environment_image`` is the one way in: it looks at the content, not the ending, reads OpenEXR and
+Radiance pictures, converts to the working space (linear Rec. 2020, D65) and repairs what cannot be radiance.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.errors import FileError
+from brdf_suite.files.exr import read_exr, write_exr
+from brdf_suite.files.png import write_png
+from brdf_suite.files.primaries import REC2020, rgb_to_working
+from brdf_suite.files.radiance import read_radiance
+from brdf_suite.files.radiance_repair import clip_negative, repair_non_finite
+
+__all__ = ["ImageData", "read_environment_image", "write_exr", "write_png"]
+
+MIN_HEIGHT = 4
+
+
+@dataclass(frozen=True)
+class ImageData:
+    """An environment image as read.
+
+    Attributes
+    ----------
+    pixels
+        (h, w, 3) float32, linear Rec. 2020 with D65 white, finite and never negative; a latitude-longitude
+        map as the conventions have it: row 0 is up, the centre column looks along +z.
+    notes
+        What was assumed or repaired, each a clause for the user; empty where nothing was.
+    """
+
+    pixels: NDArray[np.float32]
+    notes: tuple[str, ...]
+
+
+def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
+    """Read a latitude-longitude environment map from an OpenEXR or Radiance file.
+
+    The width must be twice the height, within a pixel.
+
+    Raises
+    ------
+    FileError
+        The file is missing, damaged, too large, of another kind, or of another shape; the message says which.
+    """
+    try:
+        with Path(path).open("rb") as stream:
+            start = stream.read(12)
+    except OSError as error:
+        raise FileError(path, f"cannot be read ({error.strerror})") from error
+    if start.startswith(b"\x76\x2f\x31\x01"):
+        pixels, chromaticities, notes = read_exr(path)
+    elif start.startswith(b"#?"):
+        pixels, chromaticities, notes = read_radiance(path)
+    else:
+        raise FileError(path, _what_instead(start), "byte 0")
+    height, width = pixels.shape[:2]
+    if abs(width - 2 * height) > 1 or height < MIN_HEIGHT:
+        raise FileError(
+            path,
+            f"is {width} × {height} pixels; a latitude-longitude map, twice as wide as high and at least "
+            f"{2 * MIN_HEIGHT} × {MIN_HEIGHT}, is wanted",
+        )
+    pixels, repairs = repair_non_finite(pixels)
+    if chromaticities != REC2020:
+        try:
+            matrix = rgb_to_working(chromaticities).astype(np.float32)
+        except ValueError as error:
+            raise FileError(path, f"has unusable primaries: {error}", "attribute chromaticities") from error
+        pixels = pixels @ matrix.T
+    # After the conversion: a saturated colour of narrower primaries is a sound one in the working space.
+    pixels, clipped = clip_negative(pixels)
+    return ImageData(np.ascontiguousarray(pixels), (*notes, *repairs, *clipped))
+
+
+def _what_instead(start: bytes) -> str:
+    if not start:
+        return "is empty"
+    known = {
+        b"\x89PNG": "a PNG picture",
+        b"\xff\xd8\xff": "a JPEG picture",
+        b"II*\0": "a TIFF",
+        b"MM\0*": "a TIFF",
+    }
+    for magic, kind in known.items():
+        if start.startswith(magic):
+            return f"is {kind}; an environment must be an OpenEXR (.exr) or Radiance (.hdr) file"
+    return "is neither an OpenEXR (.exr) nor a Radiance (.hdr) file, whatever its name says"
