@@ -53,8 +53,8 @@ def read_radiance(
 
 
 def _header(path: str | os.PathLike[str], data: bytes) -> tuple[dict[str, str], bytes, int]:
-    """Return the fields (EXPOSURE and COLORCORR multiplied up as text products), size line and pixel
-    offset.""" fields: dict[str, str] = {}
+    """Return the fields, the size line and the place of the pixels; repeated fields are joined by ';'."""
+    fields: dict[str, str] = {}
     at, blank = 0, False
     while True:
         end = data.find(b"\n", at, at + 4096)
