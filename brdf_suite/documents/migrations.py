@@ -19,7 +19,7 @@ VERSIONS: dict[str, int] = {"brdfpaint": 1, "brdfview": 1}
 """The present version of each format."""
 
 MIGRATIONS: dict[tuple[str, int], Migration] = {}
-"""``MIGRATIONS[format, n]`` turns the fields of version n (format and version left out) into those of n + 1."""
+"""``MIGRATIONS[format, n]`` turns fields of version n (without format and version) into those of n + 1."""
 
 
 def open_envelope(value: object, expected: str, path: str | os.PathLike[str]) -> FieldReader:

@@ -32,7 +32,8 @@ def spherical(theta: npt.ArrayLike, phi: npt.ArrayLike) -> Floats:
 
 def mirror(w: npt.ArrayLike) -> Floats:
     """Return the mirror directions of ``w`` (..., 3) about the normal."""
-    return np.multiply(np.asarray(w, np.float64), _MIRROR)
+    mirrored: Floats = np.asarray(w, float) * _MIRROR
+    return mirrored
 
 
 def illumination(illumination_deg: npt.ArrayLike) -> Floats:

@@ -1,0 +1,1 @@
+"""Colour and gloss as the paint trade measures them: colorimetry, differences, flop, gloss."""

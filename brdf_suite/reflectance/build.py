@@ -1,0 +1,214 @@
+"""From a paint to its reflectance.
+
+Colour readings are of the whole paint, and gloss readings too, so coat and base depend on each other: the
+coat's own share is taken out of the colours, the base that is left adds its flux to the gloss, and what gloss
+remains is the coat's. The two are solved in turn; a glossy coat has no share in the colours and is done after
+one correction.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from brdf_suite.appearance.colorimetry import lab_to_working, working_to_lab
+from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.gloss import LOWEST_ROUGHNESS, USUAL_IOR, nearest_coat
+from brdf_suite.documents.paint import Paint
+from brdf_suite.errors import UnreachableError
+from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reflectance.albedo import normal_albedo
+from brdf_suite.reflectance.aspecular_base import AspecularBase, Rule
+from brdf_suite.reflectance.coat_lobe import CoatLobe
+from brdf_suite.reflectance.flake_rule import FlakeRule
+from brdf_suite.reflectance.gloss_reading import base_gloss
+from brdf_suite.reflectance.monotone_rule import MonotoneRule
+from brdf_suite.reflectance.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.polynomial_rule import PolynomialRule
+
+_CHANNELS = ("red", "green", "blue")
+# Gloss units: far finer than any reading. A glossy coat settles in one turn, a satin one in a few.
+_SETTLED_GU = 0.01
+_FULL_TURNS, _MOST_TURNS = 8, 60
+_SAME_ANGLE_DEG = 1e-6
+# The smallest base that is refused as negative; anything nearer to 0 is rounding.
+_ROUNDING = 1e-7
+# The spreads found for real flake paints are .146 to .191; far outside, the readings deserve a second look.
+_USUAL_SPREAD = (0.08, 0.35)
+
+
+@dataclass(frozen=True)
+class _Readings:
+    """The colours of one light angle, sorted by unsigned aspecular angle; ρ ≥ 0 of the whole paint."""
+
+    illumination_deg: float
+    aspecular_deg: Floats
+    rho: Floats
+    wi: Floats
+    wo: Floats
+    notices: tuple[str, ...]
+
+
+def build_paint(paint: Paint) -> PaintReflectance:
+    """Return the reflectance of a designed paint.
+
+    Raises
+    ------
+    UnreachableError
+        No clearcoat gives the gloss, or the coat alone reflects more than a colour reading; the message
+        names the reading.
+    """
+    readings = _collect(paint)
+    gu_20, gu_60 = paint.gloss.gu_20, paint.gloss.gu_60
+    coat = CoatLobe(USUAL_IOR, LOWEST_ROUGHNESS)
+    base, notices = _base_under(paint, readings, coat)
+    added = base_gloss(base)
+    for turn in range(_MOST_TURNS):
+        solved, refusal = nearest_coat(gu_20, gu_60, *added)
+        coat = CoatLobe(solved.ior, solved.roughness)
+        base, notices = _base_under(paint, readings, coat)
+        found = base_gloss(base)
+        change = max(abs(found[0] - added[0]), abs(found[1] - added[1]))
+        # A rough coat and its base can answer each other by turns; half steps then meet in the middle.
+        step = 1.0 if turn < _FULL_TURNS else 0.5
+        added = (added[0] + step * (found[0] - added[0]), added[1] + step * (found[1] - added[1]))
+        if change <= _SETTLED_GU:
+            break
+    else:
+        refusal = (
+            f"No clearcoat was found that gives {gu_20:g} GU at 20° over the measured colours; "
+            "change the gloss, or the colour nearest to the mirror direction."
+        )
+    _refuse_negative(readings, coat)
+    if refusal is not None:
+        raise UnreachableError(refusal)
+    return PaintReflectance(base, coat, readings.notices + notices + _albedo_notice(base))
+
+
+def _collect(paint: Paint) -> _Readings:
+    """The readings of the light angle that has the most, sorted; the colours clamped into the space."""
+    notices: list[str] = []
+    lights = [measurement.illumination_deg for measurement in paint.measurements]
+    light_deg = max(lights, key=lights.count)
+    used = [m for m in paint.measurements if m.illumination_deg == light_deg]
+    if len(used) < len(lights):
+        notices.append(
+            f"Only the {len(used)} readings with the light at {light_deg:g}° are used, no other light."
+        )
+    used.sort(key=lambda measurement: (abs(measurement.aspecular_deg), measurement.aspecular_deg))
+    aspecular_deg = np.array([measurement.aspecular_deg for measurement in used])
+    lab = np.array([measurement.lab for measurement in used])
+    rho = lab_to_working(lab)
+    if rho.min() < 0.0:
+        inside = np.maximum(rho, 0.0)
+        error = delta_e_2000(lab, working_to_lab(inside))
+        for index in np.flatnonzero(rho.min(axis=-1) < 0.0).tolist():
+            notices.append(
+                f"The colour at {aspecular_deg[index]:g}° is more saturated than the working space holds; "
+                f"it is shown with ΔE00 {error[index]:.2f}."
+            )
+        rho = inside
+    if len(used) < 3:
+        raise UnreachableError(
+            f"{paint.name}: at least 3 readings with the same light angle are needed, "
+            f"there are at most {len(used)} (at {light_deg:g}°)."
+        )
+    return _Readings(
+        light_deg,
+        aspecular_deg,
+        rho,
+        illumination(light_deg),
+        aspecular_view(light_deg, aspecular_deg),
+        tuple(notices),
+    )
+
+
+def _base_under(paint: Paint, readings: _Readings, coat: CoatLobe) -> tuple[AspecularBase, tuple[str, ...]]:
+    """The base that is left under ``coat``; what would be negative is 0 here and refused at the end."""
+    left = np.maximum(readings.rho - _coat_share(readings, coat), 0.0)
+    gamma, left = _by_unsigned_angle(readings.aspecular_deg, left)
+    light = math.radians(readings.illumination_deg)
+    rule, notices = _rule(paint, gamma, left, light, coat.ior)
+    base = AspecularBase(rule, float(gamma[0]), float(gamma[-1]), paint.near_specular, light, coat.ior)
+    return base, notices
+
+
+def _coat_share(readings: _Readings, coat: CoatLobe) -> Floats:
+    """π f_r of the coat (n, 1) at the readings' directions."""
+    return np.asarray(math.pi * coat.eval_grey(readings.wi, readings.wo)[:, None])
+
+
+def _refuse_negative(readings: _Readings, coat: CoatLobe) -> None:
+    share = _coat_share(readings, coat)
+    left = readings.rho - share
+    if left.min() >= -_ROUNDING:
+        return
+    index, channel = np.unravel_index(int(np.argmin(left)), left.shape)
+    raise UnreachableError(
+        f"At {readings.aspecular_deg[index]:g}° the clearcoat of this gloss alone reflects "
+        f"{share[index, 0]:.4f} (reflectance factor), more than the {readings.rho[index, channel]:.4f} that "
+        f"the colour has in the {_CHANNELS[channel]} channel, so the base would be negative. Raise the gloss or "
+        "the lightness."
+    )
+
+
+def _by_unsigned_angle(aspecular_deg: Floats, rho: Floats) -> tuple[Floats, Floats]:
+    """Rising |γ|, radians, with the mean of readings that lie on both sides of the mirror direction."""
+    size = np.abs(aspecular_deg)
+    gamma = np.radians(size)
+    if np.all(np.diff(size) > _SAME_ANGLE_DEG):
+        return gamma, rho
+    keep = np.concatenate(([True], np.diff(size) > _SAME_ANGLE_DEG))
+    group = np.cumsum(keep) - 1
+    count = np.bincount(group)[:, None]
+    total = np.zeros((len(count), 3))
+    np.add.at(total, group, rho)
+    return gamma[keep], total / count
+
+
+def _rule(paint: Paint, gamma: Floats, rho: Floats, light: float, ior: float) -> tuple[Rule, tuple[str, ...]]:
+    """The paint's rule through the base's readings, and what to say about it."""
+    if len(gamma) < 3:
+        return MonotoneRule.through(gamma, rho), (
+            "There are fewer than three different aspecular angles: L*a*b* is interpolated in straight lines.",
+        )
+    if paint.interpolation == "polynomial":
+        polynomial = PolynomialRule.through(gamma, rho)
+        return polynomial, _polynomial_notice(polynomial, gamma)
+    if paint.interpolation == "monotone":
+        return MonotoneRule.through(gamma, rho), ()
+    flakes = FlakeRule.through(gamma, rho, light, ior)
+    if flakes is None:
+        return MonotoneRule.through(gamma, rho), (
+            "No spread of flakes gives these colours: between the angles the monotone rule is used.",
+        )
+    return flakes, _spread_notice(flakes)
+
+
+def _polynomial_notice(rule: PolynomialRule, gamma: Floats) -> tuple[str, ...]:
+    angles = np.linspace(0.0, float(gamma[-1]), 45)
+    below = angles[rule(angles).min(axis=-1) < 0.0]
+    if below.size == 0:
+        return ()
+    low, high = np.degrees(below[[0, -1]])
+    return (f"The polynomial turns negative between {low:.0f}° and {high:.0f}°; the base is black there.",)
+
+
+def _spread_notice(rule: FlakeRule) -> tuple[str, ...]:
+    low, high = _USUAL_SPREAD
+    odd = [spread for spread in rule.spread if spread is not None and not low <= spread <= high]
+    if not odd:
+        return ()
+    return (
+        f"The colours need flake tilts spread by {odd[0]:.3f}; real flake paints have about 0.15 to 0.19.",
+    )
+
+
+def _albedo_notice(base: AspecularBase) -> tuple[str, ...]:
+    albedo = float(normal_albedo(base).max()) + float(fresnel_dielectric(1.0, base.ior))
+    if albedo <= 1.0:
+        return ()
+    return (f"This paint would reflect {albedo:.2f} times the light that falls on it.",)

@@ -1,0 +1,164 @@
+"""Reflectance over the aspecular angle as a bell of flake tilts makes it.
+
+A flake under a coat of index n sends the light to the view when its normal halves the angle between the
+two refracted directions. In the plane of incidence, with the light at θ and the view at θ - γ, its tilt is
+
+    δ(γ) = (asin(sin θ / n) - asin(sin(θ - γ) / n)) / 2.
+
+Flakes whose slopes are spread like a Beckmann surface of roughness m, over a matt ground, give per channel
+
+    ρ(γ) = ρ_d + A exp(-tan²δ / m²).
+
+Three readings fix ρ_d, A and m: with x = tan²δ and u = 1/m²,
+
+    (ρ1 - ρ2) / (ρ2 - ρ3) = (e^(-x1 u) - e^(-x2 u)) / (e^(-x2 u) - e^(-x3 u))
+                          = expm1((x2 - x1) u) / -expm1(-(x3 - x2) u),
+
+which rises with u from (x2 - x1) / (x3 - x2), 0.16 for 15/45/110°, without bound: there is one u or none.
+More readings are fitted by least squares.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+
+from brdf_suite.geometry.directions import Floats
+
+# u = 1/m²: from m = 5 (no bell at all) to m = 0.01 (a mirror).
+_LOW_U, _HIGH_U = 0.04, 1e4
+# A channel that varies by less than this share of its size is flat, and any bell of height 0 fits it.
+_FLAT = 1e-9
+
+_Spread: TypeAlias = float | None
+
+
+def squared_tilt(gamma: Floats, illumination: float, ior: float) -> Floats:
+    """Return tan²δ (...) of the flakes seen at aspecular angles ``gamma``, radians; see the module."""
+    view = np.arcsin(np.sin(illumination - gamma) / ior)
+    tilt = np.tan(0.5 * (math.asin(math.sin(illumination) / ior) - view))
+    return np.asarray(tilt * tilt)
+
+
+@dataclass(frozen=True)
+class FlakeRule:
+    """ρ(γ) = ρ_d + A exp(-u tan²δ) per channel; ``ground``, ``height`` and ``u`` are (3,) arrays."""
+
+    ground: Floats
+    height: Floats
+    u: Floats
+    illumination: float
+    ior: float
+
+    def __call__(self, gamma: Floats) -> Floats:
+        """Return ρ (..., 3) at aspecular angles (...), radians; it may be negative."""
+        x = squared_tilt(gamma, self.illumination, self.ior)
+        return np.asarray(self.ground + self.height * np.exp(x[..., None] * -self.u))
+
+    @property
+    def spread(self) -> tuple[float | None, float | None, float | None]:
+        """Return m per channel, the root-mean-square slope of the flakes; None for a flat channel."""
+        red, green, blue = (
+            None if height == 0.0 else 1.0 / math.sqrt(u)
+            for height, u in zip(self.height.tolist(), self.u.tolist(), strict=True)
+        )
+        return red, green, blue
+
+    @classmethod
+    def through(cls, gamma: Floats, rho: Floats, illumination: float, ior: float) -> FlakeRule | None:
+        """Return the rule for readings ``rho`` (n, 3) at rising ``gamma`` (n,), n ≥ 3, or None.
+
+        None: no spread of flakes gives these readings, or it would need a negative reflectance.
+        """
+        x = squared_tilt(gamma, illumination, ior)
+        if np.any(np.diff(x) <= 0.0):
+            return None
+        tilts = x.tolist()
+        channels = [_solve(tilts, channel) for channel in rho.T.tolist()]
+        solved = [channel for channel in channels if channel is not None]
+        if len(solved) < 3:
+            return None
+        # At the mirror direction x = 0 and the bell is at its top; at the far end at most at its foot.
+        if any(ground + height < 0.0 for ground, height, _ in solved):
+            return None
+        ground, height, u = np.array(solved).T
+        return cls(ground, height, u, illumination, ior)
+
+
+def _solve(x: list[float], rho: list[float]) -> tuple[float, float, float] | None:
+    """(ρ_d, A, u) of one channel, or None."""
+    size = max(abs(value) for value in rho)
+    if max(rho) - min(rho) <= _FLAT * size:
+        return sum(rho) / len(rho), 0.0, 1.0
+    if len(x) > 3:
+        return _least_squares(x, rho)
+    x1, x2, x3 = x
+    first, second = rho[0] - rho[1], rho[1] - rho[2]
+    if first * second <= 0.0:
+        return None
+    u = _root(x2 - x1, x3 - x2, first / second)
+    if u is None:
+        return None
+    # From the two ends: e1 - e3 is the largest difference, so the best known.
+    e1, e3 = math.exp(-x1 * u), math.exp(-x3 * u)
+    height = (rho[0] - rho[2]) / (e1 - e3)
+    return rho[0] - height * e1, height, u
+
+
+def _root(a: float, b: float, ratio: float) -> float | None:
+    """u with expm1(a u) / -expm1(-b u) = ratio, by Newton's method in the logarithm of both sides.
+
+    g(u) = ln expm1(a u) - ln(-expm1(-b u)) - ln ratio rises; its slope is a e^(au)/expm1(au) - b/expm1(bu).
+    """
+    target = math.log(ratio)
+
+    def value(u: float) -> float:
+        return math.log(math.expm1(a * u)) - math.log(-math.expm1(-b * u)) - target
+
+    low, high = _LOW_U, min(_HIGH_U, 600.0 / a)
+    if value(low) >= 0.0 or value(high) <= 0.0:
+        return None
+    u = min(high, max(low, math.log1p(ratio) / a))
+    for _ in range(60):
+        g = value(u)
+        if g > 0.0:
+            high = u
+        else:
+            low = u
+        # e^(au)/expm1(au) = 1/(1 - e^(-au)), which does not overflow; b/expm1(bu) fades to 0.
+        slope = a / -math.expm1(-a * u) - (b / math.expm1(b * u) if b * u < 700.0 else 0.0)
+        following = u - g / slope
+        if not low <= following <= high:
+            following = 0.5 * (low + high)
+        if abs(following - u) <= 1e-13 * u:
+            return following
+        u = following
+    return u
+
+
+def _least_squares(x: list[float], rho: list[float]) -> tuple[float, float, float] | None:
+    """The best (ρ_d, A, u) for more than three readings: linear in two of them, a search in the third."""
+    tilts, values = np.array(x), np.array(rho)
+
+    def best_line(u: Floats) -> tuple[Floats, Floats, Floats]:
+        bell = np.exp(-np.outer(u, tilts))
+        centred = bell - bell.mean(axis=1, keepdims=True)
+        height = (centred @ values) / np.maximum(np.sum(centred * centred, axis=1), 1e-300)
+        ground = values.mean() - height * bell.mean(axis=1)
+        error = np.sum((ground[:, None] + height[:, None] * bell - values) ** 2, axis=1)
+        return error, ground, height
+
+    low, high = math.log(_LOW_U), math.log(_HIGH_U)
+    # Each round keeps the two cells about the best of 33: 16 times finer, 2e-8 of the range after six.
+    for _ in range(6):
+        grid = np.linspace(low, high, 33)
+        error, ground, height = best_line(np.exp(grid))
+        k = int(np.argmin(error))
+        low, high = float(grid[max(k - 1, 0)]), float(grid[min(k + 1, 32)])
+    u = math.exp(float(grid[k]))
+    if not 1.5 * _LOW_U < u < 0.67 * _HIGH_U:
+        return None
+    return float(ground[k]), float(height[k]), u
