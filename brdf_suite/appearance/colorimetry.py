@@ -55,6 +55,16 @@ def adaptation(white_from: npt.ArrayLike, white_to: npt.ArrayLike) -> Floats:
     return np.asarray(np.linalg.inv(CAT16) @ (gains[:, None] * CAT16), np.float64)
 
 
+def rgb_to_working(primaries: tuple[tuple[float, float], ...], white_xy: tuple[float, float]) -> Floats:
+    """Return the matrix (3, 3) from linear RGB of any primaries and white to the working space.
+
+    Where the white is not D65 it is adapted by CAT16, so that RGB = (1, 1, 1) is (1, 1, 1) there too.
+    """
+    to_xyz = primaries_to_xyz(primaries, white_xy)
+    adapted = adaptation(to_xyz.sum(axis=1), WORKING_TO_XYZ.sum(axis=1)) @ to_xyz
+    return np.asarray(np.linalg.solve(WORKING_TO_XYZ, adapted), np.float64)
+
+
 WORKING_TO_XYZ = primaries_to_xyz(REC2020_PRIMARIES)
 """Working space to XYZ of the 2° observer, white's Y = 1."""
 

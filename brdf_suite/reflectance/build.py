@@ -150,8 +150,8 @@ def _refuse_negative(readings: _Readings, coat: CoatLobe) -> None:
     raise UnreachableError(
         f"At {readings.aspecular_deg[index]:g}° the clearcoat of this gloss alone reflects "
         f"{share[index, 0]:.4f} (reflectance factor), more than the {readings.rho[index, channel]:.4f} that "
-        f"the colour has in the {_CHANNELS[channel]} channel, so the base would be negative. Raise the gloss or "
-        "the lightness."
+        f"the colour has in the {_CHANNELS[channel]} channel, so the base would be negative. Raise the gloss "
+        "or the lightness."
     )
 
 
@@ -173,7 +173,7 @@ def _rule(paint: Paint, gamma: Floats, rho: Floats, light: float, ior: float) ->
     """The paint's rule through the base's readings, and what to say about it."""
     if len(gamma) < 3:
         return MonotoneRule.through(gamma, rho), (
-            "There are fewer than three different aspecular angles: L*a*b* is interpolated in straight lines.",
+            "There are fewer than three different aspecular angles: straight lines in L*a*b* join them.",
         )
     if paint.interpolation == "polynomial":
         polynomial = PolynomialRule.through(gamma, rho)
