@@ -1,8 +1,8 @@
 """Feasible answers in bounded time, for when the time limit comes before the optimum.
 
-Two candidates per channel: the last accepted weights rescaled to the new target, and non-negative least squares
-by coordinate descent on a kept Gram matrix. Both are non-negative by construction; the caller takes the one with
-the least L1 error.
+Two candidates per channel: the last accepted weights rescaled to the new target, and non-negative least
+squares by coordinate descent on a kept Gram matrix. Both are non-negative by construction; the caller takes
+the one with the least L1 error.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class FallbackSolver:
         )
 
     def rescaled(self, last: FloatArray, target: FloatArray) -> FloatArray:
-        """Return ``last`` (m, channels) times the factor ≥ 0 per channel that fits ``target`` (n, channels) best.
+        """Return ``last`` (m, channels) times one factor ≥ 0 per channel, best for ``target`` (n, channels).
 
         Best in the L1 sense: the weighted median of the ratios target / prediction.
         """
@@ -40,7 +40,7 @@ class FallbackSolver:
         return result
 
     def least_squares(self, start: FloatArray, target: FloatArray, sweeps: int = SWEEPS) -> FloatArray:
-        """Return non-negative columns ``(m, channels)`` after ``sweeps`` of coordinate descent from ``start``."""
+        """Return columns ≥ 0 ``(m, channels)`` after ``sweeps`` of coordinate descent from ``start``."""
         gram, inverse = self._gram, self._inverse_diagonal
         solution = np.maximum(start, 0.0)
         gradient = gram @ solution - self._program.matrix.T @ target
@@ -55,7 +55,7 @@ class FallbackSolver:
 
 
 def _weighted_median_ratio(target: FloatArray, prediction: FloatArray) -> float:
-    """Return the factor ``s ≥ 0`` that minimizes ``Σ|s·prediction - target|``; 0 where nothing is predicted."""
+    """Return the ``s ≥ 0`` that minimizes ``Σ|s·prediction - target|``; 0 where nothing is predicted."""
     used = prediction > 0.0
     if not used.any():
         return 0.0

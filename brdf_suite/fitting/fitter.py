@@ -1,4 +1,4 @@
-"""The fitter: weights of the fixed lobes for a designed paint, while a slider moves (seed paper, section 4)."""
+"""The weights of the fixed lobes for a designed paint, while a slider moves (seed, section 4)."""
 
 from __future__ import annotations
 
@@ -74,8 +74,8 @@ class PartError:
 class LobeFit:
     """A fit and how it went.
 
-    ``seconds`` is the time from target samples in hand to weights; ``sampling_seconds`` that of evaluating the
-    reflectance at the samples (0 when samples were given). ``time_limited`` is True where the limit came first.
+    ``seconds`` is the time from target samples in hand to weights; ``sampling_seconds`` that of evaluating
+    the reflectance at the samples (0 when samples were given); ``time_limited``: the limit came first.
     """
 
     weights: LobeWeights
@@ -95,11 +95,12 @@ class LobeFitter:
     basis
         The fixed exponents; the default set if left out.
     time_limit_s
-        Limit of a whole fit, samples in hand to weights, in seconds. On the limit the best feasible weights at
-        hand are returned, marked ``time_limited``. The solver looks at the clock only now and then, so that a
-        hopelessly large program may return a few milliseconds late.
+        Limit of a whole fit, samples in hand to weights, in seconds. On the limit the best feasible weights
+        at hand are returned, marked ``time_limited``. The solver looks at the clock only now and then, so
+        that a hopelessly large program may return a few milliseconds late.
 
-    One fitter serves one thread; programs that fit in several threads make one each.
+    One fitter serves one thread; programs that fit in several threads make one each. ``programs`` are the
+    scaled systems of base (columns KD, KDD_1 …) and coat (columns KG_1 …; its last row is the coat's energy).
     """
 
     def __init__(self, basis: LobeBasis | None = None, *, time_limit_s: float = 0.004) -> None:
@@ -111,11 +112,11 @@ class LobeFitter:
         self.coat_samples = CoatSamples()
         exponents = self.basis.array()
         self._cosine = float(np.cos(self.base_samples.theta_rad))
-        self._programs = (self._base_program(exponents), self._coat_program(exponents))
-        self._solver = BlockSolver(self._programs)
-        self._fallbacks = tuple(FallbackSolver(program) for program in self._programs)
-        self._last = tuple(np.zeros((program.shape[1], 3)) for program in self._programs)
-        self._warm_up(exponents)
+        self.programs = (self._base_program(exponents), self._coat_program(exponents))
+        self._solver = BlockSolver(self.programs)
+        self._fallbacks = tuple(FallbackSolver(program) for program in self.programs)
+        self._last = tuple(np.zeros((program.shape[1], 3)) for program in self.programs)
+        self._warm_up()
 
     def _base_program(self, exponents: FloatArray) -> PartProgram:
         samples = self.base_samples
@@ -131,7 +132,7 @@ class LobeFitter:
         )
         return build_program(matrix, np.concatenate([samples.solid_angle, [ENERGY_WEIGHT]]))
 
-    def _warm_up(self, exponents: FloatArray) -> None:
+    def _warm_up(self) -> None:
         """Solve once for a plain metallic look, so that the first edit starts from a basis."""
         base = 0.05 + 0.5 * np.clip(np.cos(self.base_samples.gamma_rad), 0.0, None) ** 6
         coat = np.exp(-20_000.0 * self.coat_samples.gamma_rad**2)
@@ -143,7 +144,7 @@ class LobeFitter:
         return result
 
     def sample(self, reflectance: LayeredReflectance) -> tuple[FloatArray, FloatArray]:
-        """Return reflected radiance ``f_r·(N·L)`` at the base's samples ``(n, 3)`` and the coat's rings ``(k, 3)``."""
+        """Return ``f_r·(N·L)`` at the base's samples ``(n, 3)`` and the coat's rings ``(k, 3)``."""
         base = reflectance.base.eval(self.base_samples.light, self.base_samples.views)
         coat = reflectance.coat.eval(self.coat_samples.lights, self.coat_samples.view)
         rings = (np.asarray(coat, np.float64) * self.coat_samples.cosines[..., None]).mean(axis=1)
@@ -166,9 +167,10 @@ class LobeFitter:
     def fit_samples(
         self, base: FloatArray, coat: FloatArray, *, ior: float, sampling_seconds: float = 0.0
     ) -> LobeFit:
-        """Fit targets given as samples: ``f_r·(N·L)`` at ``base_samples`` ``(n, 3)`` and ``coat_samples`` ``(k, 3)``.
+        """Fit given samples of ``f_r·(N·L)``: ``(n, 3)`` at ``base_samples``, ``(k, 3)`` at ``coat_samples``.
 
-        Same result as :meth:`fit` on a reflectance with those samples; the way in for data that were measured.
+        Same result as :meth:`fit` on a reflectance with those samples; the way in for data that were
+        measured. Raises :class:`FittingError` for a negative or not finite sample.
         """
         start = time.perf_counter()
         base = _checked("base", base, self.base_samples.gamma_rad)
@@ -200,18 +202,18 @@ class LobeFitter:
     def _run(
         self, targets: Sequence[FloatArray], budget_s: float
     ) -> tuple[list[FloatArray], list[PartError], bool, int]:
-        """Solve for unweighted ``targets``; return lobe weights and errors per part, optimality, iterations."""
+        """Solve for unweighted ``targets``: lobe weights and errors per part, optimality, iterations."""
         start = time.perf_counter()
-        weighted = [p.row_weights[:, None] * t for p, t in zip(self._programs, targets, strict=True)]
-        # The program is linear in its target: each channel is solved at a size of 1 and scaled back, so that the
-        # solver's absolute tolerances are relative ones. A channel of zeros stays zeros.
+        weighted = [p.row_weights[:, None] * t for p, t in zip(self.programs, targets, strict=True)]
+        # The program is linear in its target: each channel is solved at a size of 1 and scaled back, so that
+        # the solver's absolute tolerances are relative ones. A channel of zeros stays zeros.
         sizes = [w.sum(axis=0) for w in weighted]
         scaled = [w / np.where(s > 0.0, s, 1.0) for w, s in zip(weighted, sizes, strict=True)]
         budget = budget_s - (time.perf_counter() - start) - FALLBACK_RESERVE_S
         answer = self._solver.solve(scaled, max(budget, SMALLEST_BUDGET_S))
         solutions, errors = [], []
         kept = []
-        for k, program in enumerate(self._programs):
+        for k, program in enumerate(self.programs):
             best, objective, method = self._best(k, answer.solutions[k], answer.optimal, scaled[k])
             kept.append(best)
             solutions.append(best * program.column_scale[:, None] * sizes[k])
@@ -225,8 +227,8 @@ class LobeFitter:
     def _best(
         self, part: int, simplex: FloatArray, optimal: bool, target: FloatArray
     ) -> tuple[FloatArray, FloatArray, tuple[str, ...]]:
-        """Return the scaled solution of one part with the least L1 error per channel, its error, its origin."""
-        program, fallback = self._programs[part], self._fallbacks[part]
+        """Return one part's scaled solution of least L1 error per channel, that error, and its origin."""
+        program, fallback = self.programs[part], self._fallbacks[part]
         if optimal:
             return simplex, program.residual_l1(simplex, target), ("optimum",) * target.shape[1]
         last = fallback.rescaled(self._last[part], target)

@@ -2,8 +2,8 @@
 
 For n samples with targets b and weights w, and m columns M, find ``x ≥ 0`` that minimizes
 ``Σ_j w_j·|M x - b|_j``. Here rows are multiplied by their weights and columns by a scale, which leaves the
-optimum where it is and gives the solver entries near 1: a gloss column of E = 50,000 otherwise differs from one
-of E = 2 by five orders in what it means.
+optimum where it is and gives the solver entries near 1: a gloss column of E = 50,000 otherwise differs from
+one of E = 2 by five orders in what it means.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class PartProgram:
         return self.matrix.shape[0], self.matrix.shape[1]
 
     def residual_l1(self, solution: FloatArray, scaled_target: FloatArray) -> FloatArray:
-        """Return ``(channels,)`` the objective ``Σ_j w_j·|M x - b|_j`` of scaled columns ``(m, channels)``."""
+        """Return ``(channels,)``: ``Σ_j w_j·|M x - b|_j`` of scaled columns ``(m, channels)``."""
         result: FloatArray = np.abs(self.matrix @ solution - scaled_target).sum(axis=0)
         return result
 

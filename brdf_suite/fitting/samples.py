@@ -1,13 +1,13 @@
-"""Where a designed paint is sampled for the fit: fixed directions, so that the program's matrix never changes.
+"""Where a designed paint is sampled: fixed directions, so that the program's matrix never changes.
 
-The base (flakes and pigment, seen through the coat) is sampled as paints are measured: light at 45°, view in the
-plane of incidence over the aspecular angle γ.
+The base (flakes and pigment, seen through the coat) is sampled as paints are measured: light at 45°, view in
+the plane of incidence over the aspecular angle γ.
 
-The coat is sampled as an environment shows it: view at 45°, lights on rings around the view's mirror direction,
-spaced evenly in log γ, each ring's value the mean over its azimuths of ``f_r·(N·L)``. Rings rather than the plane
-of incidence alone, because a microfacet coat at 45° is narrower across the plane than in it: a round lobe fitted
-in the plane holds 1/cos 45° = 1.41 times the energy. The ring mean is what a round lobe can follow, and the
-weighted sum over rings is the coat's directional reflectance.
+The coat is sampled as an environment shows it: view at 45°, lights on rings around the view's mirror
+direction, spaced evenly in log γ, each ring's value the mean over its azimuths of ``f_r·(N·L)``. Rings rather
+than the plane of incidence alone, because a microfacet coat at 45° is narrower across the plane than in it: a
+round lobe fitted in the plane holds 1/cos 45° = 1.41 times the energy. The ring mean is what a round lobe can
+follow, and the weighted sum over rings is the coat's directional reflectance.
 """
 
 from __future__ import annotations
@@ -22,10 +22,11 @@ FloatArray = NDArray[np.float64]
 #: Incidence of the fit: 45°, where paints are measured (ASTM E2194).
 THETA_FIT_RAD = np.pi / 4.0
 
-#: Aspecular angles of the base's samples in degrees, and their weights before perceptual weighting.
-#: The angles of the instruments (15, 25, 45, 75, 110) count most: an L1 fit then passes through them.
+#: Aspecular angles of the base's samples in degrees, and their weights. The three angles at which paints are
+#: measured (15, 45, 110) count so much that an L1 fit passes through them wherever the lobes can; the dark
+#: flank counts four times the bright one, because the eye judges ratios.
 BASE_GAMMAS_DEG = (-30.0, -15.0, 0.0, 8.0, 15.0, 20.0, 25.0, 35.0, 45.0, 60.0, 75.0, 92.0, 110.0, 130.0)
-BASE_WEIGHTS = (0.1, 0.3, 0.5, 0.5, 8.0, 0.5, 1.0, 0.5, 8.0, 0.5, 1.0, 0.5, 8.0, 0.3)
+BASE_WEIGHTS = (0.1, 0.3, 0.5, 0.5, 50.0, 1.0, 1.0, 1.0, 50.0, 4.0, 4.0, 4.0, 50.0, 0.3)
 
 #: Rings of the coat: the first, in radians, and the step in log γ; the last lies at or below 90°.
 COAT_FIRST_RING_RAD = 0.001
@@ -34,7 +35,7 @@ COAT_AZIMUTHS = 6
 
 
 def _incidence(theta: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return light, mirror direction, and the in-plane unit vector at the mirror direction towards the normal."""
+    """Return light, its mirror direction, and the in-plane unit vector from there towards the normal."""
     light = np.array([-np.sin(theta), 0.0, np.cos(theta)])
     mirror = np.array([np.sin(theta), 0.0, np.cos(theta)])
     towards_normal = np.array([-np.cos(theta), 0.0, np.sin(theta)])
@@ -43,7 +44,7 @@ def _incidence(theta: float) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 @dataclass(frozen=True, eq=False)
 class BaseSamples:
-    """Sample directions of the base: ``light`` (3,), ``views`` (n, 3), ``gamma_rad`` (n,), ``weights`` (n,)."""
+    """Samples of the base: ``light`` (3,), ``views`` (n, 3), ``gamma_rad`` (n,), ``weights`` (n,)."""
 
     theta_rad: float = THETA_FIT_RAD
     gammas_deg: tuple[float, ...] = BASE_GAMMAS_DEG
@@ -73,8 +74,8 @@ class CoatSamples:
     """Ring samples of the coat around the mirror direction of a view at ``theta_rad``.
 
     ``gamma_rad`` (n,) with the mirror direction itself first; ``view`` (3,); ``lights`` (n, azimuths, 3);
-    ``cosines`` (n, azimuths) their ``N·L``, 0 below the horizon; ``lit`` (n,) the share of each ring above the
-    horizon; ``solid_angle`` (n,) in sr, the weights of a trapezium rule over log γ, so that
+    ``cosines`` (n, azimuths) their ``N·L``, 0 below the horizon; ``lit`` (n,) the share of each ring above
+    the horizon; ``solid_angle`` (n,) in sr, the weights of a trapezium rule over log γ, so that
     ``solid_angle @ ring_means`` is an integral over the directions above the horizon and within 90° of the
     mirror direction.
     """
@@ -123,7 +124,7 @@ class CoatSamples:
         return lobes
 
     def lobe_energy(self, exponents: FloatArray) -> FloatArray:
-        """Return ``(m,)`` the integral of ``(R·L)^E`` above the horizon, in sr: ``2π/(E+1)`` times the lit share."""
+        """Return ``(m,)``: ``(R·L)^E`` integrated above the horizon, sr: ``2π/(E+1)`` times the lit share."""
         log_cosine = np.log1p(-2.0 * np.sin(self.gamma_rad / 2.0) ** 2)
         whole = np.exp(log_cosine[:, None] * exponents)
         share = (self.solid_angle * self.lit) @ whole / (self.solid_angle @ whole)

@@ -1,0 +1,94 @@
+"""How far a fit is from its target: the error figures that the suite quotes.
+
+The target is a reflectance (anything with ``eval``), the fit a
+:class:`~brdf_suite.fitting.weights.LobeWeights`; both give f_r in 1/sr, linear Rec. 2020.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.colorimetry import working_to_lab
+from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.fitting.samples import CoatSamples
+from brdf_suite.geometry.directions import aspecular_view, illumination
+
+FloatArray = NDArray[np.float64]
+
+
+class Evaluated(Protocol):
+    """Anything with ``eval(wi, wo)``: f_r in 1/sr without the cosine, ``(..., 3)``."""
+
+    def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+        """Return f_r."""
+        ...
+
+
+@dataclass(frozen=True)
+class ErrorFigures:
+    """Errors over an angle set: all are 0 for a perfect fit.
+
+    ``cosine_rms`` ``√(Σw cos²θi (f-f̂)²/Σw)`` in 1/sr; ``cube_root_rms`` the same over ``f^⅓``; ``log_rms``
+    the RMS of the difference of ``ln(1 + f cosθi)``. Means over the three channels are inside the sums.
+    """
+
+    cosine_rms: float
+    cube_root_rms: float
+    log_rms: float
+
+
+def aspecular_lab(
+    reflectance: Evaluated, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
+) -> FloatArray:
+    """Return the L*a*b* (D65, 10°) ``(k, 3)`` that an instrument reads at aspecular angles, in degrees."""
+    wi = illumination(illumination_deg)
+    wo = aspecular_view(illumination_deg, np.asarray(aspecular_deg, np.float64))
+    return working_to_lab(np.pi * reflectance.eval(wi, wo))
+
+
+def aspecular_delta_e(
+    target: Evaluated, fit: Evaluated, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
+) -> FloatArray:
+    """Return ΔE00 ``(k,)`` between target and fit at aspecular angles, in degrees."""
+    return delta_e_2000(
+        aspecular_lab(target, aspecular_deg, illumination_deg),
+        aspecular_lab(fit, aspecular_deg, illumination_deg),
+    )
+
+
+def error_figures(
+    target: Evaluated, fit: Evaluated, wi: FloatArray, wo: FloatArray, solid_angle: FloatArray
+) -> ErrorFigures:
+    """Return the errors over directions ``wi``, ``wo`` ``(k, 3)``, weights ``solid_angle`` ``(k,)`` in sr.
+
+    Give directions that were not used in the fit.
+    """
+    wanted, given = target.eval(wi, wo), fit.eval(wi, wo)
+    cosine = np.clip(np.asarray(wi)[..., 2], 0.0, None)[..., None]
+    weight = np.broadcast_to(solid_angle[..., None], wanted.shape)
+
+    def rms(difference: FloatArray) -> float:
+        return float(np.sqrt((weight * difference**2).sum() / weight.sum()))
+
+    return ErrorFigures(
+        cosine_rms=rms(cosine * (wanted - given)),
+        cube_root_rms=rms(cosine * (np.cbrt(wanted) - np.cbrt(given))),
+        log_rms=rms(np.log1p(wanted * cosine) - np.log1p(given * cosine)),
+    )
+
+
+def directional_reflectance(reflectance: Evaluated, samples: CoatSamples | None = None) -> FloatArray:
+    """Return ``(3,)`` what a coat reflects of a constant environment, seen at 45° (``∫ f_r·(N·L) dω``).
+
+    The integral is over rings around the mirror direction, within 90° of it: meant for a coat, and finer than
+    the fit's own rings so that it is a check of them.
+    """
+    rings = samples or CoatSamples(first_ring_rad=2e-4, log_step=0.08, azimuths=24)
+    values = reflectance.eval(rings.lights, rings.view) * rings.cosines[..., None]
+    result: FloatArray = rings.solid_angle @ values.mean(axis=1)
+    return result
