@@ -1,0 +1,1 @@
+"""Designer: the program in which a paint is made."""

@@ -1,0 +1,34 @@
+"""Wheel turns and key repeats that follow closely belong to one gesture, so that they make one undo step."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+PAUSE_MS = 500
+
+
+class Burst(QObject):
+    """``touch()`` starts a gesture or keeps it going; it ends after a pause, or at once by ``end()``."""
+
+    started = Signal()
+    finished = Signal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(PAUSE_MS)
+        self._timer.timeout.connect(self.finished)
+
+    def touch(self) -> None:
+        """Note one more small step."""
+        running = self._timer.isActive()
+        self._timer.start()
+        if not running:
+            self.started.emit()
+
+    def end(self) -> None:
+        """End the gesture now, where one runs."""
+        if self._timer.isActive():
+            self._timer.stop()
+            self.finished.emit()

@@ -1,0 +1,157 @@
+"""Ctrl+K: find any command of the window by its name, and run it with Enter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QAction, QKeyEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QMainWindow,
+    QMenu,
+    QVBoxLayout,
+)
+
+_ACTION = Qt.ItemDataRole.UserRole
+_MOST_ROWS = 12
+
+
+def commands(window: QMainWindow) -> Iterator[tuple[str, QAction]]:
+    """Yield (path, action) for every enabled entry of the menus, as in ``("File ▸ Open…", action)``."""
+    for top in window.menuBar().actions():
+        menu = top.menu()
+        if isinstance(menu, QMenu):
+            yield from _inside(menu, _plain(top.text()))
+
+
+def _inside(menu: QMenu, path: str) -> Iterator[tuple[str, QAction]]:
+    menu.aboutToShow.emit()
+    for action in menu.actions():
+        text = f"{path} ▸ {_plain(action.text())}"
+        below = action.menu()
+        if isinstance(below, QMenu):
+            yield from _inside(below, text)
+        elif not action.isSeparator() and action.isEnabled() and action.text():
+            yield text, action
+
+
+def _plain(text: str) -> str:
+    return text.replace("&&", "\0").replace("&", "").replace("\0", "&")
+
+
+def score(query: str, text: str) -> float | None:
+    """Return how well ``query`` fits ``text``, lower is better; ``None`` where its letters are not in it."""
+    query, text = query.lower().replace(" ", ""), text.lower()
+    at, gaps, last = 0, 0.0, -1
+    for letter in query:
+        at = text.find(letter, at)
+        if at < 0:
+            return None
+        if last >= 0 and at != last + 1:
+            gaps += 1.0 if text[at - 1] in " ▸(" else 3.0
+        elif last < 0 and at and text[at - 1] not in " ▸(":
+            gaps += 2.0
+        last, at = at, at + 1
+    return gaps + 0.01 * len(text)
+
+
+class CommandPalette(QFrame):
+    """A small list over the window; Escape or a click elsewhere closes it."""
+
+    def __init__(self, window: QMainWindow) -> None:
+        super().__init__(window, Qt.WindowType.Popup)
+        self._window = window
+        self.setObjectName("command_palette")
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.query = QLineEdit()
+        self.query.setPlaceholderText("Find a command by name")
+        self.query.setAccessibleName("Find a command by name")
+        self.query.setClearButtonEnabled(True)
+        self.found = QListWidget()
+        self.found.setUniformItemSizes(True)
+        self.found.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._empty = QLabel("No command has this name.")
+        self._empty.setMargin(8)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(8, 8, 8, 8)
+        box.addWidget(self.query)
+        box.addWidget(self.found)
+        box.addWidget(self._empty)
+        self._all: list[tuple[str, QAction]] = []
+        self.query.textChanged.connect(self._filter)
+        self.query.installEventFilter(self)
+        self.found.itemActivated.connect(self._run)
+        self.found.itemClicked.connect(self._run)
+
+    def open(self) -> None:
+        """Show the palette at the top of the window with every command of now."""
+        self._all = list(commands(self._window))
+        self.query.clear()
+        self._filter("")
+        width = min(560, self._window.width() - 48)
+        row = self.found.sizeHintForRow(0) if self.found.count() else 20
+        self.resize(width, 64 + row * _MOST_ROWS)
+        corner = self._window.mapToGlobal(self._window.rect().topLeft())
+        self.move(corner.x() + (self._window.width() - width) // 2, corner.y() + 56)
+        self.show()
+        self.query.setFocus()
+
+    def _filter(self, query: str) -> None:
+        ranked = [(score(query, text), text, action) for text, action in self._all]
+        kept = sorted(
+            ((s, text, action) for s, text, action in ranked if s is not None),
+            key=lambda entry: (entry[0], entry[1]) if query else (0.0, ""),
+        )
+        self.found.clear()
+        for _, text, action in kept:
+            keys = action.shortcut().toString(action.shortcut().SequenceFormat.NativeText)
+            item = QListWidgetItem(action.icon(), text)
+            item.setData(_ACTION, action)
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{text} {keys}")
+            self.found.addItem(item)
+            if keys:
+                self.found.setItemWidget(item, _KeyLabel(keys))
+        self.found.setCurrentRow(0)
+        self.found.setVisible(bool(kept))
+        self._empty.setVisible(not kept)
+
+    def _run(self, item: QListWidgetItem) -> None:
+        self.close()
+        action: QAction = item.data(_ACTION)
+        action.trigger()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.query and isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+            row = self.found.currentRow()
+            if event.key() == Qt.Key.Key_Down:
+                self.found.setCurrentRow(min(self.found.count() - 1, row + 1))
+                return True
+            if event.key() == Qt.Key.Key_Up:
+                self.found.setCurrentRow(max(0, row - 1))
+                return True
+            if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+                item = self.found.currentItem()
+                if item is not None:
+                    self._run(item)
+                return True
+        return super().eventFilter(watched, event)
+
+
+class _KeyLabel(QFrame):
+    """The shortcut of a command at the right end of its row; lets clicks through to the list."""
+
+    def __init__(self, keys: str) -> None:
+        super().__init__()
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 6, 0)
+        row.addStretch(1)
+        label = QLabel(keys)
+        label.setForegroundRole(label.foregroundRole().PlaceholderText)
+        row.addWidget(label)

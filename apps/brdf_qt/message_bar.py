@@ -1,0 +1,166 @@
+"""Messages in the window and not over it: what happened, where, and what to do about it.
+
+A message has a key. Showing another one with the same key replaces it, and ``dismiss(key)`` takes it away
+once its reason is gone, so a drag through an unreachable value leaves no pile behind.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from brdf_qt.icons import icon
+from brdf_suite.errors import FileError, SuiteError
+
+Severity = Literal["info", "warning", "error"]
+_ICONS = {"info": "info", "warning": "warning", "error": "warning-octagon"}
+_WORDS = {"info": "Note", "warning": "Warning", "error": "Error"}
+
+
+@dataclass(frozen=True)
+class Message:
+    """One message; ``actions`` are buttons, each a text and what it does (the message then leaves)."""
+
+    key: str
+    what: str
+    where: str = ""
+    todo: str = ""
+    severity: Severity = "info"
+    actions: tuple[tuple[str, Callable[[], None]], ...] = ()
+    closable: bool = True
+
+
+def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
+    """Return the message that tells ``error``; a bug of ours is named as such, with where the log is."""
+    if isinstance(error, FileError):
+        where = f"{error.path}, at {error.place}" if error.place else error.path
+        reason = error.reason[:1].upper() + error.reason[1:]
+        return Message(key, f"{reason}.", where=where, todo=todo, severity="error")
+    if isinstance(error, SuiteError):
+        return Message(key, str(error), todo=todo, severity="error")
+    return Message(
+        key,
+        f"The program met a fault of its own: {type(error).__name__}: {error}",
+        todo=todo or "Your document is untouched; save it. The log has the details.",
+        severity="error",
+    )
+
+
+class _Row(QFrame):
+    closed = Signal(str)
+
+    def __init__(self, message: Message, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.message = message
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setAutoFillBackground(True)
+        self.setBackgroundRole(self.backgroundRole().AlternateBase)
+        self.setObjectName(f"message_{message.key}")
+        self.setAccessibleName(f"{_WORDS[message.severity]}: {message.what}")
+        row = QHBoxLayout(self)
+        row.setContentsMargins(8, 6, 8, 6)
+        row.setSpacing(8)
+        sign = QLabel()
+        sign.setPixmap(icon(_ICONS[message.severity]).pixmap(16, 16))
+        sign.setAccessibleName(_WORDS[message.severity])
+        row.addWidget(sign, 0, Qt.AlignmentFlag.AlignTop)
+        texts = QVBoxLayout()
+        texts.setSpacing(2)
+        self.what = self._label(message.what, bold=message.severity != "info")
+        texts.addWidget(self.what)
+        for text in (message.where, message.todo):
+            if text:
+                texts.addWidget(self._label(text))
+        row.addLayout(texts, 1)
+        for text, slot in message.actions:
+            button = QPushButton(text)
+            button.setObjectName(f"message_action_{text}")
+            button.clicked.connect(lambda _=False, slot=slot: self._act(slot))
+            row.addWidget(button, 0, Qt.AlignmentFlag.AlignVCenter)
+        if message.closable:
+            close = QToolButton()
+            close.setIcon(icon("x"))
+            close.setAutoRaise(True)
+            close.setToolTip("Close this message")
+            close.setAccessibleName("Close this message")
+            close.clicked.connect(lambda: self.closed.emit(self.message.key))
+            row.addWidget(close, 0, Qt.AlignmentFlag.AlignTop)
+
+    def _label(self, text: str, *, bold: bool = False) -> QLabel:
+        label = QLabel(text)
+        label.setWordWrap(True)
+        label.setTextFormat(Qt.TextFormat.PlainText)
+        label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
+        label.setMinimumWidth(80)
+        if bold:
+            font = label.font()
+            font.setBold(True)
+            label.setFont(font)
+        return label
+
+    def _act(self, slot: Callable[[], None]) -> None:
+        self.closed.emit(self.message.key)
+        slot()
+
+
+class MessageBar(QWidget):
+    """A stack of messages over the picture; takes no room while there is none."""
+
+    most = 4
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("messages")
+        self._rows: dict[str, _Row] = {}
+        self._box = QVBoxLayout(self)
+        self._box.setContentsMargins(8, 8, 8, 0)
+        self._box.setSpacing(4)
+        self.hide()
+
+    def show_message(self, message: Message) -> None:
+        """Show ``message``, in the place of the one with the same key."""
+        present = self._rows.get(message.key)
+        if present is not None and present.message == message:
+            return
+        place = self._box.count()
+        if present is not None:
+            place = self._box.indexOf(present)
+            self._drop(message.key)
+        elif len(self._rows) >= self.most:
+            self._drop(next(iter(self._rows)))
+            place = self._box.count()
+        row = _Row(message, self)
+        row.closed.connect(self.dismiss)
+        self._rows[message.key] = row
+        self._box.insertWidget(place, row)
+        self.show()
+
+    def dismiss(self, key: str) -> None:
+        """Take the message away; nothing where there is none."""
+        if key in self._rows:
+            self._drop(key)
+        self.setVisible(bool(self._rows))
+
+    def shown(self) -> dict[str, Message]:
+        """Return the messages that are shown, by key."""
+        return {key: row.message for key, row in self._rows.items()}
+
+    def _drop(self, key: str) -> None:
+        row = self._rows.pop(key)
+        self._box.removeWidget(row)
+        row.hide()
+        row.deleteLater()

@@ -1,0 +1,106 @@
+"""Collapsible sections, and the inspector that scrolls them."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from brdf_qt.settings import settings
+
+
+class Section(QWidget):
+    """A titled part of the inspector that opens and closes; remembers which under ``key``."""
+
+    toggled = Signal(bool)
+
+    def __init__(self, title: str, key: str | None = None, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.title = title
+        self._key = f"section/{key or title}"
+        self.setObjectName(f"section_{key or title}")
+        self._header = QToolButton()
+        self._header.setText(title)
+        self._header.setCheckable(True)
+        self._header.setAutoRaise(True)
+        self._header.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._header.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._header.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self._header.setAccessibleName(f"Section {title}")
+        font = self._header.font()
+        font.setBold(True)
+        self._header.setFont(font)
+        self._header.clicked.connect(self.set_open)
+        self._body = QWidget()
+        self.body_layout = QVBoxLayout(self._body)
+        self.body_layout.setContentsMargins(8, 4, 8, 8)
+        self.body_layout.setSpacing(8)
+        line = QFrame()
+        line.setFrameShape(QFrame.Shape.HLine)
+        line.setFrameShadow(QFrame.Shadow.Plain)
+        line.setForegroundRole(line.foregroundRole().Mid)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(0)
+        box.addWidget(self._header)
+        box.addWidget(self._body)
+        box.addWidget(line)
+        self._show(settings().value(self._key, True, type=bool))
+
+    def add(self, widget: QWidget) -> QWidget:
+        """Put ``widget`` at the end of the body and return it."""
+        self.body_layout.addWidget(widget)
+        return widget
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the body is shown."""
+        return self._header.isChecked()
+
+    def set_open(self, is_open: bool) -> None:
+        """Open or close, and remember it."""
+        if self._body.isVisibleTo(self) != is_open:
+            self._show(is_open)
+            settings().setValue(self._key, is_open)
+            self.toggled.emit(is_open)
+
+    def _show(self, is_open: bool) -> None:
+        self._header.setChecked(is_open)
+        self._header.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
+        self._body.setVisible(is_open)
+
+
+class Inspector(QScrollArea):
+    """Sections one under the other; scrolls up and down, never sideways."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("inspector")
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
+        self._inside = QWidget()
+        self._box = QVBoxLayout(self._inside)
+        self._box.setContentsMargins(0, 0, 0, 0)
+        self._box.setSpacing(0)
+        self._box.addStretch(1)
+        self.setWidget(self._inside)
+        self.sections: list[Section] = []
+
+    def add_section(self, section: Section) -> Section:
+        """Put ``section`` under the others and return it."""
+        self._box.insertWidget(self._box.count() - 1, section)
+        self.sections.append(section)
+        return section
+
+    def sizeHint(self) -> QSize:
+        return QSize(self._inside.sizeHint().width() + self.verticalScrollBar().sizeHint().width() + 2, 640)
+
+    def minimumSizeHint(self) -> QSize:
+        width = self._inside.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width() + 2
+        return QSize(width, 120)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.setMinimumWidth(self.minimumSizeHint().width())

@@ -1,0 +1,32 @@
+"""Where a program keeps what it remembers: one plain INI file per program, and a state folder beside it.
+
+The environment variable ``BRDF_SUITE_SETTINGS`` names another folder, so that tests and trials never touch
+what a user has set.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QSettings
+
+ORGANISATION = "BRDF Suite"
+FOLDER_VARIABLE = "BRDF_SUITE_SETTINGS"
+
+
+def settings() -> QSettings:
+    """Return the settings of the running program; cheap to call, all of them share one state."""
+    name = QCoreApplication.applicationName() or "shared"
+    folder = os.environ.get(FOLDER_VARIABLE)
+    if folder:
+        return QSettings(str(Path(folder) / f"{name}.ini"), QSettings.Format.IniFormat)
+    return QSettings(QSettings.Format.IniFormat, QSettings.Scope.UserScope, ORGANISATION, name)
+
+
+def state_folder(kind: str) -> Path:
+    """Return, and make, the folder ``kind`` (``autosave``, ``log``) beside the settings file."""
+    file = Path(settings().fileName())
+    folder = file.with_suffix("") / kind
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
