@@ -1,0 +1,94 @@
+"""The one place where a windowless OpenGL context is made, and where OpenGL's errors become ours.
+
+Inside a widget the toolkit has made the context already; :func:`adopt_context` takes the current one.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import moderngl
+from moderngl import Context
+
+from brdf_suite.errors import GraphicsError
+
+__all__ = ["Context", "adopt_context", "create_context", "graphics_errors"]
+
+REQUIRED_VERSION = 330
+
+_HINT = {
+    "linux": "Install Mesa's EGL (on Debian: apt-get install libegl1 libgl1-mesa-dri) or a graphics driver",
+    "win32": "Install the graphics driver of the machine",
+    "darwin": "OpenGL 3.3 needs a graphical login session on macOS",
+}
+
+
+def create_context() -> moderngl.Context:
+    """Return a windowless context of OpenGL 3.3 core or newer.
+
+    On Linux through EGL, which needs no display, or else through the X display; elsewhere through the system's own way.
+
+    Raises
+    ------
+    GraphicsError
+        There is none to be had; the message says why and what to install.
+    """
+    ways: list[dict[str, Any]] = [{}]
+    if sys.platform.startswith("linux"):
+        # The second form finds the libraries on machines without their development links.
+        ways = [{"backend": "egl"}, {"backend": "egl", "libgl": "libGL.so.1", "libegl": "libEGL.so.1"}]
+        if os.environ.get("DISPLAY"):
+            ways.append({})
+    reasons: list[str] = []
+    for way in ways:
+        try:
+            context = moderngl.create_context(standalone=True, **way)
+        except Exception as error:  # noqa: BLE001  (the loaders raise bare Exception, OSError or their own)
+            reason = str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
+            if reason not in reasons:
+                reasons.append(reason)
+            continue
+        return _checked(context)
+    raise GraphicsError(f"No OpenGL context could be made ({'; '.join(reasons)}). {_hint()}.")
+
+
+def adopt_context() -> moderngl.Context:
+    """Return the context that a toolkit has made current (inside ``initializeGL``); :class:`GraphicsError` if none."""
+    try:
+        context = moderngl.create_context()
+    except Exception as error:  # noqa: BLE001  (as above)
+        raise GraphicsError(f"The window has no usable OpenGL context ({error}). {_hint()}.") from error
+    return _checked(context)
+
+
+def _checked(context: moderngl.Context) -> moderngl.Context:
+    if context.version_code < REQUIRED_VERSION:
+        name = context.info.get("GL_RENDERER", "unknown")
+        version = context.info.get("GL_VERSION", str(context.version_code))
+        context.release()
+        raise GraphicsError(f"OpenGL 3.3 is needed, but {name} offers {version}. {_hint()}.")
+    return context
+
+
+def _hint() -> str:
+    return _HINT.get(sys.platform, "Install a graphics driver with OpenGL 3.3")
+
+
+@contextmanager
+def graphics_errors(context: moderngl.Context, doing: str) -> Iterator[None]:
+    """Turn OpenGL's errors inside the block into :class:`GraphicsError`, "The graphics driver failed while ``doing``".
+
+    Errors that others left in the context before are dropped first.
+    """
+    context.clear_errors()
+    try:
+        yield
+    except moderngl.Error as error:
+        raise GraphicsError(f"The graphics driver failed while {doing}: {error}.") from error
+    name = context.error
+    if name != "GL_NO_ERROR":
+        raise GraphicsError(f"The graphics driver failed while {doing}: {name}.")

@@ -1,0 +1,79 @@
+"""The maps of one environment on the GPU: a seamless cube map per lobe, the diffuse map, the background.
+
+A new environment of the same sizes is written into the textures that are there.
+"""
+
+from __future__ import annotations
+
+import moderngl
+import numpy as np
+
+from brdf_suite.realtime.context import graphics_errors
+from brdf_suite.realtime.gpu_objects import GpuObjects
+from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps
+
+_SEAMLESS = 0x884F  # GL_TEXTURE_CUBE_MAP_SEAMLESS, core since OpenGL 3.2
+
+MIPMAPPED_FROM = 128
+"""Faces this large get mip levels, chosen by derivatives: a curved surface squeezes the map into few pixels."""
+
+
+class EnvironmentTextures:
+    """Texture units: 0 diffuse, 1 background, 2 … one per lobe."""
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self._textures: list[moderngl.TextureCube] = []
+        self._scales: list[float] = []
+        self.exponents: tuple[float, ...] = ()
+
+    def load(self, maps: EnvironmentMaps) -> None:
+        """Write all maps; :class:`GraphicsError` where the GPU's memory or size limit is exceeded."""
+        all_faces = (maps.diffuse, maps.background, *maps.lobes)
+        sizes = [faces.size for faces in all_faces]
+        if sizes != [texture.size[0] for texture in self._textures]:
+            self.release()
+            self._textures = [self._objects.cube(size) for size in sizes]
+        with graphics_errors(self._objects.context, "loading the environment's maps"):
+            for texture, faces in zip(self._textures, all_faces, strict=True):
+                self._write(texture, faces)
+        self._scales = [faces.scale for faces in all_faces]
+        self.exponents = maps.exponents
+
+    def bind(self) -> None:
+        """Bind every map to its unit and switch filtering across the edges of faces on."""
+        self._objects.context.enable_direct(_SEAMLESS)
+        for unit, texture in enumerate(self._textures):
+            texture.use(unit)
+
+    def connect(self, program: moderngl.Program) -> None:
+        """Tell a program the units and scales, those that it uses."""
+        values: dict[str, object] = {
+            "diffuse_map": 0,
+            "background_map": 1,
+            "lobe_maps": tuple(range(2, len(self._textures))),
+            "diffuse_scale": self._scales[0],
+            "background_scale": self._scales[1],
+            "lobe_scales": tuple(self._scales[2:]),
+        }
+        for name, value in values.items():
+            if name in program:
+                # An array of one is a plain number to moderngl.
+                single = isinstance(value, tuple) and len(value) == 1
+                program[name].value = value[0] if single else value  # type: ignore[index]  # a tuple there
+
+    def release(self) -> None:
+        """Give the textures back."""
+        for texture in self._textures:
+            self._objects.release(texture)
+        self._textures = []
+
+    def _write(self, texture: moderngl.TextureCube, faces: CubeFaces) -> None:
+        for face in range(6):
+            texture.write(face, np.ascontiguousarray(faces.faces[face]))
+        self._objects.counters.texture_uploads += 6
+        if faces.size >= MIPMAPPED_FROM:
+            texture.build_mipmaps()
+            texture.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
+        else:
+            texture.filter = (moderngl.LINEAR, moderngl.LINEAR)

@@ -1,0 +1,104 @@
+"""Every OpenGL object of the renderer is made and released here, and counted.
+
+The counts are the proof that a path makes none: an edit of a paint must write a buffer and nothing else.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
+
+import moderngl
+
+from brdf_suite.realtime.context import graphics_errors
+from brdf_suite.realtime.shader_source import ShaderSource, compile_program
+
+_Object = TypeVar("_Object")
+
+
+@dataclass
+class Counters:
+    """Objects made since the start, and bytes written into textures and uniform buffers."""
+
+    created: dict[str, int] = field(default_factory=dict)
+    released: int = 0
+    texture_uploads: int = 0
+    buffer_writes: int = 0
+
+    @property
+    def total_created(self) -> int:
+        """All objects made since the start, of any kind."""
+        return sum(self.created.values())
+
+    @property
+    def live(self) -> int:
+        """Objects that exist now."""
+        return self.total_created - self.released
+
+
+class GpuObjects:
+    """Makes objects in one context; :meth:`release_all` gives all of them back."""
+
+    def __init__(self, context: moderngl.Context) -> None:
+        self.context = context
+        self.counters = Counters()
+        self._live: dict[int, Any] = {}
+
+    def buffer(
+        self, data: bytes | None = None, *, reserve: int = 0, dynamic: bool = False
+    ) -> moderngl.Buffer:
+        """Make a buffer from bytes, or an empty one of ``reserve`` bytes."""
+        with graphics_errors(self.context, f"reserving {reserve or len(data or b'')} bytes"):
+            return self._keep("buffer", self.context.buffer(data, reserve=reserve, dynamic=dynamic))
+
+    def cube(self, size: int) -> moderngl.TextureCube:
+        """Make an empty cube map of half floats, RGB, ``size`` texels along an edge."""
+        with graphics_errors(self.context, f"making a cube map of {size} texels"):
+            return self._keep("texture", self.context.texture_cube((size, size), 3, dtype="f2"))
+
+    def texture(self, size: tuple[int, int], dtype: str, samples: int = 0) -> moderngl.Texture:
+        """Make an empty RGBA texture (``f1`` or ``f2``), multisampled where ``samples`` > 1."""
+        with graphics_errors(self.context, f"making an image of {size[0]}x{size[1]} pixels"):
+            return self._keep("texture", self.context.texture(size, 4, samples=samples, dtype=dtype))
+
+    def depth(self, size: tuple[int, int], samples: int) -> moderngl.Renderbuffer:
+        """Make a depth buffer that fits :meth:`texture`."""
+        with graphics_errors(self.context, f"making a depth buffer of {size[0]}x{size[1]} pixels"):
+            return self._keep("renderbuffer", self.context.depth_renderbuffer(size, samples=samples))
+
+    def framebuffer(
+        self, colour: moderngl.Texture, depth: moderngl.Renderbuffer | None = None
+    ) -> moderngl.Framebuffer:
+        """Make a framebuffer of one colour texture."""
+        with graphics_errors(self.context, "making a framebuffer"):
+            return self._keep("framebuffer", self.context.framebuffer([colour], depth))
+
+    def program(self, vertex: ShaderSource, fragment: ShaderSource) -> moderngl.Program:
+        """Compile and link a program."""
+        return self._keep("program", compile_program(self.context, vertex, fragment))
+
+    def vertex_array(self, program: moderngl.Program, *content: Any) -> moderngl.VertexArray:
+        """Make a vertex array; ``content`` as moderngl wants it: (list of buffers, index buffer)."""
+        with graphics_errors(self.context, "making a vertex array"):
+            made = (
+                self.context.vertex_array(program, *content)
+                if content
+                else self.context.vertex_array(program, [])
+            )
+            return self._keep("vertex array", made)
+
+    def release(self, made: Any) -> None:
+        """Give one object back; nothing happens where it is gone already."""
+        if self._live.pop(id(made), None) is not None:
+            made.release()
+            self.counters.released += 1
+
+    def release_all(self) -> None:
+        """Give everything back."""
+        for made in list(self._live.values()):
+            self.release(made)
+
+    def _keep(self, kind: str, made: _Object) -> _Object:
+        self._live[id(made)] = made
+        self.counters.created[kind] = self.counters.created.get(kind, 0) + 1
+        return made

@@ -1,0 +1,53 @@
+"""One uniform buffer per material. A change of weights writes the buffer and makes nothing."""
+
+from __future__ import annotations
+
+import moderngl
+
+from brdf_suite.errors import GraphicsError
+from brdf_suite.realtime.context import graphics_errors
+from brdf_suite.realtime.gpu_objects import GpuObjects
+from brdf_suite.realtime.material_buffer import block_size, pack
+from brdf_suite.realtime.stock_materials import stock_materials
+from brdf_suite.realtime.values import MAX_LOBES, MaterialWeights
+
+
+class MaterialSet:
+    """Materials by name. A name that was never set is a stock material, or the stock "neutral" grey."""
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self._buffers: dict[str, moderngl.Buffer] = {}
+        self._given: dict[str, tuple[float, ...]] = {}
+        self._exponents: tuple[float, ...] = ()
+
+    def set_exponents(self, exponents: tuple[float, ...]) -> None:
+        """Fit the stock materials to the environment's lobes."""
+        if exponents == self._exponents:
+            return
+        self._exponents = exponents
+        for name, weights in stock_materials(exponents).items():
+            if name not in self._given:
+                self._write(name, weights)
+
+    def set(self, name: str, weights: MaterialWeights) -> None:
+        """Write the weights of a material."""
+        self._given[name] = weights.exponents
+        self._write(name, weights)
+
+    def buffer(self, name: str) -> moderngl.Buffer:
+        """Return the buffer of a material; :class:`GraphicsError` where its lobes are not the environment's."""
+        if self._given.get(name, self._exponents) != self._exponents:
+            raise GraphicsError(
+                f"The material {name} was fitted to other lobes ({len(self._given[name])}) than the environment "
+                f"was filtered with ({len(self._exponents)}); fit it again."
+            )
+        return self._buffers.get(name, self._buffers["neutral"])
+
+    def _write(self, name: str, weights: MaterialWeights) -> None:
+        # Room for any number of lobes, so that a change of the lobe set makes no buffer either.
+        if name not in self._buffers:
+            self._buffers[name] = self._objects.buffer(reserve=block_size(MAX_LOBES), dynamic=True)
+        with graphics_errors(self._objects.context, f"writing the weights of {name}"):
+            self._buffers[name].write(pack(weights))
+        self._objects.counters.buffer_writes += 1

@@ -1,0 +1,63 @@
+"""The parts of a mesh on the GPU, and the material that each is drawn with."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import moderngl
+import numpy as np
+
+from brdf_suite.realtime.camera import Bounds
+from brdf_suite.realtime.gpu_objects import GpuObjects
+from brdf_suite.realtime.values import MeshPart
+
+
+class MeshBuffers:
+    """Positions and normals interleaved, 32-bit indices; vertex arrays for one program at a time."""
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self._buffers: list[tuple[moderngl.Buffer, moderngl.Buffer]] = []
+        self._arrays: list[moderngl.VertexArray] = []
+        self._program: moderngl.Program | None = None
+        self.materials: tuple[str, ...] = ()
+        self.bounds = Bounds.of([])
+        self.triangle_count = 0
+
+    def load(self, parts: Sequence[MeshPart]) -> None:
+        """Replace the mesh; an empty sequence draws the background only."""
+        self.release()
+        for part in parts:
+            vertices = np.concatenate([part.positions, part.normals], axis=1)
+            self._buffers.append(
+                (self._objects.buffer(vertices.tobytes()), self._objects.buffer(part.triangles.tobytes()))
+            )
+        self.materials = tuple(part.material for part in parts)
+        self.bounds = Bounds.of(part.positions for part in parts)
+        self.triangle_count = sum(len(part.triangles) for part in parts)
+
+    def arrays(self, program: moderngl.Program) -> list[moderngl.VertexArray]:
+        """Return one vertex array per part for ``program``; made at the first call, kept after."""
+        if self._program is not program or len(self._arrays) != len(self._buffers):
+            self._release_arrays()
+            self._arrays = [
+                self._objects.vertex_array(program, [(vertices, "3f 3f", "position", "normal")], indices)
+                for vertices, indices in self._buffers
+            ]
+            self._program = program
+        return self._arrays
+
+    def release(self) -> None:
+        """Give buffers and vertex arrays back."""
+        self._release_arrays()
+        for pair in self._buffers:
+            for buffer in pair:
+                self._objects.release(buffer)
+        self._buffers = []
+        self.materials = ()
+
+    def _release_arrays(self) -> None:
+        for array in self._arrays:
+            self._objects.release(array)
+        self._arrays = []
+        self._program = None

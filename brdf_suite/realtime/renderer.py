@@ -1,0 +1,200 @@
+"""Draws parts with lobe weights in prefiltered light: the picture of the Viewer and of the command line.
+
+One frame is two passes. The first draws surface and background into half floats, multisampled: linear display
+light after exposure and tone curve, so that the samples of a pixel are averaged as the eye would. The second
+averages, encodes for sRGB, dithers and writes into whatever framebuffer the caller has, a widget's or its own.
+
+>>> renderer = Renderer(create_context())                                                      # doctest: +SKIP
+>>> renderer.set_environment(maps); renderer.set_mesh(parts); renderer.set_material("paint", weights)
+>>> picture = renderer.render_image(View(), (1280, 720))                                      # (720, 1280, 3) uint8
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.documents.view import View
+from brdf_suite.errors import GraphicsError, ValueRangeError
+from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
+from brdf_suite.realtime.context import graphics_errors
+from brdf_suite.realtime.environment_textures import EnvironmentTextures
+from brdf_suite.realtime.gpu_objects import Counters, GpuObjects
+from brdf_suite.realtime.material_set import MaterialSet
+from brdf_suite.realtime.mesh_buffers import MeshBuffers
+from brdf_suite.realtime.programs import MATERIAL_BINDING, Programs
+from brdf_suite.realtime.target import LightTarget, PictureTarget
+from brdf_suite.realtime.tone_curves import TONE_CURVE_NUMBERS, WORKING_TO_SRGB
+from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights, MeshPart
+
+DEFAULT_SAMPLES = 4
+
+LARGEST_TILE = 2048
+"""Pixels along an edge; 4 samples of colour and depth are then 200 MB, at any size of the picture."""
+
+Size = tuple[int, int]
+Corner = tuple[int, int]
+
+
+class Renderer:
+    """All state of one OpenGL context; every call must come with that context current, from one thread."""
+
+    def __init__(self, context: moderngl.Context) -> None:
+        self.context = context
+        self._objects = GpuObjects(context)
+        self._programs = Programs(self._objects)
+        self._environment = EnvironmentTextures(self._objects)
+        self._mesh = MeshBuffers(self._objects)
+        self._materials = MaterialSet(self._objects)
+        self._light = LightTarget(self._objects)
+        self._picture = PictureTarget(self._objects)
+
+    @property
+    def counters(self) -> Counters:
+        """Objects made, textures and buffers written, since the start."""
+        return self._objects.counters
+
+    @property
+    def bounds(self) -> Bounds:
+        """The box around the mesh, metres."""
+        return self._mesh.bounds
+
+    def set_mesh(self, parts: Sequence[MeshPart]) -> None:
+        """Replace the surface."""
+        self._mesh.load(parts)
+
+    def set_environment(self, maps: EnvironmentMaps) -> None:
+        """Replace the light. Materials must then have the same exponents; stock ones follow by themselves."""
+        self._environment.load(maps)
+        self._materials.set_exponents(maps.exponents)
+
+    def set_material(self, name: str, weights: MaterialWeights) -> None:
+        """Give a material its weights. From the second time on this writes one small buffer and nothing else."""
+        self._materials.set(name, weights)
+
+    def camera_matrices(self, view: View, size: Size) -> CameraMatrices:
+        """Return the matrices that :meth:`render` uses, for picking and gestures."""
+        return matrices(view.camera, self.bounds, checked_size(size))
+
+    def render(
+        self, view: View, framebuffer: moderngl.Framebuffer | int, size: Size, samples: int = DEFAULT_SAMPLES
+    ) -> None:
+        """Draw one frame into ``framebuffer`` (an object of this context or its number, as Qt gives it).
+
+        Parameters
+        ----------
+        size
+            Width and height in device pixels; the lower left part of the framebuffer of that size is written.
+        samples
+            Wanted samples per pixel; the GPU may offer fewer.
+
+        Raises
+        ------
+        GraphicsError
+            No environment yet, a material fitted to other exponents, or the driver failed.
+        """
+        size = checked_size(size)
+        with graphics_errors(self.context, "drawing a frame"):
+            if isinstance(framebuffer, int):
+                framebuffer = self.context.detect_framebuffer(framebuffer)
+            self._draw(view, framebuffer, size, samples, size, (0, 0))
+
+    def render_image(
+        self, view: View, size: Size, samples: int = DEFAULT_SAMPLES, *, largest_tile: int = LARGEST_TILE
+    ) -> NDArray[Any]:
+        """Return the picture (h, w, 3) uint8 sRGB, top row first, of any size: large ones are drawn in tiles."""
+        size = checked_size(size)
+        limit = self._tile_limit(largest_tile)
+        picture = np.empty((size[1], size[0], 3), np.uint8)
+        for y in range(0, size[1], limit):
+            for x in range(0, size[0], limit):
+                tile = (min(limit, size[0] - x), min(limit, size[1] - y))
+                with graphics_errors(self.context, "drawing a picture"):
+                    target = self._picture.prepare(tile)
+                    self._draw(view, target, tile, samples, size, (x, y))
+                    pixels = np.frombuffer(target.read(components=3, alignment=1), np.uint8)
+                rows = pixels.reshape(tile[1], tile[0], 3)[::-1]
+                picture[size[1] - y - tile[1] : size[1] - y, x : x + tile[0]] = rows
+        return picture
+
+    def release(self) -> None:
+        """Give every OpenGL object back; the renderer cannot be used after."""
+        self._objects.release_all()
+
+    def _tile_limit(self, wanted: int) -> int:
+        info = self.context.info
+        limits = [info[key] for key in ("GL_MAX_RENDERBUFFER_SIZE", "GL_MAX_TEXTURE_SIZE")]
+        # Even tiles keep the 2x2 blocks, in which derivatives are taken, where they are in the whole picture.
+        return max(2, min(wanted, *limits, *info["GL_MAX_VIEWPORT_DIMS"]) // 2 * 2)
+
+    def _draw(
+        self, view: View, target: moderngl.Framebuffer, tile: Size, samples: int, size: Size, corner: Corner
+    ) -> None:
+        if not self._environment.exponents:
+            raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
+        samples = min(samples, self.context.max_samples)
+        samples = samples if samples > 1 else 0
+        camera = matrices(view.camera, self.bounds, size)
+        light_framebuffer, light = self._light.prepare(tile, samples)
+        light_framebuffer.use()
+        self.context.viewport = (0, 0, *tile)
+        self.context.scissor = None
+        self.context.enable_only(moderngl.DEPTH_TEST)
+        self.context.depth_func = "<="
+        light_framebuffer.clear(depth=1.0)
+        self._environment.bind()
+        self._draw_mesh(view, camera, crop(size, corner, tile))
+        self._draw_background(view, camera, size, corner)
+
+        target.use()
+        self.context.viewport = (0, 0, *tile)
+        self.context.enable_only(moderngl.NOTHING)
+        finish, screen = self._programs.finish(samples)
+        finish["light"].value = 0
+        finish["frame"].value = (*corner, 0.0, 0.0)
+        light.use(0)
+        screen.render(moderngl.TRIANGLES, vertices=3)
+
+    def _draw_mesh(self, view: View, camera: CameraMatrices, cropping: NDArray[np.float64]) -> None:
+        if not self._mesh.materials:
+            return
+        program = self._programs.mesh(len(self._environment.exponents))
+        self._environment.connect(program)
+        _set_view(program, view)
+        world_to_clip = cropping @ camera.world_to_clip
+        program["world_to_clip"].write(world_to_clip.T.astype(np.float32).tobytes())
+        program["eye"].value = tuple(camera.eye)
+        program["fresnel_on"].value = view.fresnel
+        for array, material in zip(self._mesh.arrays(program), self._mesh.materials, strict=True):
+            self._materials.buffer(material).bind_to_uniform_block(MATERIAL_BINDING)
+            array.render(moderngl.TRIANGLES)
+
+    def _draw_background(self, view: View, camera: CameraMatrices, size: Size, corner: Corner) -> None:
+        program, screen = self._programs.background()
+        self._environment.connect(program)
+        _set_view(program, view)
+        program["view_to_world"].write(camera.view_to_world.T.astype(np.float32).tobytes())
+        program["half_tangents"].value = camera.half_tangents
+        program["frame"].value = (*corner, 1.0 / size[0], 1.0 / size[1])
+        program["grey_background"].value = view.background == "grey"
+        screen.render(moderngl.TRIANGLES, vertices=3)
+
+
+def checked_size(size: Size) -> Size:
+    """Return width and height as whole numbers of 1 to 65,536 pixels, or raise :class:`ValueRangeError`."""
+    width, height = (int(n) for n in size)
+    if not (1 <= width <= 65536 and 1 <= height <= 65536):
+        raise ValueRangeError("size", f"1 to 65,536 pixels along each edge are drawn, not {width}x{height}")
+    return width, height
+
+
+def _set_view(program: moderngl.Program, view: View) -> None:
+    turn = np.radians(view.rotation_deg)
+    program["light_turn"].value = (float(np.cos(turn)), float(np.sin(turn)))
+    program["exposure"].value = 2.0**view.exposure_ev
+    program["tone_curve_kind"].value = TONE_CURVE_NUMBERS[view.tone_curve]
+    program["working_to_display"].write(WORKING_TO_SRGB.T.astype(np.float32).tobytes())

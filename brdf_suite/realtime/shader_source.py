@@ -1,0 +1,102 @@
+"""Shaders are files: put together from includes, compiled, and their errors told by file and line.
+
+A line ``#include "name.glsl"`` is replaced by that file, once per shader. Each file has a number, given to the
+compiler by ``#line``, so that whatever the compiler complains about can be traced to the file and line.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import moderngl
+
+from brdf_suite.errors import GraphicsError
+
+SHADERS = Path(__file__).resolve().parent / "shaders"
+
+_INCLUDE = re.compile(r'^\s*#include\s+"([\w.\-]+)"\s*$')
+# Mesa "1:23(4): error: ...", NVIDIA "1(23) : error C1008: ...", Intel, AMD and Apple "ERROR: 1:23: ...".
+_REPORTS = (
+    re.compile(r"^(?P<file>\d+):(?P<line>\d+)\(\d+\): (?:preprocessor )?error: (?P<what>.*)$"),
+    re.compile(r"^(?P<file>\d+)\((?P<line>\d+)\) : error (?P<what>.*)$"),
+    re.compile(r"^ERROR: (?P<file>\d+):(?P<line>\d+): (?P<what>.*)$"),
+)
+
+
+@dataclass(frozen=True)
+class ShaderSource:
+    """The text for the compiler and the names of the files that its numbers stand for."""
+
+    text: str
+    files: tuple[str, ...]
+
+
+def compose(
+    name: str, defines: dict[str, str] | None = None, folders: tuple[Path, ...] = (SHADERS,)
+) -> ShaderSource:
+    """Return shader file ``name`` with its includes and ``#define`` lines; ``folders`` are searched in order.
+
+    Raises
+    ------
+    GraphicsError
+        A file is missing; the message names it and the file and line that asks for it.
+    """
+    files: list[str] = []
+    lines = ["#version 330 core", *(f"#define {key} {value}" for key, value in (defines or {}).items())]
+
+    def add(name: str, asked_by: str) -> None:
+        if name in files:
+            return
+        path = next((folder / name for folder in folders if (folder / name).is_file()), None)
+        if path is None:
+            raise GraphicsError(f"The shader file {name} is missing{asked_by}; install brdf-suite again.")
+        number = len(files)
+        files.append(name)
+        lines.append(f"#line 1 {number}")
+        for row, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            include = _INCLUDE.match(line)
+            if include:
+                add(include.group(1), f", asked for by {name}, line {row}")
+                lines.append(f"#line {row + 1} {number}")
+            else:
+                # Compilers of OpenGL 3.3 read ASCII only.
+                lines.append(line.encode("ascii", "replace").decode("ascii"))
+
+    add(name, "")
+    return ShaderSource("\n".join(lines) + "\n", tuple(files))
+
+
+def lobe_defines(lobes: int) -> dict[str, str]:
+    """Return the defines for a shader of so many lobes: their number, and the loop over them written out.
+
+    >>> lobe_defines(2)["FOR_EACH_LOBE(BODY)"]
+    'BODY(0) BODY(1)'
+    """
+    return {"LOBES": str(lobes), "FOR_EACH_LOBE(BODY)": " ".join(f"BODY({i})" for i in range(lobes))}
+
+
+def compile_program(
+    context: moderngl.Context, vertex: ShaderSource, fragment: ShaderSource
+) -> moderngl.Program:
+    """Compile and link; :class:`GraphicsError` names shader file, line and the compiler's words."""
+    try:
+        return context.program(vertex_shader=vertex.text, fragment_shader=fragment.text)
+    except moderngl.Error as error:
+        message = str(error)
+        source = vertex if "vertex_shader" in message else fragment
+        raise GraphicsError(
+            _explain(message, source, f"{vertex.files[0]} with {fragment.files[0]}")
+        ) from error
+
+
+def _explain(message: str, source: ShaderSource, pair: str) -> str:
+    for line in message.splitlines():
+        for report in _REPORTS:
+            found = report.match(line.strip())
+            if found and int(found["file"]) < len(source.files):
+                name = source.files[int(found["file"])]
+                return f"The shader {name}, line {found['line']}, does not compile: {found['what'].strip()}."
+    words = "; ".join(line.strip() for line in message.splitlines() if line.strip(" ="))
+    return f"The shaders {pair} do not compile or link: {words}."

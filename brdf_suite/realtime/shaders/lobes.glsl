@@ -1,0 +1,30 @@
+// Provides: vec3 reflected_radiance(vec3 n, vec3 v), equations 7 to 9 of the paper
+// Needs:    LOBES, FOR_EACH_LOBE(BODY) = BODY(0) BODY(1) ... (both written by shader_source.py)
+//
+// With P_i the unit-gain map of lobe i, R the mirror direction of the view about N:
+//     Lo =  pi KD P_1(N)                                   equation 9: the diffuse map looked up at N
+//         + sum KDD_i 2 pi/(E_i+1) P_i(R) (N.R)            equation 7: the light direction is taken as R
+//         + sum KG_i  2 pi/(E_i+1) P_i(R)                  equation 8
+// One look-up serves equations 7 and 8. OpenGL 3.3 allows arrays of samplers to be indexed by constants only,
+// so the loop is written out by the preprocessor.
+#include "material.glsl"
+#include "environment.glsl"
+
+uniform samplerCube lobe_maps[LOBES];
+uniform float lobe_scales[LOBES];
+
+vec3 reflected_radiance(vec3 n, vec3 v)
+{
+    float cos_theta = dot(n, v);
+    vec3 r = to_environment(2.0 * cos_theta * n - v);
+    vec3 base_gain, gloss_gain;
+    fresnel_gains(cos_theta, base_gain, gloss_gain);
+    vec3 directional_gain = base_gain * cos_theta;     // N.R = N.V
+
+    vec3 radiance = diffuse.rgb * base_gain * (texture(diffuse_map, to_environment(n)).rgb * diffuse_scale);
+#define ADD_LOBE(i) \
+    radiance += (directional[i].rgb * directional_gain + gloss[i].rgb * gloss_gain) \
+        * (texture(lobe_maps[i], r).rgb * lobe_scales[i]);
+    FOR_EACH_LOBE(ADD_LOBE)
+    return radiance;
+}

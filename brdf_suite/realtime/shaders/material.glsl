@@ -1,0 +1,56 @@
+// Provides: uniform block Material (one buffer per material), COAT_NONE, COAT_DIELECTRIC, COAT_METAL,
+//           void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
+// Needs:    LOBES (number of lobes), uniform bool fresnel_on
+#include "fresnel.glsl"
+
+const int COAT_NONE = 0;
+const int COAT_DIELECTRIC = 1;
+const int COAT_METAL = 2;
+
+// Written whole by material_buffer.py (std140). A lobe (R.V)^E holds 2 pi / (E + 1) of solid angle, and the
+// weights come here multiplied by it, so that they weigh the unit-gain maps directly.
+layout(std140) uniform Material
+{
+    vec4 diffuse;              // rgb: pi KD
+    vec4 coat;                 // x: COAT_*, y: index of refraction, z: 1 / F(theta_fit), w: 1 / T(theta_fit)^2
+    vec4 gloss_albedo;         // rgb: sum of the gloss weights; a: 1 / (largest of them), the limit of the gain
+    vec4 directional[LOBES];   // rgb: KDD_i 2 pi / (E_i + 1)
+    vec4 gloss[LOBES];         // rgb: KG_i 2 pi / (E_i + 1)
+};
+
+// Which share of base and gloss is seen at the view angle theta, relative to the incidence of the fit.
+//
+// The fit approximates f_r cos(theta_i), cosine included, by sum KG_i (R.V)^E_i at theta_fit. A smooth mirror
+// coat has f_r cos(theta_i) = F(theta) delta(l - r): the cosine of the BRDF's 1/cos and the one of the
+// rendering equation cancel, at every angle. Its integral over light is F, so the fit gives
+//     G = sum KG_i 2 pi / (E_i + 1) = F(theta_fit),
+// and the radiance reflected from surroundings L is, with unit-gain maps, G P(R) = F(theta_fit) L(R). The gain
+//     F(theta) / F(theta_fit)
+// therefore makes it F(theta) L(R) exactly: F(0) at normal incidence, 1 at grazing, with no further cosine.
+// A coat whose G is above F(theta_fit), by an imprecise fit, is limited so that G times the gain is at most 1.
+//
+// Light that comes from the base crossed the coat twice, hence T(theta)^2 / T(theta_fit)^2, T = 1 - F.
+//
+// A metal has no base to lower, and its reflectance rises from G to 1, not by a ratio:
+//     G + (1 - G) (1 - cos(theta))^5 for each channel (Schlick's form, which is meant for metals).
+void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
+{
+    base_gain = vec3(1.0);
+    gloss_gain = vec3(1.0);
+    if (!fresnel_on)
+        return;
+    int kind = int(coat.x);
+    if (kind == COAT_DIELECTRIC)
+    {
+        float f = fresnel_dielectric(cos_theta, coat.y);
+        float t = 1.0 - f;
+        base_gain = vec3(t * t * coat.w);
+        gloss_gain = vec3(min(f * coat.z, max(gloss_albedo.a, 1.0)));
+    }
+    else if (kind == COAT_METAL)
+    {
+        float rise = pow(clamp(1.0 - cos_theta, 0.0, 1.0), 5.0);
+        vec3 g = max(gloss_albedo.rgb, vec3(1e-4));
+        gloss_gain = (g + max(1.0 - g, 0.0) * rise) / g;
+    }
+}

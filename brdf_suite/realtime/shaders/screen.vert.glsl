@@ -1,0 +1,7 @@
+// Provides: one triangle that covers the screen, at the far plane
+// Needs:    a draw of three vertices without attributes
+void main()
+{
+    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 1.0, 1.0);
+}

@@ -1,0 +1,62 @@
+"""Where a frame is drawn before it is finished: linear display light in half floats, multisampled, with depth."""
+
+from __future__ import annotations
+
+import moderngl
+
+from brdf_suite.realtime.gpu_objects import GpuObjects
+
+
+class LightTarget:
+    """Kept between frames and made anew when the size or the sample count changes."""
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self._made: list[moderngl.Texture | moderngl.Renderbuffer | moderngl.Framebuffer] = []
+        self._key: tuple[tuple[int, int], int] | None = None
+        self._colour: moderngl.Texture | None = None
+        self._framebuffer: moderngl.Framebuffer | None = None
+
+    def prepare(self, size: tuple[int, int], samples: int) -> tuple[moderngl.Framebuffer, moderngl.Texture]:
+        """Return the framebuffer to draw into and its colour texture."""
+        if self._key != (size, samples) or self._colour is None or self._framebuffer is None:
+            self.release()
+            self._colour = self._objects.texture(size, "f2", samples)
+            self._made.append(self._colour)
+            depth = self._objects.depth(size, samples)
+            self._made.append(depth)
+            self._framebuffer = self._objects.framebuffer(self._colour, depth)
+            self._made.append(self._framebuffer)
+            self._key = (size, samples)
+        return self._framebuffer, self._colour
+
+    def release(self) -> None:
+        """Give everything back."""
+        for made in reversed(self._made):
+            self._objects.release(made)
+        self._made = []
+        self._key = self._colour = self._framebuffer = None
+
+
+class PictureTarget:
+    """The finished 8-bit picture of off-screen rendering."""
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self._texture: moderngl.Texture | None = None
+        self._framebuffer: moderngl.Framebuffer | None = None
+
+    def prepare(self, size: tuple[int, int]) -> moderngl.Framebuffer:
+        """Return a framebuffer of exactly this size."""
+        if self._framebuffer is None or self._framebuffer.size != size:
+            self.release()
+            self._texture = self._objects.texture(size, "f1")
+            self._framebuffer = self._objects.framebuffer(self._texture)
+        return self._framebuffer
+
+    def release(self) -> None:
+        """Give everything back."""
+        for made in (self._framebuffer, self._texture):
+            if made is not None:
+                self._objects.release(made)
+        self._texture = self._framebuffer = None

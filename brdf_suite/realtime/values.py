@@ -1,0 +1,169 @@
+"""What the renderer is given: parts of a mesh, prefiltered maps, lobe weights. Frozen, checked, arrays only."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from brdf_suite.errors import ValueRangeError
+
+MAX_LOBES = 12
+"""With the diffuse map and the background this leaves two of the 16 texture units that OpenGL 3.3 grants."""
+
+Coat: TypeAlias = Literal["none", "dielectric", "metal"]
+
+Floats: TypeAlias = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class MeshPart:
+    """Triangles that share one material.
+
+    Attributes
+    ----------
+    name
+        Named by errors.
+    material
+        The material that :meth:`Renderer.set_material` knows: ``paint``, ``glass`` …
+    positions
+        (n, 3) float32, world metres, y up.
+    normals
+        (n, 3) float32, about unit length; either side, the shader turns them to the viewer.
+    triangles
+        (k, 3) uint32, k ≥ 1, indices below n.
+    """
+
+    name: str
+    material: str
+    positions: NDArray[Any]
+    normals: NDArray[Any]
+    triangles: NDArray[Any]
+
+    def __post_init__(self) -> None:
+        positions = _finite(self.positions, np.float32, (-1, 3), f"part {self.name!r}: positions")
+        normals = _finite(self.normals, np.float32, (len(positions), 3), f"part {self.name!r}: normals")
+        triangles = np.ascontiguousarray(self.triangles)
+        if triangles.ndim != 2 or triangles.shape[1] != 3 or triangles.dtype.kind not in "iu":
+            raise ValueRangeError(f"part {self.name!r}: triangles", "whole numbers (k, 3) are wanted")
+        if not len(triangles) or triangles.min() < 0 or triangles.max() >= len(positions):
+            raise ValueRangeError(
+                f"part {self.name!r}: triangles", f"1 or more, with indices 0 to {len(positions) - 1}"
+            )
+        object.__setattr__(self, "positions", positions)
+        object.__setattr__(self, "normals", normals)
+        object.__setattr__(self, "triangles", np.ascontiguousarray(triangles, np.uint32))
+
+
+@dataclass(frozen=True, eq=False)
+class CubeFaces:
+    """One cube map: radiance of the working space = ``faces`` times ``scale``.
+
+    ``faces`` is (6, F, F, 3) float16 in the order +x, -x, +y, -y, +z, -z and with the rows and columns of
+    OpenGL's cube maps (row = t, column = s), finite. ``scale`` > 0 keeps a sun inside half range.
+    """
+
+    faces: NDArray[Any]
+    scale: float = 1.0
+
+    def __post_init__(self) -> None:
+        shape = np.shape(self.faces)
+        if len(shape) != 4 or shape[0] != 6 or shape[1] != shape[2] or shape[3] != 3 or shape[1] < 1:
+            raise ValueRangeError("faces", f"six square faces (6, F, F, 3) are wanted, not {shape}")
+        if not (np.isfinite(self.scale) and self.scale > 0):
+            raise ValueRangeError("scale", f"a finite number above 0 is wanted, not {self.scale!r}")
+        object.__setattr__(self, "faces", _finite(self.faces, np.float16, (6, -1, shape[1], 3), "faces"))
+
+    @property
+    def size(self) -> int:
+        """Texels along an edge of a face."""
+        return int(self.faces.shape[1])
+
+
+@dataclass(frozen=True, eq=False)
+class EnvironmentMaps:
+    """An environment, prefiltered with unit gain: one map per lobe exponent, the diffuse map, the background.
+
+    A constant environment of radiance 1 is 1 in every map. ``diffuse`` is the E = 1 map, which is irradiance
+    over π when looked up at the normal.
+    """
+
+    exponents: tuple[float, ...]
+    lobes: tuple[CubeFaces, ...]
+    diffuse: CubeFaces
+    background: CubeFaces
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "exponents", checked_exponents(self.exponents))
+        object.__setattr__(self, "lobes", tuple(self.lobes))
+        if len(self.lobes) != len(self.exponents):
+            raise ValueRangeError("lobes", f"{len(self.exponents)} maps are wanted, not {len(self.lobes)}")
+
+
+@dataclass(frozen=True, eq=False)
+class MaterialWeights:
+    """Lobe weights of one material, in the sense of the lobe sum
+
+    f_r (N·L) ≈ KD (N·L) + (N·L) Σ KDD_i (R·V)^E_i + Σ KG_i (R·V)^E_i.
+
+    Attributes
+    ----------
+    exponents
+        m lobe exponents, the same as the environment's maps.
+    kd, kdd, kg
+        (3,), (m, 3), (m, 3) in 1/sr, working space, finite and not negative.
+    theta_fit_rad
+        Incidence of the fit, 0 to below π/2; the Fresnel gains are 1 there.
+    ior
+        Index of refraction of a dielectric coat, 1 to 5; 1 is no coat.
+    coat
+        ``dielectric``: gloss follows F(θ)/F(θ_fit) and the base T(θ)²/T(θ_fit)²; ``metal``: gloss rises from
+        its own albedo to 1 at grazing; ``none``: the weights hold at every angle.
+    """
+
+    exponents: tuple[float, ...]
+    kd: NDArray[Any]
+    kdd: NDArray[Any]
+    kg: NDArray[Any]
+    theta_fit_rad: float = field(default=float(np.pi / 4))
+    ior: float = 1.5
+    coat: Coat = "dielectric"
+
+    def __post_init__(self) -> None:
+        exponents = checked_exponents(self.exponents)
+        object.__setattr__(self, "exponents", exponents)
+        for name, shape in (("kd", (3,)), ("kdd", (len(exponents), 3)), ("kg", (len(exponents), 3))):
+            value = _finite(getattr(self, name), np.float64, shape, name)
+            if (value < 0).any():
+                raise ValueRangeError(name, "weights must not be negative")
+            object.__setattr__(self, name, value)
+        if not 0 <= self.theta_fit_rad < np.pi / 2:
+            raise ValueRangeError("theta_fit_rad", f"0 to below π/2 is wanted, not {self.theta_fit_rad!r}")
+        if not 1 <= self.ior <= 5:
+            raise ValueRangeError("ior", f"1 to 5 is wanted, not {self.ior!r}")
+        if self.coat not in ("none", "dielectric", "metal"):
+            raise ValueRangeError("coat", f"none, dielectric or metal is wanted, not {self.coat!r}")
+
+
+def checked_exponents(exponents: ArrayLike) -> tuple[float, ...]:
+    """Return the exponents as a tuple of 1 to :data:`MAX_LOBES` finite numbers, each ≥ 1, or raise."""
+    values = tuple(float(e) for e in np.atleast_1d(np.asarray(exponents, np.float64)))
+    if not 1 <= len(values) <= MAX_LOBES:
+        raise ValueRangeError("exponents", f"1 to {MAX_LOBES} lobes are drawn, not {len(values)}")
+    if not all(np.isfinite(e) and e >= 1 for e in values):
+        raise ValueRangeError("exponents", "each must be finite and at least 1")
+    return values
+
+
+def _finite(array: ArrayLike, dtype: type, shape: tuple[int, ...], place: str) -> NDArray[Any]:
+    value = np.ascontiguousarray(array, dtype)
+    fits = value.ndim == len(shape) and all(
+        want in (-1, got) for want, got in zip(shape, value.shape, strict=True)
+    )
+    if not fits:
+        raise ValueRangeError(place, f"shape {shape} is wanted, not {value.shape}")
+    if not np.isfinite(value).all():
+        raise ValueRangeError(place, "not every number is finite")
+    return value
