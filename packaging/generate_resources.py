@@ -1,0 +1,80 @@
+"""Write the packaged resources: paints, meshes and environments.
+
+Run without an argument for all of them, or name the kinds::
+
+    python packaging/generate_resources.py [paints] [meshes] [environments]
+
+Everything is computed, nothing is drawn at random without a fixed seed: the same code writes the same files.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+RESOURCES = Path(__file__).resolve().parent.parent / "resources"
+
+
+def paints(folder: Path) -> Iterator[Path]:
+    """Write the paints."""
+    from generate_paints import generate
+
+    yield from generate(folder)
+
+
+def meshes(folder: Path) -> Iterator[Path]:
+    """Write the generated forms and the car."""
+    from brdf_suite.files.meshes import write_mesh_glb
+    from brdf_suite.surface.car import car
+    from brdf_suite.surface.forms import panel, speed_form, sphere
+
+    for form in (speed_form, sphere, panel, car):
+        mesh = form()
+        path = folder / f"{mesh.name}.glb"
+        write_mesh_glb(mesh, path)
+        yield path
+
+
+def environments(folder: Path) -> Iterator[Path]:
+    """Write the generated environments."""
+    from brdf_suite.files.images import write_exr
+    from brdf_suite.lighting.procedural import booth, overcast, sunny
+
+    for make in (booth, sunny, overcast):
+        environment = make()
+        path = folder / f"{environment.name}.exr"
+        write_exr(path, environment.stored(), metadata={"comments": environment.comment})
+        yield path
+
+
+KINDS: dict[str, Callable[[Path], Iterator[Path]]] = {
+    "paints": paints,
+    "meshes": meshes,
+    "environments": environments,
+}
+
+
+def main() -> int:
+    """Write the kinds that the command line names."""
+    parser = argparse.ArgumentParser(description="Write the packaged resources.")
+    parser.add_argument("kinds", nargs="*", metavar="KIND", help=f"any of {', '.join(KINDS)}; none means all")
+    parser.add_argument("--output", type=Path, default=RESOURCES, help="folder that holds the kinds' folders")
+    arguments = parser.parse_args()
+    unknown = sorted(set(arguments.kinds) - set(KINDS))
+    if unknown:
+        parser.error(f"{unknown[0]!r} is none of {', '.join(KINDS)}")
+    for kind in arguments.kinds or KINDS:
+        folder = arguments.output / kind
+        folder.mkdir(parents=True, exist_ok=True)
+        start = time.perf_counter()
+        for path in KINDS[kind](folder):
+            taken, start = time.perf_counter() - start, time.perf_counter()
+            print(f"{kind}/{path.name}: {path.stat().st_size / 1024:,.0f} KiB, {taken:.1f} s", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
