@@ -24,6 +24,11 @@ NEEDED = (
     "brdf_designer/__main__.py",
     "brdf_viewer/__main__.py",
 )
+_SPREAD = """
+import sys
+from PIL import Image
+print(max(high - low for low, high in Image.open(sys.argv[1]).convert("RGB").getextrema()))
+"""
 
 
 def _run(*command: str | Path, cwd: Path, **more: object) -> subprocess.CompletedProcess[str]:
@@ -77,9 +82,7 @@ def main() -> int:
         )  # fmt: skip
         answer = json.loads(done.stdout)
         spread = _run(
-            binaries / "python", "-c",
-            "import sys; from PIL import Image; print(max(high - low for low, high in Image.open(sys.argv[1]).convert('RGB').getextrema()))",
-            picture, cwd=folder, env=clean, stdout=subprocess.PIPE,
+            binaries / "python", "-c", _SPREAD, picture, cwd=folder, env=clean, stdout=subprocess.PIPE,
         )  # fmt: skip
         if int(spread.stdout) < 50:
             print(f"the picture is empty: its channels span {spread.stdout.strip()} of 255", file=sys.stderr)

@@ -13,9 +13,9 @@ def main() -> int:
     """Prepare, then become ``brdf-suite`` with the arguments given."""
     prepare()
     program = str(ENVIRONMENT / ("Scripts/brdf-suite.exe" if os.name == "nt" else "bin/brdf-suite"))
-    if os.name == "nt":
-        return subprocess.run([program, *sys.argv[1:]], check=False).returncode
-    os.execv(program, [program, *sys.argv[1:]])
+    if os.name != "nt":
+        os.execv(program, [program, *sys.argv[1:]])
+    return subprocess.run([program, *sys.argv[1:]], check=False).returncode
 
 
 if __name__ == "__main__":

@@ -1,0 +1,1 @@
+"""The ``brdf-suite`` command: everything that the programs do, without a screen."""

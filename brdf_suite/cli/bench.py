@@ -1,0 +1,158 @@
+"""``brdf-suite bench NAME``: the measured figures, from the benchmarks beside the tests.
+
+A benchmark is a module ``tests/benchmarks/bench_*.py`` with ``NAME``, ``BOUNDS`` (key -> comparison, bound,
+unit, meaning) and ``run(progress) -> {key: number or None}``; it may add ``NOTES`` (key -> text) as it runs.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import ModuleType
+
+from brdf_suite.cli.machine import describe_machine
+from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.errors import SuiteError
+from brdf_suite.progress import Progress
+
+_CHECKOUT = Path(__file__).resolve().parent.parent.parent
+_FOLDER = _CHECKOUT / "tests" / "benchmarks"
+_MEASUREMENTS = _CHECKOUT / "docs" / "measurements.md"
+_COMPARE = {"<=": lambda value, bound: value <= bound, ">=": lambda value, bound: value >= bound}
+
+
+@dataclass(frozen=True)
+class Bound:
+    """What a figure is held against; ``comparison`` is ``<=``, ``>=`` or ``""`` (information only)."""
+
+    comparison: str
+    bound: float | None
+    unit: str
+    meaning: str
+
+    def text(self) -> str:
+        """Return the bound as people write it."""
+        sign = {"<=": "≤", ">=": "≥"}.get(self.comparison)
+        return "–" if sign is None or self.bound is None else f"{sign} {self.bound:g} {self.unit}".rstrip()
+
+    def holds(self, value: float | None) -> bool | None:
+        """Say whether ``value`` keeps the bound; ``None`` where there is none or no value."""
+        compare = _COMPARE.get(self.comparison)
+        return None if compare is None or value is None or self.bound is None else compare(value, self.bound)
+
+
+@dataclass
+class Result:
+    """The figures of one benchmark run."""
+
+    name: str
+    figures: dict[str, float | None]
+    bounds: dict[str, Bound]
+    notes: dict[str, str] = field(default_factory=dict)
+
+    def to_json(self) -> dict[str, object]:
+        """Return the one object that ``--json`` prints."""
+        answer: dict[str, object] = {
+            "bench": self.name,
+            "machine": describe_machine(),
+            "figures": self.figures,
+        }
+        if self.notes:
+            answer["notes"] = self.notes
+        return answer
+
+    def rows(self) -> Iterator[tuple[str, str, str, str, str]]:
+        """Yield (key, value, bound, kept, meaning) for a table."""
+        for key, value in self.figures.items():
+            bound = self.bounds[key]
+            shown = "not measured" if value is None else f"{value:.4g} {bound.unit}".rstrip()
+            kept = {True: "yes", False: "NO", None: ""}[bound.holds(value)]
+            meaning = bound.meaning + (f" ({self.notes[key]})" if key in self.notes else "")
+            yield key, shown, bound.text(), kept, meaning
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "bench",
+        help="measure the figures that the suite is held to (in a source checkout)",
+        description="Measure. Without --json a table with the bound beside each figure.",
+    )
+    command.add_argument("name", nargs="?", metavar="NAME", help="which benchmark; see --list")
+    command.add_argument("--list", action="store_true", help="name the benchmarks")
+    command.add_argument("--all", action="store_true", help="run them all")
+    command.add_argument("--json", action="store_true", help="print one JSON object per benchmark")
+    command.add_argument("--write", action="store_true", help="write the figures into docs/measurements.md")
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Run what was asked for; 1 where a bound is missed."""
+    modules = _load()
+    if options.list:
+        for name, module in modules.items():
+            print(f"{name:12} {(module.__doc__ or '').strip().splitlines()[0]}")
+        return 0
+    if options.all == (options.name is not None):
+        raise SuiteError("Name one benchmark, or --all; `brdf-suite bench --list` names them.")
+    if options.name is not None and options.name not in modules:
+        raise SuiteError(f"There is no benchmark {options.name!r}; there are {', '.join(modules)}.")
+    kept = True
+    for name in modules if options.all else [options.name]:
+        with progress_bar(name, quiet=options.json) as progress:
+            result = measure(modules[name], progress)
+        kept &= all(result.bounds[key].holds(value) is not False for key, value in result.figures.items())
+        if options.json:
+            print_json(result.to_json())
+        else:
+            _print_table(result)
+        if options.write:
+            from brdf_suite.cli.measurements import write_section
+
+            write_section(
+                _MEASUREMENTS, result.name, (modules[name].__doc__ or "").strip(), list(result.rows())
+            )
+    return 0 if kept else 1
+
+
+def measure(module: ModuleType, progress: Progress | None) -> Result:
+    """Run one benchmark module; its keys must be those that it declares, its values finite."""
+    bounds = {key: Bound(*row) for key, row in module.BOUNDS.items()}
+    figures = {key: None if value is None else float(value) for key, value in module.run(progress).items()}
+    if set(figures) != set(bounds):
+        raise SuiteError(f"Benchmark {module.NAME} declares {sorted(bounds)} but measured {sorted(figures)}.")
+    for key, value in figures.items():
+        if value is not None and not math.isfinite(value):
+            raise SuiteError(f"Benchmark {module.NAME}: {key} is {value}.")
+    return Result(
+        module.NAME, {key: figures[key] for key in bounds}, bounds, dict(getattr(module, "NOTES", {}))
+    )
+
+
+def _load() -> dict[str, ModuleType]:
+    if not _FOLDER.is_dir():
+        raise SuiteError(
+            "The benchmarks are part of the source checkout; this is an installed copy without them."
+        )
+    modules = {}
+    for path in sorted(_FOLDER.glob("bench_*.py")):
+        spec = importlib.util.spec_from_file_location(f"brdf_suite_{path.stem}", path)
+        if spec is None or spec.loader is None:
+            raise SuiteError(f"{path} cannot be imported.")
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        modules[str(module.NAME)] = module
+    return modules
+
+
+def _print_table(result: Result) -> None:
+    rows = list(result.rows())
+    widths = [max(len(row[i]) for row in rows) for i in range(3)]
+    print(f"{result.name} on {describe_machine()['processor']}")
+    for key, value, bound, kept, meaning in rows:
+        mark = "✓" if kept == "yes" else kept
+        print(f"  {key:{widths[0]}}  {value:>{widths[1]}}  {bound:>{widths[2]}}  {mark:2}  {meaning}")

@@ -1,0 +1,110 @@
+"""``brdf-suite`` without a command, ``designer`` and ``viewer``: the programs, each a process of its own."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from brdf_suite.errors import SuiteError
+
+_PROGRAMS = {
+    "designer": ("brdf_designer", "edit a paint: colour at the aspecular angles, gloss, flakes"),
+    "viewer": ("brdf_viewer", "see a paint on a surface in an environment"),
+}
+_FALLBACK_PICTURE = "brdf-suite.png"
+_FALLBACK_SIZE = (1280, 720)
+_POLL_S = 0.1
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare one command for each program, and ``open`` for both."""
+    both = commands.add_parser("open", help="open Designer and Viewer, linked (the default)")
+    both.add_argument(
+        "paint", nargs="?", metavar="PAINT", help="a .brdfpaint file or the name of a shipped paint"
+    )
+    both.set_defaults(run=open_both)
+    for name, (package, what) in _PROGRAMS.items():
+        one = commands.add_parser(name, help=what, add_help=False)
+        one.set_defaults(run=_open_one, package=package)
+        one.add_argument("rest", nargs=argparse.REMAINDER, metavar="...", help=f"arguments of {name}")
+
+
+def screen_missing() -> str | None:
+    """Say why no window can be opened here; ``None`` where one can."""
+    if not sys.platform.startswith("linux") or os.environ.get("QT_QPA_PLATFORM") in {
+        "offscreen",
+        "minimal",
+        "vnc",
+    }:
+        return None
+    if os.environ.get("WAYLAND_DISPLAY"):
+        return None
+    display = os.environ.get("DISPLAY", "")
+    if not display:
+        return "there is no screen (neither DISPLAY nor WAYLAND_DISPLAY is set)"
+    host, _, number = display.partition(":")
+    if host in {"", "unix"} and not Path(f"/tmp/.X11-unix/X{number.split('.')[0]}").exists():
+        return f"there is no screen (nothing answers at DISPLAY {display})"
+    return None
+
+
+def open_both(options: argparse.Namespace) -> int:
+    """Open Designer and Viewer, linked, and wait for both; without a screen, render the default scene."""
+    paint = getattr(options, "paint", None)
+    missing = screen_missing()
+    if missing is not None:
+        return _render_instead(missing, paint)
+    arguments = [paint] if paint else []
+    running = {
+        name: subprocess.Popen([sys.executable, "-m", package, *arguments])
+        for name, (package, _what) in _PROGRAMS.items()
+    }
+    status = 0
+    try:
+        while running:
+            for name, process in list(running.items()):
+                code = process.poll()
+                if code is None:
+                    continue
+                del running[name]
+                if code != 0:
+                    status = 1
+                    print(f"brdf-suite: {name} ended with status {code}", file=sys.stderr)
+            time.sleep(_POLL_S)
+    except KeyboardInterrupt:
+        for process in running.values():
+            process.send_signal(signal.SIGINT)
+        for process in running.values():
+            process.wait()
+        raise
+    return status
+
+
+def _open_one(options: argparse.Namespace) -> int:
+    missing = screen_missing()
+    if missing is not None and not {"-h", "--help"} & set(options.rest):
+        raise SuiteError(f"The program cannot open a window: {missing}. `brdf-suite render` needs none.")
+    return subprocess.run([sys.executable, "-m", options.package, *options.rest], check=False).returncode
+
+
+def _render_instead(missing: str, paint: str | None) -> int:
+    from brdf_suite.cli.output import progress_bar
+    from brdf_suite.pipeline.picture import render_to_file
+    from brdf_suite.pipeline.scene import default_paint_name, default_view
+
+    print(f"brdf-suite: {missing}; rendering the default scene to {_FALLBACK_PICTURE} instead.")
+    with progress_bar("rendering") as progress:
+        picture = render_to_file(
+            paint or default_paint_name(),
+            default_view(),
+            _FALLBACK_SIZE,
+            Path(_FALLBACK_PICTURE),
+            progress=progress,
+        )
+    print(f"brdf-suite: wrote {picture.path} ({picture.width}×{picture.height} pixels, {picture.renderer}).")
+    return 0

@@ -1,0 +1,237 @@
+"""Scene to picture: the renderer fed from a fit, a prepared environment and a mesh, in a window or without."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.documents.view import View
+from brdf_suite.errors import FileError
+from brdf_suite.fitting.weights import LobeWeights
+from brdf_suite.lighting.maps import FaceArray
+from brdf_suite.pipeline.paint import PaintFit, PaintFitter
+from brdf_suite.pipeline.scene import PreparedEnvironment, find_paint, load_environment, load_surface
+from brdf_suite.progress import Progress, part, report
+from brdf_suite.realtime.camera import Bounds
+from brdf_suite.realtime.context import Context, create_context
+from brdf_suite.realtime.gpu_objects import Counters
+from brdf_suite.realtime.renderer import Renderer
+from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
+from brdf_suite.surface.mesh import Mesh
+
+Size = tuple[int, int]
+PAINT_MATERIAL = "paint"
+
+
+class SceneRenderer:
+    """Draws paint fits on surfaces in prepared environments, in the OpenGL context it is given.
+
+    The same object serves a widget (its context is current in every call) and the command line. Setting a
+    paint fit writes one small buffer; setting an environment or a surface uploads.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._renderer = Renderer(context)
+
+    @property
+    def bounds(self) -> Bounds:
+        """The box around the surface, metres."""
+        return self._renderer.bounds
+
+    @property
+    def counters(self) -> Counters:
+        """OpenGL objects made and written since the start."""
+        return self._renderer.counters
+
+    @property
+    def renderer(self) -> Renderer:
+        """The renderer below, for camera matrices and picking."""
+        return self._renderer
+
+    def set_paint_fit(self, fit: PaintFit) -> None:
+        """Show this paint from the next frame on; no allocation, no file, no texture."""
+        self._renderer.set_material(PAINT_MATERIAL, _material(fit.weights))
+
+    def set_environment(self, prepared: PreparedEnvironment) -> None:
+        """Show this environment; its maps must have been made for the exponents of the paint's fit."""
+        maps = prepared.maps
+        self._renderer.set_environment(
+            EnvironmentMaps(
+                exponents=maps.exponents,
+                lobes=tuple(_faces(lobe) for lobe in maps.lobes),
+                diffuse=_faces(maps.diffuse),
+                background=_faces(maps.background),
+            )
+        )
+
+    def set_surface(self, mesh: Mesh) -> None:
+        """Show this surface."""
+        self._renderer.set_mesh(
+            [MeshPart(p.name, p.material, p.positions, p.normals, p.triangles) for p in mesh.parts]
+        )
+
+    def draw(self, view: View, framebuffer: Any, size: Size) -> None:
+        """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels."""
+        self._renderer.render(view, framebuffer, size)
+
+    def image(self, view: View, size: Size) -> NDArray[np.uint8]:
+        """Return a picture ``(height, width, 3)`` uint8 sRGB, top row first."""
+        return self._renderer.render_image(view, size)
+
+    def release(self) -> None:
+        """Give every OpenGL object back."""
+        self._renderer.release()
+
+
+class OffscreenScene(SceneRenderer):
+    """A scene with a windowless context of its own and a framebuffer of one size; use it with ``with``."""
+
+    def __init__(self, size: Size) -> None:
+        self._context = create_context()
+        super().__init__(self._context)
+        self._size = size
+        self._framebuffer = self._context.simple_framebuffer(size)
+
+    def __enter__(self) -> OffscreenScene:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.release()
+        self._framebuffer.release()
+        self._context.release()
+
+    def draw_and_wait(self, view: View) -> None:
+        """Draw one frame and return when the GPU has finished it."""
+        self.draw(view, self._framebuffer, self._size)
+        self._context.finish()
+
+    @property
+    def renderer_name(self) -> str:
+        """The OpenGL renderer, as the driver names itself."""
+        return str(self._context.info["GL_RENDERER"])
+
+
+def gl_renderer_name() -> str:
+    """Return the name of the OpenGL renderer that pictures are drawn with; GraphicsError where there is none."""
+    context = create_context()
+    try:
+        return str(context.info["GL_RENDERER"])
+    finally:
+        context.release()
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture that was written, and what it shows. Times: fit and draw in ms, environment maps in s."""
+
+    path: Path
+    width: int
+    height: int
+    paint: str
+    environment: str
+    surface: str
+    renderer: str
+    fit_ms: float
+    maps_s: float
+    draw_ms: float
+    time_limited: bool
+    delta_e_2000_worst: float
+    notices: tuple[str, ...]
+
+
+def render_to_file(
+    paint: str | os.PathLike[str],
+    view: View,
+    size: Size,
+    path: Path,
+    *,
+    progress: Progress | None = None,
+) -> Picture:
+    """Render a paint (by name or file) in a view and write it as PNG, atomically.
+
+    Raises
+    ------
+    FileError
+        The paint, environment or mesh cannot be read, or the picture not written.
+    UnreachableError
+        No such paint can have the gloss or colour that the document asks for.
+    GraphicsError
+        There is no OpenGL 3.3.
+    Cancelled
+        The progress callback asked for it.
+    """
+    from brdf_suite.files.images import write_png
+
+    if path.suffix.lower() != ".png":
+        raise FileError(path, "pictures are written as PNG; give a name that ends in .png")
+    if not path.absolute().parent.is_dir():
+        raise FileError(path, "its folder does not exist")
+    document = find_paint(paint)
+    fit = PaintFitter().fit(document)
+    mesh = load_surface(view.surface)
+    start = perf_counter()
+    prepared = load_environment(view.environment, part(progress, 0.0, 0.9))
+    maps_s = perf_counter() - start
+    report(progress, 0.9, "drawing")
+    with OffscreenScene((1, 1)) as scene:
+        scene.set_environment(prepared)
+        scene.set_surface(mesh)
+        scene.set_paint_fit(fit)
+        start = perf_counter()
+        pixels = scene.image(view, size)
+        draw_ms = (perf_counter() - start) * 1e3
+        renderer = scene.renderer_name
+    report(progress, 0.98, "writing")
+    write_png(path, pixels, _metadata(fit, view))
+    notices = (*fit.notices, *prepared.environment.notes, *mesh.notes)
+    return Picture(
+        path=path,
+        width=size[0],
+        height=size[1],
+        paint=document.name,
+        environment=prepared.environment.name,
+        surface=mesh.name,
+        renderer=renderer,
+        fit_ms=fit.fit.seconds * 1e3,
+        maps_s=maps_s,
+        draw_ms=draw_ms,
+        time_limited=fit.time_limited,
+        delta_e_2000_worst=fit.worst_delta_e,
+        notices=notices,
+    )
+
+
+def _material(weights: LobeWeights) -> MaterialWeights:
+    return MaterialWeights(
+        exponents=tuple(weights.exponents.tolist()),
+        kd=weights.kd,
+        kdd=weights.kdd,
+        kg=weights.kg,
+        theta_fit_rad=weights.theta_fit_rad,
+        ior=weights.ior,
+    )
+
+
+def _faces(array: FaceArray) -> CubeFaces:
+    return CubeFaces(array.faces, array.scale)
+
+
+def _metadata(fit: PaintFit, view: View) -> dict[str, str]:
+    return {
+        "Software": "BRDF Suite",
+        "Title": fit.paint.name,
+        "Description": (
+            f"{fit.paint.name} on {Path(view.surface).stem} in {Path(view.environment).stem}, "
+            f"{view.exposure_ev:+g} EV, light turned {view.rotation_deg:g}°, tone curve {view.tone_curve}, "
+            f"fresnel {'on' if view.fresnel else 'off'}"
+        ),
+    }

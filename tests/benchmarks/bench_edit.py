@@ -1,0 +1,57 @@
+"""From an edit of the paint to the finished frame.
+
+One slider is dragged: a new Paint, its reflectance, the linear program, the weights in the GL buffer, the
+frame, glFinish. The same frame is drawn again unchanged; the difference of the two is the overhead.
+"""
+
+from __future__ import annotations
+
+from statistics import median
+from time import perf_counter
+
+import numpy as np
+
+NAME = "edit"
+BOUNDS = {
+    "edit_overhead_median_ms": ("<=", 5.0, "ms", "edit to finished frame, minus the draw itself, median"),
+    "edit_overhead_p99_ms": ("", None, "ms", "the same, 99th percentile"),
+    "frame_median_ms": ("", None, "ms", "the draw itself, speed form in the booth, 320×180, 4× MSAA"),
+}
+STEPS = 300
+SIZE = (320, 180)
+
+
+def run(progress=None):
+    from brdf_suite.pipeline.paint import PaintFitter
+    from brdf_suite.pipeline.picture import OffscreenScene
+    from brdf_suite.pipeline.scene import default_paint, default_view, load_environment, load_surface
+    from brdf_suite.progress import part, report
+
+    paint = default_paint()
+    view = default_view()
+    fitter = PaintFitter()
+    with OffscreenScene(SIZE) as scene:
+        scene.set_environment(load_environment(view.environment, part(progress, 0.0, 0.5)))
+        scene.set_surface(load_surface(view.surface))
+        scene.set_paint_fit(fitter.fit(paint))
+        for _ in range(5):
+            scene.draw_and_wait(view)
+        overheads, draws = [], []
+        first = paint.measurements[0].lab
+        for step in range(STEPS):
+            report(progress, 0.5 + 0.5 * step / STEPS, "dragging a slider")
+            lightness = first[0] - 20.0 * step / STEPS
+            start = perf_counter()
+            edited = paint.with_lab(paint.measurements[0].aspecular_deg, (lightness, *first[1:]))
+            scene.set_paint_fit(fitter.fit(edited))
+            scene.draw_and_wait(view)
+            middle = perf_counter()
+            scene.draw_and_wait(view)
+            draw = perf_counter() - middle
+            draws.append(draw)
+            overheads.append(middle - start - draw)
+    return {
+        "edit_overhead_median_ms": median(overheads) * 1e3,
+        "edit_overhead_p99_ms": float(np.percentile(overheads, 99)) * 1e3,
+        "frame_median_ms": median(draws) * 1e3,
+    }

@@ -1,0 +1,232 @@
+"""The command as a user runs it: real processes, real files, real pictures."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+ENVIRONMENTS = (
+    "autoshop_01_1k.hdr",
+    "interior.exr",
+    "kiara_1_dawn_1k.hdr",
+    "studio.exr",
+    "sunset.exr",
+    "warehouse.exr",
+)
+MESHES = ("CesiumMilkTruck.glb", "materialx_shaderball.glb", "spot.obj", "teapot.obj")
+
+
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """One cache for the module: each environment is filtered once."""
+    return tmp_path_factory.mktemp("cache")
+
+
+@pytest.fixture
+def command(cache: Path, tmp_path: Path):
+    """Run ``brdf-suite`` in an empty folder without a screen."""
+
+    def run(*arguments: object, timeout: float = 120.0) -> subprocess.CompletedProcess[str]:
+        clean = {
+            k: v for k, v in os.environ.items() if k not in {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}
+        }
+        clean["BRDF_SUITE_CACHE"] = str(cache)
+        return subprocess.run(
+            [sys.executable, "-m", "brdf_suite.cli.main", *map(str, arguments)],
+            cwd=tmp_path,
+            env=clean,
+            capture_output=True,
+            text=True,
+            timeout=timeout,
+            check=False,
+        )
+
+    return run
+
+
+def picture(path: Path) -> np.ndarray:
+    with Image.open(path) as image:
+        return np.asarray(image.convert("RGB"))
+
+
+def refused(done: subprocess.CompletedProcess[str], *words: str) -> None:
+    """One line on standard error that holds the words; never a traceback."""
+    assert done.returncode == 1, done.stderr
+    lines = done.stderr.strip().splitlines()
+    assert len(lines) == 1, done.stderr
+    assert lines[0].startswith("brdf-suite: ")
+    for word in words:
+        assert word in lines[0], lines[0]
+
+
+def test_without_a_screen_the_default_scene_is_rendered(command, tmp_path: Path) -> None:
+    done = command()
+    assert done.returncode == 0, done.stderr
+    assert "no screen" in done.stdout
+    pixels = picture(tmp_path / "brdf-suite.png")
+    assert pixels.shape == (720, 1280, 3)
+    assert pixels.std() > 20
+    assert [p.name for p in tmp_path.iterdir() if p.suffix == ".png"] == ["brdf-suite.png"]
+
+
+def test_help_explains_units_and_exit_statuses(command) -> None:
+    done = command("--help")
+    assert done.returncode == 0
+    for word in ("D65", "gloss units", "EV", "degrees", "exit status"):
+        assert word in done.stdout
+
+
+def test_wrong_arguments_exit_with_two(command) -> None:
+    done = command("render", "blue", "-o", "a.png", "--size", "big")
+    assert done.returncode == 2
+    assert "WIDTHxHEIGHT" in done.stderr
+
+
+def test_fit_prints_weights_errors_and_time(command) -> None:
+    done = command("fit", "fine_silver", "--json")
+    assert done.returncode == 0, done.stderr
+    facts = json.loads(done.stdout)
+    count = len(facts["exponents"])
+    assert np.shape(facts["kdd"]) == np.shape(facts["kg"]) == (count, 3)
+    assert min(np.min(facts["kd"]), np.min(facts["kdd"]), np.min(facts["kg"])) >= 0
+    assert [row["aspecular_deg"] for row in facts["angles"]] == [15, 45, 110]
+    assert facts["delta_e_2000_worst"] < 0.5
+    assert 0 < facts["ms"] < 1000
+    assert facts["time_limited"] is False
+
+
+def test_fit_as_text_names_every_lobe(command) -> None:
+    facts = json.loads(command("fit", "blue", "--json").stdout)
+    done = command("fit", "blue")
+    assert done.returncode == 0, done.stderr
+    for exponent in facts["exponents"]:
+        assert f"{exponent:,.1f}" in done.stdout
+
+
+@pytest.mark.parametrize("name", ENVIRONMENTS)
+def test_every_shared_environment_renders(command, shared_data: Path, tmp_path: Path, name: str) -> None:
+    path = shared_data / "environments" / name
+    done = command("render", "blue", "-o", "out.png", "--environment", path, "--size", "160x90", "--json")
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["width"] == 160
+    assert picture(tmp_path / "out.png").std() > 8
+
+
+@pytest.mark.parametrize("name", MESHES)
+def test_every_readable_shared_mesh_renders(command, shared_data: Path, tmp_path: Path, name: str) -> None:
+    path = shared_data / "meshes" / name
+    done = command("render", "red", "-o", "out.png", "--mesh", path, "--size", "160x90")
+    assert done.returncode == 0, done.stderr
+    pixels = picture(tmp_path / "out.png").astype(float)
+    # Red paint covers a good part of the picture, and the booth none.
+    assert (pixels[..., 0] > 1.5 * pixels[..., 2] + 10).mean() > 0.02
+
+
+def test_the_unreadable_mesh_says_why(command, shared_data: Path) -> None:
+    path = shared_data / "meshes" / "polyhaven_boombox_meshopt.glb"
+    refused(command("render", "blue", "-o", "out.png", "--mesh", path), "boombox", "EXT_meshopt_compression")
+
+
+def test_shipped_surfaces_and_environments_differ(command, tmp_path: Path) -> None:
+    pictures = []
+    for surface, environment in (("sphere", "booth"), ("car", "sunny"), ("panel", "overcast")):
+        out = tmp_path / f"{surface}.png"
+        done = command(
+            "render", "copper", "-o", out, "--mesh", surface, "--environment", environment, "--size", "160x90"
+        )
+        assert done.returncode == 0, done.stderr
+        pictures.append(picture(out).astype(int))
+    assert all(np.abs(a - b).mean() > 3 for i, a in enumerate(pictures) for b in pictures[:i])
+
+
+def test_prefilter_fills_the_cache_once(command, cache: Path, shared_data: Path) -> None:
+    path = shared_data / "environments" / "studio.exr"
+    first = json.loads(command("prefilter", path, "--json").stdout)
+    second = json.loads(command("prefilter", path, "--json").stdout)
+    assert second["from_cache"] is True
+    assert first["exponents"] == second["exponents"]
+    assert any(p.is_file() for p in cache.rglob("*"))
+
+
+def test_bad_paints_are_refused_in_one_line(command, tmp_path: Path) -> None:
+    refused(command("fit", "no_such_paint"), "no_such_paint", "fine_silver")
+    broken = tmp_path / "broken.brdfpaint"
+    broken.write_text('{"format": "brdfpaint", "version": 1,')
+    refused(command("fit", broken), "broken.brdfpaint", "line 1")
+    done = command("fit", "blue", "--json")
+    document = json.loads((Path(__file__).parents[2] / "resources" / "paints" / "blue.brdfpaint").read_text())
+    assert done.returncode == 0
+    document["measurements"][1]["lab"] = [25, "four", -38]
+    broken.write_text(json.dumps(document))
+    refused(command("render", broken, "-o", "out.png"), "broken.brdfpaint", "measurements[1].lab[1]")
+    document["measurements"][1]["lab"] = [25, 4, -38]
+    document["gloss"]["gu_20"] = 199.0
+    broken.write_text(json.dumps(document))
+    refused(command("fit", broken), "199")
+
+
+def test_bad_environments_are_refused_in_one_line(command, shared_data: Path, tmp_path: Path) -> None:
+    text = tmp_path / "text.hdr"
+    text.write_text("this is not a picture\n" * 20)
+    refused(command("render", "blue", "-o", "out.png", "--environment", text), "text.hdr")
+    cut = tmp_path / "cut.exr"
+    cut.write_bytes((shared_data / "environments" / "sunset.exr").read_bytes()[:20_000])
+    refused(command("prefilter", cut), "cut.exr")
+    refused(command("prefilter", tmp_path / "missing.exr"), "missing.exr", "booth")
+
+
+def test_bad_meshes_are_refused_in_one_line(command, tmp_path: Path) -> None:
+    points = tmp_path / "points.obj"
+    points.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n")
+    refused(command("render", "blue", "-o", "out.png", "--mesh", points), "points.obj", "face")
+    empty = tmp_path / "empty.glb"
+    empty.write_bytes(b"")
+    refused(command("render", "blue", "-o", "out.png", "--mesh", empty), "empty.glb")
+
+
+def test_a_picture_that_cannot_be_written_says_so(command, tmp_path: Path) -> None:
+    refused(command("render", "blue", "-o", "no/such/folder/out.png"), "folder does not exist")
+    refused(command("render", "blue", "-o", "out.jpg"), "PNG")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full, a disk that is always full")
+def test_a_full_cache_disk_is_no_failure(command, tmp_path: Path) -> None:
+    blocked = tmp_path / "blocked"
+    blocked.write_text("a file where the cache folder should be")
+    done = subprocess.run(
+        [sys.executable, "-m", "brdf_suite.cli.main", "prefilter", "booth", "--json"],
+        env={**os.environ, "BRDF_SUITE_CACHE": str(blocked)},
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["from_cache"] is False
+
+
+def test_programs_refuse_without_a_screen(command) -> None:
+    refused(command("viewer"), "no screen", "render")
+
+
+def test_bench_lists_and_refuses(command) -> None:
+    done = command("bench", "--list")
+    assert done.returncode == 0, done.stderr
+    for name in ("edit", "fit", "prefilter", "startup", "viewer"):
+        assert name in done.stdout
+    refused(command("bench", "nothing"), "nothing", "edit")
+
+
+def test_the_installed_script_is_the_same_command() -> None:
+    script = shutil.which("brdf-suite", path=str(Path(sys.executable).parent))
+    assert script is not None
+    done = subprocess.run([script, "--version"], capture_output=True, text=True, check=True, timeout=60)
+    assert done.stdout.startswith("brdf-suite ")

@@ -1,0 +1,56 @@
+"""The table of measurements and the benchmark runner."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from brdf_suite.cli.bench import Bound, measure
+from brdf_suite.cli.measurements import write_section
+from brdf_suite.errors import SuiteError
+
+
+def module(**figures: float | None) -> SimpleNamespace:
+    bounds = {"fast_ms": ("<=", 5.0, "ms", "how fast"), "info": ("", None, "", "only told")}
+    return SimpleNamespace(
+        NAME="demo", BOUNDS=bounds, NOTES={"info": "a reason"}, run=lambda progress: figures
+    )
+
+
+def test_a_section_is_replaced_and_others_stay(tmp_path: Path) -> None:
+    path = tmp_path / "measurements.md"
+    write_section(path, "b", "About b.", [("x", "1 ms", "≤ 2 ms", "yes", "what x is")])
+    write_section(path, "a", "About a.", [("y", "3", "–", "", "what y is")])
+    write_section(path, "b", "About b.", [("x", "9 ms", "≤ 2 ms", "NO", "what x is")])
+    text = path.read_text()
+    assert text.count("\n## ") == 2
+    assert text.index("## a") < text.index("## b")
+    assert "| `x` | 9 ms | ≤ 2 ms | NO | what x is |" in text
+    assert "1 ms |" not in text
+    assert "| `y` | 3 | – |  | what y is |" in text
+
+
+def test_figures_are_held_against_their_bounds() -> None:
+    result = measure(module(fast_ms=4.0, info=None), None)
+    rows = {row[0]: row for row in result.rows()}
+    assert rows["fast_ms"][1:4] == ("4 ms", "≤ 5 ms", "yes")
+    assert rows["info"][1:] == ("not measured", "–", "", "only told (a reason)")
+    assert {row[0]: row[3] for row in measure(module(fast_ms=6.0, info=1), None).rows()}["fast_ms"] == "NO"
+    answer = result.to_json()
+    assert list(answer) == ["bench", "machine", "figures", "notes"]
+    assert answer["figures"] == {"fast_ms": 4.0, "info": None}
+
+
+def test_undeclared_or_infinite_figures_are_a_fault() -> None:
+    with pytest.raises(SuiteError, match="declares"):
+        measure(module(fast_ms=1.0), None)
+    with pytest.raises(SuiteError, match="inf"):
+        measure(module(fast_ms=float("inf"), info=None), None)
+
+
+def test_bounds_compare_both_ways() -> None:
+    assert Bound(">=", 60.0, "", "").holds(61.0) is True
+    assert Bound(">=", 60.0, "", "").holds(59.0) is False
+    assert Bound("<=", 1.0, "", "").holds(None) is None

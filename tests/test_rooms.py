@@ -1,0 +1,43 @@
+"""What a room may import, seen in a fresh process."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+QT = {"PySide6", "shiboken6", "pyqtgraph", "qtpy", "superqt"}
+HEAVY = {"moderngl", "mitsuba", "trimesh", "OpenImageIO", "OpenEXR", "colour", "scipy.optimize"}
+
+
+def modules_after(statement: str) -> set[str]:
+    code = f"{statement}\nimport sys\nprint('\\n'.join(sys.modules))"
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    return set(done.stdout.split())
+
+
+@pytest.mark.parametrize("room", ["documents", "geometry", "appearance", "reflectance", "fitting"])
+def test_the_edit_path_rooms_import_neither_qt_nor_anything_heavy(room: str) -> None:
+    assert not modules_after(f"import pkgutil, brdf_suite.{room} as r") & (QT | HEAVY)
+
+
+def test_a_paint_is_fitted_without_qt_opengl_or_readers() -> None:
+    loaded = modules_after(
+        "from brdf_suite.pipeline.paint import PaintFitter\n"
+        "from brdf_suite.pipeline.scene import default_paint\n"
+        "PaintFitter().fit(default_paint())"
+    )
+    assert not loaded & (QT | HEAVY)
+
+
+def test_a_picture_is_rendered_without_qt() -> None:
+    loaded = modules_after("import brdf_suite.pipeline.picture, brdf_suite.cli.main")
+    assert not loaded & QT
+    assert "moderngl" in loaded
+
+
+def test_the_command_helps_without_the_core() -> None:
+    assert not modules_after("from brdf_suite.cli.main import parser; parser()") & (QT | HEAVY | {"numpy"})
