@@ -4,9 +4,9 @@ Run with the folder to write to; without one they go to ``resources/paints`` of 
 
     python packaging/generate_paints.py [FOLDER]
 
-No public table of L*a*b* with gloss of real paints was found. Each file says in ``source`` where its numbers come
-from: the measured set was computed from published analytic fits of measured paints, whose gloss is not known; the
-designed set was invented to be plausible.
+No public table of L*a*b* with gloss of real paints was found. Each file says in ``source`` where its numbers
+come from: the measured set was computed from published analytic fits of measured paints, whose gloss is not
+known; the designed set was invented to be plausible.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ ASPECULAR_DEG = (15.0, 45.0, 110.0)
 
 INVENTED = "Invented to be plausible; not a measurement of a real paint."
 COMPUTED = (
-    "Colours computed at 45° illumination from a published analytic fit of the paint that the MERL database calls "
-    "{merl}; rounded to 0.1. Gloss and flakes are assumed."
+    "Colours computed at 45° illumination from a published analytic fit of the paint that the MERL database "
+    "calls {merl}; rounded to 0.1. Gloss and flakes are assumed."
 )
 GLOSS_ASSUMED = "The gloss of this paint is unknown; {gloss:g} GU at 20° is assumed, as of a usual clearcoat."
 
@@ -61,8 +61,8 @@ def _solid(lab: Lab) -> tuple[Lab, Lab, Lab]:
     return (lab, lab, lab)
 
 
-# The flakes' roughness is the spread of tilts that the flake rule finds in the three colours (middle channel);
-# density, size and colour spread are invented, coarser for silvers and finer for pearls.
+# The flakes' roughness is the spread of tilts that the flake rule finds in the colours (middle channel).
+# Their density, size and colour spread are invented: coarser for silvers and finer for pearls.
 DESIGNED = (
     Recipe(
         "fine_silver",

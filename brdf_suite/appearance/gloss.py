@@ -37,6 +37,8 @@ LOWEST_ROUGHNESS, HIGHEST_ROUGHNESS = 0.002, 0.5
 """Below the lowest the lobe is narrower than any picture shows; above the highest it is no gloss."""
 
 _INSTRUMENT_TOLERANCE_GU = 0.5
+# Cells of the search along the line of coats that share a 20° reading; it turns at most once.
+_LINE_CELLS = 6
 
 
 @dataclass(frozen=True)
@@ -136,7 +138,11 @@ def _from_one(gu_20: float, base: float) -> tuple[Coat, str | None]:
 
 
 def _from_two(gu_20: float, gu_60: float, base_20: float, base_60: float) -> tuple[Coat, str | None]:
-    """For each roughness the 20° reading gives one index; along that line the 60° gloss only rises."""
+    """For each roughness the 20° reading gives one index; along that line the 60° reading picks one coat.
+
+    The 60° gloss rises along the line while the lobe fits the wide receptor. Past that both receptors lose
+    alike and it may fall again: of two coats the one nearest to the usual index is taken.
+    """
     wanted_20, wanted_60 = gu_20 - base_20, gu_60 - base_60
     highest = gloss_units(20, HIGHEST_IOR, LOWEST_ROUGHNESS)
     lowest = gloss_units(20, LOWEST_IOR, HIGHEST_ROUGHNESS)
@@ -144,29 +150,33 @@ def _from_two(gu_20: float, gu_60: float, base_20: float, base_60: float) -> tup
         return Coat(LOWEST_IOR, HIGHEST_ROUGHNESS), _refusal(gu_20, base_20, lowest, highest)
     if wanted_20 > highest:
         return Coat(HIGHEST_IOR, LOWEST_ROUGHNESS), _refusal(gu_20, base_20, lowest, highest)
-    low, high = _roughness_for(wanted_20, LOWEST_IOR), _roughness_for(wanted_20, HIGHEST_IOR)
+    start = math.log(_roughness_for(wanted_20, LOWEST_IOR))
+    end = math.log(_roughness_for(wanted_20, HIGHEST_IOR))
 
-    def along(roughness: float) -> float:
-        return gloss_units(60, _ior_for(wanted_20, roughness, LOWEST_IOR), roughness)
+    def excess(x: float) -> float:
+        roughness = math.exp(x)
+        return gloss_units(60, _ior_for(wanted_20, roughness, LOWEST_IOR), roughness) - wanted_60
 
-    least, most = along(low), along(high)
-    if wanted_60 <= least:
-        roughness = low
-    elif wanted_60 >= most:
-        roughness = high
-    else:
-        roughness = math.exp(
-            bracketed_root(
-                lambda x: along(math.exp(x)) - wanted_60, math.log(low), math.log(high), tolerance=1e-8
+    steps = [start + (end - start) * k / _LINE_CELLS for k in range(_LINE_CELLS + 1)]
+    values = [excess(x) for x in steps]
+    coats = []
+    for k in range(_LINE_CELLS):
+        if values[k] * values[k + 1] <= 0.0:
+            x = bracketed_root(
+                excess, steps[k], steps[k + 1], tolerance=1e-8, at_low=values[k], at_high=values[k + 1]
             )
-        )
-    coat = Coat(_ior_for(wanted_20, roughness, LOWEST_IOR), roughness)
+            coats.append(Coat(_ior_for(wanted_20, math.exp(x), LOWEST_IOR), math.exp(x)))
+    if coats:
+        return min(coats, key=lambda coat: abs(coat.ior - USUAL_IOR)), None
+    size, x = min((abs(value), x) for value, x in zip(values, steps, strict=True))
+    coat = Coat(_ior_for(wanted_20, math.exp(x), LOWEST_IOR), math.exp(x))
     # A reading is no surer than this, and smooth coats lie on the very edge of what can be reached.
-    if least - _INSTRUMENT_TOLERANCE_GU <= wanted_60 <= most + _INSTRUMENT_TOLERANCE_GU:
+    if size <= _INSTRUMENT_TOLERANCE_GU:
         return coat, None
+    least, most = min(values) + gu_60, max(values) + gu_60
     return coat, (
-        f"With {gu_20:g} GU at 20°, a coat over this base (which gives {base_60:.1f} GU itself) reads from "
-        f"{least + base_60:.1f} to {most + base_60:.1f} GU at 60°; {gu_60:g} GU cannot be reached."
+        f"With {gu_20:g} GU at 20°, a coat over this base (which gives {base_60:.1f} GU itself at 60°) reads "
+        f"from {least:.1f} to {most:.1f} GU at 60°; {gu_60:g} GU cannot be reached."
     )
 
 

@@ -42,7 +42,13 @@ def open_envelope(value: object, expected: str, path: str | os.PathLike[str]) ->
         migration = MIGRATIONS.get((expected, step))
         if migration is None:
             raise DocumentError(path, f"version {step} is too old to be read", "version")
-        fields = migration(fields)
+        try:
+            fields = migration(fields)
+        except (LookupError, TypeError, ValueError, AttributeError) as error:
+            # A migration sees fields that nobody has checked yet.
+            raise DocumentError(
+                path, f"is of version {step} but not as that version was, so it cannot be brought up to date"
+            ) from error
     return FieldReader(fields, path)
 
 
