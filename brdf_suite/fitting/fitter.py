@@ -98,18 +98,27 @@ class LobeFitter:
         Limit of a whole fit, samples in hand to weights, in seconds. On the limit the best feasible weights
         at hand are returned, marked ``time_limited``. The solver looks at the clock only now and then, so
         that a hopelessly large program may return a few milliseconds late.
+    base_samples, coat_samples
+        The fixed sample directions; the measured default sets if left out. Both are for one incidence.
 
     One fitter serves one thread; programs that fit in several threads make one each. ``programs`` are the
     scaled systems of base (columns KD, KDD_1 …) and coat (columns KG_1 …; its last row is the coat's energy).
     """
 
-    def __init__(self, basis: LobeBasis | None = None, *, time_limit_s: float = 0.004) -> None:
+    def __init__(
+        self,
+        basis: LobeBasis | None = None,
+        *,
+        time_limit_s: float = 0.004,
+        base_samples: BaseSamples | None = None,
+        coat_samples: CoatSamples | None = None,
+    ) -> None:
         if not (np.isfinite(time_limit_s) and time_limit_s > 0.0):
             raise FittingError(f"The time limit of a fit is {time_limit_s:g} s; it must be more than 0.")
         self.basis = default_basis() if basis is None else basis
         self.time_limit_s = float(time_limit_s)
-        self.base_samples = BaseSamples()
-        self.coat_samples = CoatSamples()
+        self.base_samples = base_samples or BaseSamples()
+        self.coat_samples = coat_samples or CoatSamples()
         exponents = self.basis.array()
         self._cosine = float(np.cos(self.base_samples.theta_rad))
         self.programs = (self._base_program(exponents), self._coat_program(exponents))

@@ -69,6 +69,14 @@ def test_weights_say_how_they_came_about(fitter: LobeFitter, make_paint: MakePai
     assert fit.base_error.relative.shape == fit.coat_error.absolute.shape == (3,)
 
 
+def test_the_last_basis_is_the_next_start(make_paint: MakePaint) -> None:
+    fitter = LobeFitter(time_limit_s=5.0)
+    far = fitter.fit(make_paint(exponent=20.0, roughness=0.05)).iterations
+    assert far > 0
+    assert fitter.fit(make_paint(exponent=20.0, roughness=0.05)).iterations == 0
+    assert fitter.fit(make_paint(exponent=20.05, roughness=0.05)).iterations < far / 2
+
+
 @settings(max_examples=15, deadline=None)
 @given(st.floats(-6.0, 6.0))
 def test_brightness_only_scales_the_weights(fitter: LobeFitter, magnitude: float) -> None:
