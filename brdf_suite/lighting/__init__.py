@@ -1,0 +1,1 @@
+"""Light: environments, cube maps, prefiltered lobe maps and their cache."""

@@ -1,0 +1,63 @@
+"""An environment: radiance from every direction, with an identity made of its content."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.errors import ValueRangeError
+
+
+@dataclass(frozen=True, eq=False)
+class Environment:
+    """Light from infinitely far away, as a latitude-longitude map.
+
+    Attributes
+    ----------
+    name
+        What the user calls it.
+    radiance
+        (h, w, 3) float32, h ≥ 4, linear Rec. 2020 with D65 white, finite, not negative; row 0 is up (+y), the
+        centre column looks along +z, u grows towards -x. The array is made read-only.
+    notes
+        What was assumed or repaired on reading.
+    content_hash
+        SHA-256 of shape and pixels, in hexadecimal: equal light has an equal hash, whatever its name.
+
+    Raises
+    ------
+    ValueRangeError
+        The radiance has another shape, is not finite, or negative.
+    """
+
+    name: str
+    radiance: NDArray[np.float32]
+    notes: tuple[str, ...] = ()
+    content_hash: str = field(init=False)
+
+    def __post_init__(self) -> None:
+        radiance = np.ascontiguousarray(self.radiance, dtype=np.float32)
+        if radiance.ndim != 3 or radiance.shape[2] != 3 or radiance.shape[0] < 4 or radiance.shape[1] < 8:
+            shape = radiance.shape
+            raise ValueRangeError("radiance", f"must have the shape (h, w, 3), at least (4, 8, 3), not
+            {shape}")
+        if not np.isfinite(radiance).all() or float(radiance.min()) < 0.0:
+            raise ValueRangeError("radiance", "must be finite and never negative")
+        if radiance is self.radiance:
+            radiance = radiance.copy()
+        radiance.flags.writeable = False
+        digest = hashlib.sha256(repr(radiance.shape).encode())
+        digest.update(radiance.data)
+        object.__setattr__(self, "radiance", radiance)
+        object.__setattr__(self, "content_hash", digest.hexdigest())
+
+    def average(self) -> NDArray[np.float64]:
+        """Return the mean radiance (3,) over the sphere."""
+        from brdf_suite.lighting.latlong import fejer_weights
+
+        weights = fejer_weights(self.radiance.shape[0]) / 2.0
+        rows = self.radiance.mean(axis=1, dtype=np.float64)
+        return np.asarray(weights @ rows, dtype=np.float64)

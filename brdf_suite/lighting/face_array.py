@@ -1,0 +1,53 @@
+"""Cube maps as half floats with one scale, as they go to the cache and to the graphics card."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+_HALF_CEILING = 60000.0  # below 65504, so that rounding up never reaches infinity
+
+
+@dataclass(frozen=True, eq=False)
+class FaceArray:
+    """A cube map of radiance: ``faces * scale``, linear working space.
+
+    Attributes
+    ----------
+    faces
+        (6, F, F, 3) float16, C-contiguous, never negative, in the order +X, -X, +Y, -Y, +Z, -Z, rows as
+        OpenGL takes them.
+    scale
+        A power of two, so that multiplying by it is exact.
+    """
+
+    faces: NDArray[np.float16]
+    scale: float
+
+    @property
+    def size(self) -> int:
+        """Texels along a face's side."""
+        return int(self.faces.shape[1])
+
+    def radiance(self) -> NDArray[np.float32]:
+        """Return the radiance (6, F, F, 3) as float32."""
+        return self.faces.astype(np.float32) * np.float32(self.scale)
+
+
+def pack_faces(radiance: NDArray[np.floating]) -> FaceArray:
+    """Pack radiance (6, F, F, 3); negative values become 0.
+
+    The scale puts the largest value between 30,000 and 60,000, so that a value 10⁹ times smaller still
+    counts.
+    """
+    values = np.asarray(radiance)
+    if values.ndim != 4 or values.shape[0] != 6 or values.shape[1] != values.shape[2] or values.shape[3] != 3:
+        raise ValueError(f"radiance must have the shape (6, F, F, 3), not {values.shape}")
+    largest = float(values.max())
+    exponent = np.ceil(np.log2(largest / _HALF_CEILING)) if largest > 0.0 else 0.0
+    scale = float(2.0 ** max(exponent, -100.0))
+    faces = np.multiply(values, 1.0 / scale)
+    np.maximum(faces, 0.0, out=faces)
+    return FaceArray(np.ascontiguousarray(faces, dtype=np.float16), scale)

@@ -1,0 +1,116 @@
+"""One environment's harmonics, and cosine lobes convolved with it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.lighting.cubemap import texel_directions
+from brdf_suite.lighting.harmonics import analyse, synthesise
+from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
+from brdf_suite.lighting.ring_to_cube import cube_from_rings, rings_for
+from brdf_suite.lighting.zonal import (
+    BROAD_BANDLIMIT,
+    largest_exponent,
+    lobe_bandlimit,
+    lobe_coefficients,
+    lobe_tail,
+)
+from brdf_suite.progress import Progress, part
+
+_BRIGHT_TEXELS = 64
+_MIN_RINGS = 256
+
+
+class LobeFilter:
+    """Convolves an environment (h, w, 3) with cosine lobes of unit gain, in float64.
+
+    The environment is taken as what its texels' centres say, weighted by Fejér's rule in latitude: constant
+    light comes out constant. Maps of fewer than 256 rings are first enlarged, because a broad lobe needs that
+    many.
+
+    Lobes are cut off at the degree of :func:`brdf_suite.lighting.zonal.lobe_bandlimit`. Where that is cut
+    short (exponents below about 8, whose rim is a kink) the tail of the 64 strongest texels is added
+    directly.
+    """
+
+    def __init__(self, radiance: NDArray[np.float32]) -> None:
+        self._pixels = _enlarge(radiance)
+        self.rings: int = self._pixels.shape[0]
+        self._theta = ring_angles(self.rings)
+        self._weights = fejer_weights(self.rings)
+        self._spectrum = np.fft.rfft(self._pixels.astype(np.float64), axis=1) / self._pixels.shape[1]
+        self._coefficients: NDArray[np.complex128] | None = None
+
+    @property
+    def largest_exponent(self) -> float:
+        """The sharpest lobe that this map can be filtered with."""
+        return largest_exponent(self.rings)
+
+    @property
+    def bandlimit(self) -> int:
+        """The degree up to which the environment has been analysed, -1 before that."""
+        return -1 if self._coefficients is None else self._coefficients.shape[0] - 1
+
+    def analyse(self, bandlimit: int, progress: Progress | None = None) -> None:
+        """Analyse the environment up to a degree, where that has not been done."""
+        if bandlimit > self.bandlimit:
+            orders = self._orders(bandlimit)
+            self._coefficients = analyse(orders, self._weights, np.cos(self._theta), bandlimit, progress)
+
+    def lobe(self, exponent: float, size: int, progress: Progress | None = None) -> NDArray[np.float64]:
+        """Return the lobe map (6, size, size, 3), float64, not clipped."""
+        if not 0.0 <= exponent <= self.largest_exponent:
+            limit = self.largest_exponent
+            raise ValueError(f"the exponent must be 0…{limit:.0f} for {self.rings} rings, not {exponent}")
+        bandlimit = lobe_bandlimit(exponent)
+        self.analyse(bandlimit, part(progress, 0.0, 0.4))
+        assert self._coefficients is not None
+        degree = np.arange(bandlimit + 1)
+        total = degree[:, None] + degree[None, :]
+        gains = np.where(total <= bandlimit, lobe_coefficients(exponent, 2 * bandlimit)[total], 0.0)
+        scaled = self._coefficients[: bandlimit + 1, : bandlimit + 1] * gains[:, :, None]
+        cosines = np.cos(ring_angles(rings_for(bandlimit)))
+        faces = cube_from_rings(synthesise(scaled, cosines, part(progress, 0.4, 0.8)), size)
+        if bandlimit == BROAD_BANDLIMIT and exponent < BROAD_BANDLIMIT / 8.0:
+            faces += self._bright_tail(exponent, bandlimit, size)
+        return faces
+
+    def _orders(self, bandlimit: int) -> NDArray[np.complex128]:
+        """Return F_m (rings, bandlimit+1, 3); orders above half the columns repeat, as those of points do."""
+        columns = self._pixels.shape[1]
+        m = np.arange(bandlimit + 1)
+        folded = m % columns
+        mirrored = folded > columns // 2
+        values = self._spectrum[:, np.where(mirrored, columns - folded, folded)]
+        values[:, mirrored] = values[:, mirrored].conj()
+        first = column_angles(columns)[0]
+        result: NDArray[np.complex128] = values * np.exp(-1j * m * first)[None, :, None]
+        return result
+
+    def _bright_tail(self, exponent: float, bandlimit: int, size: int) -> NDArray[np.float64]:
+        """Return what the cut-off left out of the brightest texels' light, (6, size, size, 3)."""
+        columns = self._pixels.shape[1]
+        strength = self._pixels.max(axis=2) * self._weights[:, None].astype(np.float32)
+        count = min(_BRIGHT_TEXELS, strength.size - 1)
+        chosen = np.argpartition(strength.ravel(), -count)[-count:]
+        rows, places = np.divmod(chosen, columns)
+        towards = direction(self._theta[rows], column_angles(columns)[places])
+        flux = self._pixels[rows, places] * (self._weights[rows] * (2.0 * np.pi / columns))[:, None]
+        angles, tail = lobe_tail(exponent, bandlimit)
+        texels = texel_directions(size).reshape(-1, 3)
+        between = np.arccos(np.clip(texels @ towards.T, -1.0, 1.0))
+        added: NDArray[np.float64] = np.interp(between, angles, tail) @ flux
+        return added.reshape(6, size, size, 3)
+
+
+def _enlarge(radiance: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return the map with at least 256 rings, by bilinear interpolation where it has fewer."""
+    height = radiance.shape[0]
+    if height >= _MIN_RINGS:
+        return radiance
+    from brdf_suite.lighting.latlong import sample
+
+    rings = height * -(-_MIN_RINGS // height)
+    theta, phi = ring_angles(rings)[:, None], column_angles(2 * rings)[None, :]
+    return sample(radiance, direction(theta, phi))

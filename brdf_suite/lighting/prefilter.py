@@ -1,0 +1,118 @@
+"""From an environment to everything that the shading looks up: one cube map per lobe exponent.
+
+Method: convolution in spherical harmonics (:mod:`.harmonics`, :mod:`.zonal`), brought to the cube by
+:mod:`.ring_to_cube`. Exponents too sharp for the map's rings get the environment itself, resampled.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.lighting.cubemap import texel_directions
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.face_array import FaceArray, pack_faces
+from brdf_suite.lighting.latlong import sample
+from brdf_suite.lighting.lobe_filter import LobeFilter
+from brdf_suite.lighting.zonal import BROAD_BANDLIMIT, lobe_bandlimit
+from brdf_suite.progress import Progress, part, report
+
+ALGORITHM_VERSION = 1
+"""Raised with every change of the numbers; part of the cache's key."""
+
+DIFFUSE_EXPONENT = 1.0
+MIN_FACE = 64
+MAX_FACE = 2048
+_TEXELS_PER_WIDTH = 11.0  # face size over √exponent: bilinear look-up errs by 1 % of the lobe's peak
+
+
+@dataclass(frozen=True, eq=False)
+class LobeMaps:
+    """Prefiltered light of one environment, in the working space.
+
+    Attributes
+    ----------
+    exponents
+        The lobe exponents, as given.
+    lobes
+        One map per exponent, unit gain: where the light is 1 everywhere, so is the map. Exponents too sharp
+        for the environment share the background's map.
+    diffuse
+        The map of exponent 1: irradiance over π for the normal in the texel's direction.
+    background
+        The environment itself.
+    """
+
+    exponents: tuple[float, ...]
+    lobes: tuple[FaceArray, ...]
+    diffuse: FaceArray
+    background: FaceArray
+
+
+Ready = Callable[[float | None, FaceArray], None]
+"""Called with an exponent (1 for the diffuse map, None for the background) and its map, when that is done."""
+
+
+def background_size(environment: Environment) -> int:
+    """Return the face size of the environment itself: the power of two ≥ half the map's width, 64…2048."""
+    half_width = max(1, environment.radiance.shape[1] // 2)
+    return int(min(MAX_FACE, max(MIN_FACE, 1 << (half_width - 1).bit_length())))
+
+
+def face_size(exponent: float, largest: int) -> int:
+    """Return the face size for an exponent: 2^k or 3·2^k, at least 11·√exponent, 64…``largest``."""
+    wanted = _TEXELS_PER_WIDTH * np.sqrt(exponent)
+    sizes = sorted(base << shift for base in (64, 96) for shift in range(6))
+    return min(next((size for size in sizes if size >= wanted), MAX_FACE), largest)
+
+
+def prefilter(
+    environment: Environment,
+    exponents: Sequence[float],
+    progress: Progress | None = None,
+    ready: Ready | None = None,
+) -> LobeMaps:
+    """Filter an environment with the unit-gain cosine lobes of ``exponents`` (any order, each > 0).
+
+    The diffuse map and the broad lobes come first; ``ready`` hears of each map as it is done, and
+    ``progress`` may cancel. Error before packing: below 1e-5 of the map's largest value (tests/lighting).
+
+    >>> sky = Environment("white", np.ones((64, 128, 3), np.float32))
+    >>> float(prefilter(sky, [20.0]).lobes[0].radiance().round(3).max())
+    1.0
+
+    Raises
+    ------
+    ValueRangeError
+        An exponent is not a finite number above 0.
+    """
+    wanted = tuple(float(exponent) for exponent in exponents)
+    for index, exponent in enumerate(wanted):
+        if not np.isfinite(exponent) or exponent <= 0.0:
+            raise ValueRangeError(f"exponents[{index}]", f"must be a finite number above 0, not {exponent}")
+    report(progress, 0.0, "reading the environment's rings")
+    largest = background_size(environment)
+    lobe_filter = LobeFilter(environment.radiance)
+    smooth = sorted({DIFFUSE_EXPONENT, *(e for e in wanted if e <= lobe_filter.largest_exponent)})
+    costs = np.array([lobe_bandlimit(e) ** 2.0 * 600.0 + face_size(e, largest) ** 2.0 * 100.0 for e in
+    smooth]) ends = 0.9 * np.cumsum(costs) / costs.sum()
+    maps: dict[float, FaceArray] = {}
+    for index, exponent in enumerate(smooth):
+        step = part(progress, float(ends[index - 1]) if index else 0.0, float(ends[index]))
+        # Two analyses at most: one for all broad lobes, so that they come soon, one for the rest.
+        limits = [lobe_bandlimit(e) for e in smooth]
+        broad = [limit for limit in limits if limit <= BROAD_BANDLIMIT]
+        lobe_filter.analyse(max(broad) if limits[index] <= BROAD_BANDLIMIT else max(limits), step)
+        maps[exponent] = pack_faces(lobe_filter.lobe(exponent, face_size(exponent, largest), step))
+        report(step, 1.0, f"lobe {exponent:g} is filtered")
+        if ready is not None:
+            ready(exponent, maps[exponent])
+    background = pack_faces(sample(environment.radiance, texel_directions(largest)))
+    if ready is not None:
+        ready(None, background)
+    report(progress, 1.0, "the environment is filtered")
+    lobes = tuple(maps.get(exponent, background) for exponent in wanted)
+    return LobeMaps(wanted, lobes, maps[DIFFUSE_EXPONENT], background)

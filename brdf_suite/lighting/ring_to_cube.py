@@ -1,0 +1,199 @@
+"""From ring harmonics F_m(θ_j) to the texels of a cube map, to about 1e-7 of the map's largest value.
+
+A band-limited function on the sphere, continued over the poles (``f(-θ, φ) = f(θ, φ+π)``), is a trigonometric
+polynomial on a torus. It can be had anywhere from a grid twice as fine as its bandlimit needs, with a smooth
+kernel of eight points whose transform was divided out beforehand (the "exponential of semicircle" kernel:
+Barnett, Magland & af Klinteberg, "A parallel nonuniform fast Fourier transform library", SIAM J. Sci. Comput.
+41, 2019).
+
+- The four side faces have one longitude a column: the Fourier sum along φ is taken exactly, as matrix
+products that
+  share the mirror and quarter-turn symmetry of the columns; then one 1-D interpolation along θ.
+- The top and bottom faces are interpolated in both directions, one octant of points standing for sixteen.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.lighting.cubemap import face_coordinates
+
+_WIDTH = 8
+_BETA = 2.30 * _WIDTH
+
+Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
+
+
+def rings_for(bandlimit: int) -> int:
+    """Return how many rings :func:`cube_from_rings` wants for a bandlimit: even, with a fast transform."""
+    return _fast_even(bandlimit + 2)
+
+
+def _fast_even(least: int) -> int:
+    """Return the smallest even number ≥ ``least`` that is a product of 2, 3 and 5."""
+    number = max(2, least + least % 2)
+    while True:
+        rest = number
+        for prime in (2, 3, 5):
+            while rest % prime == 0:
+                rest //= prime
+        if rest == 1:
+            return number
+        number += 2
+
+
+def _kernel(x: Floats) -> Floats:
+    """Return the kernel at distances x in grid steps; it ends at ±_WIDTH/2."""
+    inside = np.maximum(1.0 - (2.0 * x / _WIDTH) ** 2, 0.0)
+    return np.exp(_BETA * (np.sqrt(inside) - 1.0))
+
+
+def _kernel_transform(frequencies: Floats, period: int) -> Floats:
+    """Return ∫ kernel(x)·cos(2π·k·x/period) dx for whole frequencies k."""
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    x = 0.25 * _WIDTH * (nodes + 1.0)  # half of the even kernel
+    values = 0.5 * _WIDTH * weights * _kernel(x)
+    return np.asarray(np.cos(np.outer(frequencies, x) * (2.0 * np.pi / period)) @ values, dtype=np.float64)
+
+
+def _taps(position: Floats) -> tuple[NDArray[np.int64], Floats]:
+    """Return the first grid index (...) and the kernel's weights (..., _WIDTH) around positions in grid
+    steps.""" first = np.ceil(position - 0.5 * _WIDTH).astype(np.int64)
+    return first, _kernel((position - first)[..., None] - np.arange(_WIDTH))
+
+
+def cube_from_rings(orders: Complexes, size: int) -> Floats:
+    """Return the cube map (6, size, size, channels) of a real function given by its ring harmonics.
+
+    Parameters
+    ----------
+    orders
+        F_m (bandlimit+1, rings, channels) on rings at (j+½)π/rings, more rings than the bandlimit.
+    size
+        Texels along a face's side, even.
+    """
+    bandlimit, rings, channels = orders.shape[0] - 1, orders.shape[1], orders.shape[2]
+    if size % 2 or rings <= bandlimit:
+        raise ValueError("the face size must be even and the rings more than the bandlimit")
+    period = _fast_even(2 * (2 * bandlimit + 1) // 4) * 4
+    grid = _fine_grid(orders, period)
+    faces = np.empty((6, size, size, channels))
+    _side_faces(grid, period, size, faces)
+    _polar_faces(grid, period, size, faces)
+    return faces
+
+
+def _fine_grid(orders: Complexes, period: int) -> Complexes:
+    """Return F_m (channels, period, m) at θ = 2πi/period round the torus, the kernel divided out along θ."""
+    count, rings, channels = orders.shape
+    bandlimit = count - 1
+    frequencies = np.arange(-bandlimit, bandlimit + 1)
+    sign = np.where(np.arange(count) % 2, -1.0, 1.0)
+    shift = np.exp(-1j * np.pi * frequencies / (2.0 * rings)) / (2.0 * rings)
+    factor = shift / _kernel_transform(frequencies.astype(np.float64), period) * period
+    result = np.empty((channels, period, count), dtype=np.complex128)
+    for channel in range(channels):
+        plane = orders[:, :, channel]
+        whole = np.concatenate([plane, plane[:, ::-1] * sign[:, None]], axis=1)
+        spectrum = np.fft.fft(whole, axis=1)
+        fine = np.zeros((count, period), dtype=np.complex128)
+        fine[:, frequencies] = spectrum[:, frequencies] * factor
+        result[channel] = np.fft.ifft(fine, axis=1).T
+    return result
+
+
+def _side_faces(grid: Complexes, period: int, size: int, faces: Floats) -> None:
+    """Fill the faces +Z, -X, -Z, +X, whose centres are at φ = 0, 90°, 180°, 270°."""
+    from scipy.sparse import csr_array  # here, because only prefiltering needs scipy
+
+    channels, _, count = grid.shape
+    half = size // 2
+    step = 2.0 * np.pi / period
+    s = face_coordinates(size)[half:]
+    alpha = np.arctan(s)
+    first_ring = int(np.floor(np.arctan(np.sqrt(0.5)) / step)) - _WIDTH
+    last_ring = int(np.ceil((np.pi - np.arctan(np.sqrt(0.5))) / step)) + _WIDTH
+    span = last_ring - first_ring + 1
+    rows = np.arange(first_ring, last_ring + 1) % period
+    values = np.zeros((span, channels, half, 4, 2))  # ring, channel, column, quarter turn, side (-, +)
+    for residue in range(4):
+        m = np.arange(residue, count, 4)
+        if not m.size:
+            continue
+        part = grid[:, rows, residue::4].reshape(-1, m.size) * np.where(m == 0, 1.0, 2.0)
+        cosine, sine = np.cos(np.outer(m, alpha)), np.sin(np.outer(m, alpha))
+        a_cos, b_sin = part.real @ cosine, part.imag @ sine
+        # Σ F e^(im(φ_f ∓ α)); face f adds the factor i^(m·f), of which only the residue of m counts.
+        real_minus, real_plus = a_cos + b_sin, a_cos - b_sin
+        turned_minus = turned_plus = real_minus
+        if residue % 2:
+            b_cos, a_sin = part.imag @ cosine, part.real @ sine
+            turned_minus, turned_plus = b_cos - a_sin, b_cos + a_sin
+        for turn in range(4):
+            power = (residue * turn) % 4
+            sign = (1.0, -1.0, -1.0, 1.0)[power]
+            minus, plus = (turned_minus, turned_plus) if power % 2 else (real_minus, real_plus)
+            shape = (channels, span, half)
+            values[:, :, :, turn, 0] += sign * minus.reshape(shape).transpose(1, 0, 2)
+            values[:, :, :, turn, 1] += sign * plus.reshape(shape).transpose(1, 0, 2)
+    t = face_coordinates(size)
+    theta = 0.5 * np.pi + np.arctan2(t[:, None], np.sqrt(1.0 + s[None, :] ** 2))
+    first, weights = _taps(theta / step)
+    ring = first[..., None] - first_ring + np.arange(_WIDTH)
+    source = ring * half + np.arange(half)[None, :, None]
+    pointers = np.arange(0, source.size + 1, _WIDTH)
+    matrix = csr_array((weights.ravel(), source.ravel(), pointers), shape=(size * half, span * half))
+    table = np.ascontiguousarray(values.transpose(0, 2, 3, 4, 1)).reshape(span * half, -1)
+    texels = (matrix @ table).reshape(size, half, 4, 2, channels)
+    for turn, face in enumerate((4, 1, 5, 0)):
+        # φ = φ_f - atan(s): the side "-" is s > 0.
+        faces[face, :, half:] = texels[:, :, turn, 0]
+        faces[face, :, :half] = texels[:, ::-1, turn, 1]
+
+
+def _polar_faces(grid: Complexes, period: int, size: int, faces: Floats) -> None:
+    """Fill +Y and -Y from the octant 0 < φ ≤ 45° of points, its mirror image and its quarter turns."""
+    from scipy.sparse import csr_array
+
+    channels, _, count = grid.shape
+    half = size // 2
+    step = 2.0 * np.pi / period
+    along = np.arctan(np.sqrt(2.0)) / step
+    rings = np.arange(-_WIDTH, int(np.ceil(along)) + _WIDTH + 1)
+    columns = np.arange(-_WIDTH, period // 8 + _WIDTH + 1)
+    coordinates = face_coordinates(size)[half:]
+    outer, inner = np.tril_indices(half)
+    p, q = coordinates[outer], coordinates[inner]
+    ring, ring_weights = _taps(np.arctan(np.hypot(p, q)) / step)
+    column, column_weights = _taps(np.arctan2(q, p) / step)
+    reach = np.arange(_WIDTH)
+    source = ((ring + _WIDTH)[:, None] + reach)[:, :, None] * columns.size
+    source = source + ((column + _WIDTH)[:, None] + reach)[:, None, :]
+    weights = ring_weights[:, :, None] * column_weights[:, None, :]
+    pointers = np.arange(0, source.size + 1, _WIDTH * _WIDTH)
+    matrix = csr_array(
+        (weights.ravel(), source.ravel(), pointers), shape=(p.size, rings.size * columns.size)
+    )
+    divided = 1.0 / _kernel_transform(np.arange(count, dtype=np.float64), period)
+    for face, rows in ((2, rings % period), (3, (period // 2 - rings) % period)):
+        spectrum = np.zeros((channels, rings.size, period // 2 + 1), dtype=np.complex128)
+        spectrum[:, :, :count] = grid[:, rows] * divided
+        plane = np.fft.irfft(spectrum, period, axis=2) * period
+        variants = [(sign, turn) for sign in (1, -1) for turn in range(4)]
+        table = np.empty((rings.size, columns.size, len(variants), channels))
+        for index, (sign, turn) in enumerate(variants):
+            where = (sign * columns + turn * (period // 4)) % period
+            table[:, :, index] = plane[:, :, where].transpose(1, 2, 0)
+        texels = (matrix @ table.reshape(rings.size * columns.size, -1)).reshape(p.size, 8, channels)
+        for index, (sign, turn) in enumerate(variants):
+            # x = -sinθ sinφ and z = sinθ cosφ of the turned and mirrored point, before the y axis is divided
+            # out.
+            x, z = -sign * q, p
+            for _ in range(turn):
+                x, z = -z, x
+            s, t = (x, z) if face == 2 else (x, -z)
+            i = np.rint((s + 1.0) * half - 0.5).astype(np.int64)
+            j = np.rint((t + 1.0) * half - 0.5).astype(np.int64)
+            faces[face, j, i] = texels[:, index]
