@@ -1,7 +1,7 @@
 """A widget that shows what a renderer draws with OpenGL, or says why it cannot.
 
-The widget owns the context and the frame buffer (3.3 core, 4× multisampling, device pixels) and knows nothing
-of what is drawn: a factory makes the :class:`Drawer` for a context, and again for a new context after a loss.
+The widget owns the context and the frame buffer (3.3 core, multisampled, device pixels) and knows nothing of
+what is drawn: a factory makes the :class:`Drawer` for a context, and again for a new context after a loss.
 """
 
 from __future__ import annotations
@@ -9,16 +9,16 @@ from __future__ import annotations
 import logging
 import time
 from collections.abc import Callable
-from typing import Protocol
+from typing import Any, Protocol
 
-import moderngl
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QImage, QOpenGLContext
+from PySide6.QtGui import QImage
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QLabel, QPushButton, QStackedLayout, QVBoxLayout, QWidget
 
 from brdf_qt.application import surface_format
-from brdf_suite.errors import GraphicsError, SuiteError
+from brdf_suite.errors import SuiteError
+from brdf_suite.realtime.context import Context, adopt_context
 
 log = logging.getLogger(__name__)
 
@@ -31,7 +31,7 @@ _NO_CONTEXT = (
 class Drawer(Protocol):
     """What draws the picture; every call is made with its context current."""
 
-    def draw(self, framebuffer: moderngl.Framebuffer, size: tuple[int, int], view: object) -> None:
+    def draw(self, framebuffer: Any, size: tuple[int, int], view: object) -> None:
         """Draw ``view`` into ``framebuffer`` of ``size`` (width, height) device pixels."""
 
     def release(self) -> None:
@@ -47,6 +47,8 @@ class GlSurface(QWidget):
     ----------
     make_drawer
         Called with the context once it is there (and current), and again after :meth:`retry`.
+    samples
+        Samples per pixel of the frame buffer; 0 for a drawer that averages samples by itself.
 
     Signals: ``frame_drawn(ms)`` after each frame, with the time that it took until the GPU was done;
     ``failed(text)`` when the picture had to give way to a message.
@@ -58,9 +60,13 @@ class GlSurface(QWidget):
     _finished = Signal(float)
 
     def __init__(
-        self, make_drawer: Callable[[moderngl.Context], Drawer], parent: QWidget | None = None
+        self,
+        make_drawer: Callable[[Context], Drawer],
+        samples: int = 4,
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
+        self._samples = samples
         self._make_drawer = make_drawer
         self._view: object = None
         self._failure = ""
@@ -107,8 +113,8 @@ class GlSurface(QWidget):
         self._canvas.makeCurrent()
         try:
             work()
-        except (GraphicsError, moderngl.Error) as error:
-            self._fail(str(error))
+        except Exception as error:  # noqa: BLE001 - whatever went wrong, the user must see it
+            self._fail(_told(error, "The picture could not be prepared"))
             return
         finally:
             self._canvas.doneCurrent()
@@ -165,12 +171,12 @@ class _Canvas(QOpenGLWidget):
 
     def __init__(self, surface: GlSurface) -> None:
         super().__init__(surface)
-        self.setFormat(surface_format())
+        self.setFormat(surface_format(surface._samples))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self._surface = surface
-        self._context: moderngl.Context | None = None
-        self._framebuffer: moderngl.Framebuffer | None = None
+        self._context: Context | None = None
+        self._framebuffer: Any = None
         self.drawer: Drawer | None = None
 
     def device_size(self) -> tuple[int, int]:
@@ -181,10 +187,10 @@ class _Canvas(QOpenGLWidget):
         qt_context = self.context()
         qt_context.aboutToBeDestroyed.connect(self.release)
         try:
-            self._context = _adopt(qt_context)
+            self._context = adopt_context(lambda name: int(qt_context.getProcAddress(name.encode()) or 0))
             self.drawer = self._surface._make_drawer(self._context)
-        except (SuiteError, moderngl.Error, ValueError) as error:
-            self._defer_failure(f"The picture cannot be drawn: {error}")
+        except Exception as error:  # noqa: BLE001 - raised into Qt it would be lost, and the picture black
+            self._defer_failure(_told(error, "The picture cannot be drawn"))
 
     def paintGL(self) -> None:
         if self.drawer is None or self._context is None or self._surface._view is None:
@@ -195,8 +201,8 @@ class _Canvas(QOpenGLWidget):
             self.drawer.draw(self._target(self._context, size), size, self._surface._view)
             self._context.finish()
             problem = self._context.error
-        except (SuiteError, moderngl.Error) as error:
-            self._defer_failure(str(error))
+        except Exception as error:  # noqa: BLE001 - as above
+            self._defer_failure(_told(error, "The picture could not be drawn"))
             return
         if problem != "GL_NO_ERROR":
             self._defer_failure(f"The graphics driver reported {problem} while drawing.")
@@ -212,7 +218,7 @@ class _Canvas(QOpenGLWidget):
         self._framebuffer = None
         self.doneCurrent()
 
-    def _target(self, context: moderngl.Context, size: tuple[int, int]) -> moderngl.Framebuffer:
+    def _target(self, context: Context, size: tuple[int, int]) -> Any:
         number = self.defaultFramebufferObject()
         known = self._framebuffer
         if known is None or known.glo != number or known.size != size:
@@ -245,28 +251,9 @@ class _Notice(QWidget):
         self._text.setText(text)
 
 
-class _QtLoader:
-    """How moderngl finds OpenGL's functions: by asking Qt, which works with GLX, EGL, WGL and CGL alike."""
-
-    def __init__(self, context: QOpenGLContext) -> None:
-        self._context = context
-
-    def load(self, name: str) -> int:
-        return int(self._context.getProcAddress(name.encode()) or 0)
-
-    def release(self) -> None:
-        """The context is Qt's."""
-
-    def __enter__(self) -> _QtLoader:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        pass
-
-
-def _adopt(context: QOpenGLContext) -> moderngl.Context:
-    """Return moderngl's view of Qt's current context; raise :class:`GraphicsError` below OpenGL 3.3."""
-    try:
-        return moderngl.create_context(require=330, context=_QtLoader(context))
-    except (moderngl.Error, ValueError, TypeError, RuntimeError) as error:
-        raise GraphicsError(f"OpenGL 3.3 is needed, and this driver does not give it ({error}).") from error
+def _told(error: Exception, what: str) -> str:
+    """Return the text for the user; a fault of ours goes to the log with its traceback."""
+    if isinstance(error, SuiteError):
+        return str(error)
+    log.error("%s", what, exc_info=error)
+    return f"{what}: {error}"

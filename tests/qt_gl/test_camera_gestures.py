@@ -17,7 +17,7 @@ NONE, SHIFT, ALT = (
 )
 
 
-@pytest.fixture()
+@pytest.fixture
 def widget(qtbot) -> QWidget:
     widget = QWidget()
     widget.resize(400, 200)
@@ -28,7 +28,7 @@ def widget(qtbot) -> QWidget:
     return widget
 
 
-@pytest.fixture()
+@pytest.fixture
 def heard(widget) -> list[tuple]:
     gestures = CameraGestures(widget)
     heard: list[tuple] = []

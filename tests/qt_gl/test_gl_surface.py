@@ -47,12 +47,12 @@ class Triangle:
         self.released = True
 
 
-@pytest.fixture()
+@pytest.fixture
 def drawers() -> list[Triangle]:
     return []
 
 
-@pytest.fixture()
+@pytest.fixture
 def surface(qtbot, drawers):
     def make(context: moderngl.Context) -> Triangle:
         drawers.append(Triangle(context))

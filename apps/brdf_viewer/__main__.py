@@ -1,0 +1,111 @@
+"""``brdf-viewer``: see a paint on a surface in an environment, linked with Designer."""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from brdf_qt.application import create_application, process_age_s, run
+from brdf_qt.settings import settings
+from brdf_qt.theme import THEMES
+from PySide6.QtCore import QTimer
+
+from brdf_suite.documents.view import View
+from brdf_suite.pipeline.scene import default_paint_name, environment_names, surface_names
+
+_SETTLE_MS = 400
+"""Between the first complete picture and a screenshot: the status bar has its frame time then."""
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the parser of the command line."""
+    parser = argparse.ArgumentParser(
+        prog="brdf-viewer",
+        description="See a paint on a surface in an environment. Follows Designer while it is open.",
+        epilog="Left drag orbits, middle or Shift drag pans, the wheel zooms, Alt drag turns the light. "
+        "F frames, 1-4 are presets, space is the turntable, Tab hides the panels, Ctrl+K finds any command.",
+    )
+    parser.add_argument(
+        "paint", nargs="?", metavar="PAINT", help="a .brdfpaint file or a shipped paint's name"
+    )
+    parser.add_argument(
+        "--environment", metavar="NAME|FILE", help="a shipped environment, or an .exr or .hdr file"
+    )
+    parser.add_argument("--surface", metavar="NAME|FILE", help="a shipped surface, or a mesh file")
+    parser.add_argument("--theme", choices=THEMES, help="grey of the window, for this run")
+    parser.add_argument("--size", metavar="WxH", type=_size, help="size of the window in pixels")
+    parser.add_argument("--screenshot", metavar="FILE", help="save the window as PNG once complete, and end")
+    parser.add_argument("--quit-after", metavar="SECONDS", type=float, help="end after so many seconds")
+    parser.add_argument("--report-startup", action="store_true", help="print the seconds from process start")
+    return parser
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the Viewer; return the exit status."""
+    options = parser().parse_args(arguments)
+    app = create_application("Viewer", theme_name=options.theme)
+    from brdf_viewer.controller import ViewerController
+
+    controller = ViewerController(_first_view(options), options.paint or default_paint_name())
+    window = controller.window
+    if options.size:
+        window.resize(*options.size)
+    if options.report_startup:
+        window.first_painted.connect(lambda: print(f"window {process_age_s():.3f} s", flush=True))
+        controller.picture_complete.connect(lambda: print(f"picture {process_age_s():.3f} s", flush=True))
+    if options.screenshot:
+        _screenshot(controller, Path(options.screenshot))
+    if options.quit_after is not None:
+        QTimer.singleShot(round(1000 * options.quit_after), window.close)
+    return run(app, window)
+
+
+def _first_view(options: argparse.Namespace) -> View:
+    from brdf_viewer.remembered import recall
+
+    wanted = {
+        "environment": _key(options.environment, environment_names()),
+        "surface": _key(options.surface, surface_names()),
+    }
+    return dataclasses.replace(recall(settings()), **{k: v for k, v in wanted.items() if v})
+
+
+def _key(name_or_file: str | None, names: list[str]) -> str | None:
+    return (
+        name_or_file if name_or_file is None or name_or_file in names else str(Path(name_or_file).absolute())
+    )
+
+
+def _size(text: str) -> tuple[int, int]:
+    width, _, height = text.partition("x")
+    return int(width), int(height)
+
+
+def _screenshot(controller: object, path: Path) -> None:
+    """Save the window once its picture is complete; the exit status tells whether that came about."""
+    from PySide6.QtWidgets import QApplication
+
+    window = controller.window
+
+    def save() -> None:
+        saved = window.grab().save(str(path))
+        if not saved:
+            print(f"brdf-viewer: {path}: the picture could not be written.", file=sys.stderr)
+        window.close()
+        QApplication.exit(0 if saved else 1)
+
+    def failed(_kind: str, text: str) -> None:
+        print(f"brdf-viewer: {text}", file=sys.stderr)
+        if not controller.stage.is_complete:
+            window.close()
+            QApplication.exit(1)
+
+    controller.picture_complete.connect(lambda: QTimer.singleShot(_SETTLE_MS, save))
+    controller.failed.connect(failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,108 @@
+"""From gestures, presets and numbers to the camera and the turn of the light."""
+
+from __future__ import annotations
+
+import dataclasses
+
+from brdf_qt.camera_gestures import CameraGestures
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+from brdf_suite.documents.view import Camera, View
+from brdf_suite.realtime.camera import dolly, frame, orbit, pan, resolve
+from brdf_viewer.camera_presets import look_from, signed_deg
+from brdf_viewer.stage import Stage
+from brdf_viewer.turntable import Turntable, turn
+from brdf_viewer.window import ViewerWindow
+
+
+class CameraControl(QObject):
+    """Moves the stage's camera; shows where it is."""
+
+    def __init__(self, stage: Stage, window: ViewerWindow, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._stage = stage
+        self._window = window
+        self._turntable = Turntable(self)
+        self._turntable.turned.connect(self._turn)
+        self._turntable.running_changed.connect(window.commands.turntable.setChecked)
+        window.picture.canvas_changed.connect(self._listen)
+        self._listen(window.picture.canvas)
+        commands, section = window.commands, window.camera
+        commands.frame_wanted.connect(self.frame)
+        commands.preset_wanted.connect(self.look_from)
+        commands.turntable_wanted.connect(self._turntable.set_running)
+        section.preset_chosen.connect(self.look_from)
+        section.azimuth_edited.connect(lambda value: self._aim(azimuth_deg=value % 360.0))
+        section.elevation_edited.connect(lambda value: self._aim(elevation_deg=value))
+        section.focal_length_edited.connect(self._set_focal_length)
+        stage.view_changed.connect(self._show)
+        self._show(None, stage.view)
+
+    def frame(self) -> None:
+        """Fill the picture with the surface, from the same side."""
+        self._stage.set_camera(frame(self._camera))
+
+    def look_from(self, preset: str) -> None:
+        """Look from a named side."""
+        self._stage.set_camera(look_from(self._camera, preset))
+
+    @property
+    def _camera(self) -> Camera:
+        return self._stage.view.camera
+
+    @property
+    def _size(self) -> tuple[int, int]:
+        return self._window.picture.device_size
+
+    def _listen(self, canvas: QWidget) -> None:
+        gestures = CameraGestures(canvas)
+        gestures.orbited.connect(self._orbit)
+        gestures.panned.connect(self._pan)
+        gestures.zoomed.connect(self._zoom)
+        gestures.light_turned.connect(self._turn_light)
+        gestures.framed.connect(self.frame)
+
+    def _orbit(self, azimuth_deg: float, elevation_deg: float) -> None:
+        self._stage.set_camera(orbit(self._settled(), azimuth_deg, elevation_deg))
+
+    def _pan(self, right: float, up: float) -> None:
+        height = self._size[1]
+        self._stage.set_camera(
+            pan(self._camera, self._stage.bounds, self._size, right * height, -up * height)
+        )
+
+    def _zoom(self, factor: float) -> None:
+        self._stage.set_camera(dolly(self._camera, self._stage.bounds, self._size, factor))
+
+    def _turn_light(self, degrees: float) -> None:
+        self._stage.change_view(rotation_deg=signed_deg(self._stage.view.rotation_deg + degrees))
+
+    def _turn(self, degrees: float) -> None:
+        settled = dataclasses.replace(self._stage.view, camera=self._settled())
+        self._stage.set_view(turn(settled, degrees))
+
+    def _aim(self, **angles: float) -> None:
+        self._stage.set_camera(dataclasses.replace(self._settled(), **angles))
+
+    def _set_focal_length(self, millimetres: float) -> None:
+        """Another lens keeps the size of the surface in the picture: the distance grows with it."""
+        camera = self._camera
+        distance = camera.distance
+        if distance is not None:
+            distance *= millimetres / camera.focal_length_mm
+        self._stage.set_camera(dataclasses.replace(camera, focal_length_mm=millimetres, distance=distance))
+
+    def _settled(self) -> Camera:
+        """Return the camera with its distance fixed, so that the surface keeps its size while it turns."""
+        if self._stage.surface is None:
+            return self._camera
+        return resolve(self._camera, self._stage.bounds, self._size)
+
+    def _show(self, old: View | None, new: View) -> None:
+        if old is not None and old.camera == new.camera:
+            return
+        section = self._window.camera
+        section.azimuth.set_value(signed_deg(new.camera.azimuth_deg))
+        section.elevation.set_value(new.camera.elevation_deg)
+        section.focal_length.set_value(new.camera.focal_length_mm)

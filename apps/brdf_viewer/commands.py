@@ -1,0 +1,176 @@
+"""The Viewer's commands: menus, toolbar and keys, found by Ctrl+K like all commands of the suite."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from brdf_qt.main_window import SuiteWindow
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtWidgets import QMenu
+
+from brdf_viewer.camera_presets import PRESETS
+from brdf_viewer.sections import BACKGROUND_TITLES, TONE_TITLES
+from brdf_viewer.source_chooser import Source
+
+
+class ViewerCommands(QObject):
+    """Makes the actions in the window's menus.
+
+    Signals
+    -------
+    open_wanted(kind), recent_wanted(kind, path)
+        A file of kind ``paint``, ``environment`` or ``surface`` is to be opened.
+    paint_wanted(name), follow_wanted(bool), designer_wanted()
+        A shipped paint; Designer is to be followed or not; Designer is to be started.
+    preset_wanted(key), frame_wanted(), turntable_wanted(bool)
+        The camera.
+    tone_curve_wanted(key), background_wanted(key), fresnel_wanted(bool)
+        How the picture is shown.
+    copy_wanted()
+        The picture goes to the clipboard.
+    """
+
+    open_wanted = Signal(str)
+    recent_wanted = Signal(str, str)
+    paint_wanted = Signal(str)
+    follow_wanted = Signal(bool)
+    designer_wanted = Signal()
+    preset_wanted = Signal(str)
+    frame_wanted = Signal()
+    turntable_wanted = Signal(bool)
+    tone_curve_wanted = Signal(str)
+    background_wanted = Signal(str)
+    fresnel_wanted = Signal(bool)
+    copy_wanted = Signal()
+
+    def __init__(self, window: SuiteWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self._add_file()
+        self._add_view()
+        self._add_paint()
+        window.add_action(
+            window.edit_menu,
+            "&Copy Picture",
+            self.copy_wanted.emit,
+            QKeySequence.StandardKey.Copy,
+            "copy",
+            "Put the picture on the clipboard, at its full number of pixels",
+        )
+        designer = window.add_action(
+            window.window_menu, "Open &Designer", self.designer_wanted.emit, "Ctrl+D", "palette"
+        )
+        window.window_menu.insertAction(window.window_menu.actions()[0], designer)
+        self._add_toolbar()
+
+    def set_recent(self, kind: str, paths: Iterable[str]) -> None:
+        """List the recent files of a kind in the File menu."""
+        menu = self._recent[kind]
+        menu.clear()
+        for path in paths:
+            action = menu.addAction(path)
+            action.triggered.connect(lambda _=False, path=path: self.recent_wanted.emit(kind, path))
+        menu.setEnabled(not menu.isEmpty())
+
+    def set_paints(self, paints: Iterable[Source]) -> None:
+        """List the shipped paints in the Paint menu."""
+        for source in paints:
+            self._window.add_action(
+                self._paints, source.title, lambda key=source.key: self.paint_wanted.emit(key)
+            )
+
+    def show_state(self, *, tone_curve: str, background: str, fresnel: bool) -> None:
+        """Tick what the view has."""
+        for group, key in ((self._tone, tone_curve), (self._background, background)):
+            for action in group.actions():
+                action.setChecked(action.data() == key)
+        self.fresnel.setChecked(fresnel)
+
+    def _add_file(self) -> None:
+        menu = self._window.file_menu
+        self.open_paint = self._open(menu, "&Open Paint…", "paint", QKeySequence.StandardKey.Open)
+        self._open(menu, "Open &Environment…", "environment", "Ctrl+E")
+        self._open(menu, "Open &Surface…", "surface", "Ctrl+M")
+        menu.addSeparator()
+        self._recent = {
+            kind: menu.addMenu(title)
+            for kind, title in (
+                ("paint", "Recent &Paints"),
+                ("environment", "Recent E&nvironments"),
+                ("surface", "Recent S&urfaces"),
+            )
+        }
+        self._window.add_quit()
+
+    def _open(self, menu: QMenu, text: str, kind: str, keys: str | QKeySequence.StandardKey) -> QAction:
+        return self._window.add_action(menu, text, lambda: self.open_wanted.emit(kind), keys, "folder-open")
+
+    def _add_view(self) -> None:
+        menu = self._window.view_menu
+        menu.addSeparator()
+        self.presets = [
+            self._window.add_action(
+                menu,
+                f"Look from: {title}",
+                lambda key=key: self.preset_wanted.emit(key),
+                str(index + 1),
+                tip=f"Look from: {title}, framing the surface",
+            )
+            for index, (key, (title, _, _)) in enumerate(PRESETS.items())
+        ]
+        self.frame = self._window.add_action(
+            menu,
+            "&Frame Surface",
+            self.frame_wanted.emit,
+            "F",
+            "frame-corners",
+            "Fill the picture with the surface",
+        )
+        self.turntable = self._window.add_action(
+            menu, "&Turntable", None, "Space", "arrows-clockwise", "Turn the surface before camera and light"
+        )
+        self.turntable.setCheckable(True)
+        self.turntable.triggered.connect(self.turntable_wanted)
+        # Space presses a button that has the focus; it is the turntable's on the picture only.
+        self.turntable.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        menu.addSeparator()
+        self._tone = self._choices(menu.addMenu("T&one Curve"), TONE_TITLES, self.tone_curve_wanted)
+        self._background = self._choices(
+            menu.addMenu("&Background"), BACKGROUND_TITLES, self.background_wanted
+        )
+        self.fresnel = self._window.add_action(menu, "Fres&nel")
+        self.fresnel.setCheckable(True)
+        self.fresnel.triggered.connect(self.fresnel_wanted)
+
+    def _choices(self, menu: QMenu, titles: dict[str, str], signal: object) -> QActionGroup:
+        group = QActionGroup(menu)
+        for key, title in titles.items():
+            action = self._window.add_action(menu, title, lambda key=key: signal.emit(key))
+            action.setCheckable(True)
+            action.setData(key)
+            group.addAction(action)
+        return group
+
+    def _add_paint(self) -> None:
+        menu = self._window.paint_menu
+        self.follow = self._window.add_action(
+            menu, "&Follow Designer", None, "Ctrl+L", "link", "Show what is being edited in Designer"
+        )
+        self.follow.setCheckable(True)
+        self.follow.triggered.connect(self.follow_wanted)
+        menu.addSeparator()
+        self._paints = menu.addMenu("&Shipped Paints")
+
+    def _add_toolbar(self) -> None:
+        bar = self._window.toolbar
+        bar.addAction(self.open_paint)
+        bar.addAction(self.follow)
+        bar.addSeparator()
+        for action, (title, _, _) in zip(self.presets, PRESETS.values(), strict=True):
+            action.setIconText(title)
+            bar.addAction(action)
+        bar.addAction(self.frame)
+        self.frame.setIconText("Frame")
+        bar.addSeparator()
+        bar.addAction(self.turntable)

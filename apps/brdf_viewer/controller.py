@@ -1,0 +1,170 @@
+"""Puts stage, window, link and background work together: the Viewer without its command line."""
+
+from __future__ import annotations
+
+import sys
+
+from brdf_qt.link import LiveLink
+from brdf_qt.message_bar import Message
+from brdf_qt.settings import settings
+from brdf_qt.tasks import TaskRunner
+from PySide6.QtCore import QObject, QProcess, QTimer, Signal
+from PySide6.QtGui import QGuiApplication
+
+from brdf_suite.documents.store import view_to_json
+from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.realtime.context import Context
+from brdf_viewer.camera_control import CameraControl
+from brdf_viewer.drawing import StageDrawer
+from brdf_viewer.file_kinds import AskFile, all_endings, ask_file, kind_of
+from brdf_viewer.frame_meter import FrameMeter
+from brdf_viewer.loading import SceneLoader
+from brdf_viewer.paint_control import PaintControl
+from brdf_viewer.remembered import remember
+from brdf_viewer.scene_control import SceneControl
+from brdf_viewer.stage import Stage
+from brdf_viewer.window import ViewerWindow
+
+_PUBLISH_MS = 50
+
+
+class ViewerController(QObject):
+    """The running Viewer.
+
+    Parameters
+    ----------
+    view
+        What is shown first.
+    paint
+        Name or file of the paint that is shown until Designer has another.
+    ask
+        How the user is asked for a file.
+
+    Signals: ``picture_complete()`` once, after the first frame with paint, surface and environment;
+    ``failed(kind, text)`` where something could not be loaded.
+    """
+
+    picture_complete = Signal()
+    failed = Signal(str, str)
+
+    def __init__(
+        self,
+        view: View,
+        paint: str,
+        *,
+        ask: AskFile = ask_file,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.stage = Stage(view, self)
+        self.drawer: StageDrawer | None = None
+        self.window = ViewerWindow(self._make_drawer)
+        self.link = LiveLink("viewer", parent=self)
+        self._runner = TaskRunner(self)
+        self._ask = ask
+        self._complete = False
+        self._publish = QTimer(self, singleShot=True, interval=_PUBLISH_MS, timeout=self._publish_view)
+        self.camera = CameraControl(self.stage, self.window, self)
+        self.scene = SceneControl(self.stage, self.window, SceneLoader(self._runner, self), self)
+        self.paint = PaintControl(self.stage, self.window, self.link, PaintFitter(), self)
+        self._meter = FrameMeter(self.window.status.cell("frame"), self)
+        self._connect()
+        self._show_view(None, view)
+        self.window.picture.set_view(view)
+        self.paint.start_with(paint)
+        self.scene.load_first()
+        self.link.start()
+        self._publish.start()
+
+    def open_file(self, path: str) -> None:
+        """Open a file of any kind that the Viewer knows."""
+        kind = kind_of(path)
+        if kind is None:
+            self.scene.tell_unknown(path, all_endings())
+        elif kind == "paint":
+            self.paint.open(path)
+        else:
+            self.scene.open(kind, path)
+
+    def _connect(self) -> None:
+        window, stage = self.window, self.stage
+        stage.view_changed.connect(self._show_view)
+        stage.contents_changed.connect(window.picture.redraw)
+        self.scene.failed.connect(self.failed)
+        picture = window.picture
+        picture.frame_drawn.connect(self._meter.add)
+        picture.frame_drawn.connect(self._frame_drawn)
+        picture.failed.connect(lambda text: self.failed.emit("picture", text))
+        window.files_dropped.connect(lambda paths: [self.open_file(path) for path in paths])
+        window.closing.connect(self._close)
+        environment, commands = window.environment, window.commands
+        environment.rotation_edited.connect(lambda value: stage.change_view(rotation_deg=value))
+        environment.exposure_edited.connect(lambda value: stage.change_view(exposure_ev=value))
+        for signal in (environment.background_edited, commands.background_wanted):
+            signal.connect(lambda key: stage.change_view(background=key))
+        for signal in (window.fresnel.fresnel_edited, commands.fresnel_wanted):
+            signal.connect(lambda on: stage.change_view(fresnel=on))
+        for signal in (window.tone.tone_curve_edited, commands.tone_curve_wanted):
+            signal.connect(lambda key: stage.change_view(tone_curve=key))
+        for kind in ("environment", "surface", "paint"):
+            chooser = getattr(window, kind).chooser
+            chooser.browse.connect(lambda kind=kind: self._browse(kind))
+        commands.open_wanted.connect(self._browse)
+        commands.recent_wanted.connect(lambda _kind, path: self.open_file(path))
+        commands.copy_wanted.connect(self._copy_picture)
+        commands.designer_wanted.connect(self._open_designer)
+
+    def _make_drawer(self, context: Context) -> StageDrawer:
+        self.drawer = StageDrawer(context, self.stage, self.window.surround, self._refused)
+        return self.drawer
+
+    def _refused(self, kind: str, error: SuiteError) -> None:
+        """Told later: the message changes the window, and this comes from within a paint of it."""
+        QTimer.singleShot(0, self, lambda: self.scene.refused(kind, error))
+
+    def _show_view(self, _old: View | None, new: View) -> None:
+        window = self.window
+        window.picture.set_view(new)
+        window.environment.rotation.set_value(new.rotation_deg)
+        window.environment.exposure.set_value(new.exposure_ev)
+        window.environment.set_background(new.background)
+        window.fresnel.on.setChecked(new.fresnel)
+        window.tone.set_curve(new.tone_curve)
+        window.commands.show_state(tone_curve=new.tone_curve, background=new.background, fresnel=new.fresnel)
+        window.status.cell("exposure").set(f"{new.exposure_ev:+.1f} EV", "Exposure")
+        if not self._publish.isActive():
+            self._publish.start()
+
+    def _publish_view(self) -> None:
+        self.link.publish("view", view_to_json(self.stage.view))
+
+    def _frame_drawn(self, _ms: float) -> None:
+        if not self._complete and self.stage.is_complete:
+            self._complete = True
+            self.picture_complete.emit()
+
+    def _browse(self, kind: str) -> None:
+        path = self._ask(self.window, kind)
+        if path and kind == "paint":
+            self.paint.open(path)
+        elif path:
+            self.scene.open(kind, path)
+
+    def _copy_picture(self) -> None:
+        image = self.window.picture.grab_image()
+        if not image.isNull():
+            QGuiApplication.clipboard().setImage(image)
+
+    def _open_designer(self) -> None:
+        started, _ = QProcess.startDetached(sys.executable, ["-m", "brdf_designer"])
+        if not started:
+            message = Message("designer", "Designer could not be started.", severity="error")
+            self.window.messages.show_message(message)
+
+    def _close(self) -> None:
+        remember(settings(), self.stage.view)
+        self.link.close()
+        self._runner.stop()
+        self.window.picture.release()

@@ -1,0 +1,84 @@
+"""Draws the stage: whatever of it has changed since the last frame is handed to the renderer first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.picture import SceneRenderer
+from brdf_suite.realtime.context import Context
+from brdf_suite.realtime.gpu_objects import Counters
+from brdf_viewer.stage import Stage
+
+Grey = tuple[float, float, float]
+
+
+class StageDrawer:
+    """Draws one stage in one OpenGL context; a new context gets a new drawer, which uploads all that there is.
+
+    Parameters
+    ----------
+    surround
+        Returns the grey (R = G = B, 0…1) that is shown while there is nothing to draw.
+    refused
+        Called with the kind and the error where the graphics card does not take a new environment or surface;
+        the old one is drawn on.
+    """
+
+    def __init__(
+        self,
+        context: Context,
+        stage: Stage,
+        surround: Callable[[], Grey],
+        refused: Callable[[str, SuiteError], None],
+    ) -> None:
+        self._stage = stage
+        self._surround = surround
+        self._refused = refused
+        self._renderer = SceneRenderer(context)
+        self._uploads: dict[str, Callable[[Any], None]] = {
+            "environment": self._renderer.set_environment,
+            "surface": self._renderer.set_surface,
+        }
+        self._drawn: dict[str, object] = {}
+        self._fit: object = None
+
+    @property
+    def counters(self) -> Counters:
+        """OpenGL objects made and written since the start."""
+        return self._renderer.counters
+
+    def draw(self, framebuffer: Any, size: tuple[int, int], view: object) -> None:
+        """Draw one frame; a new paint costs one buffer write, and only the newest since the last frame."""
+        for kind in self._uploads:
+            self._bring(kind)
+        fit = self._stage.fit
+        if fit is None or len(self._drawn) < len(self._uploads) or not isinstance(view, View):
+            framebuffer.use()
+            framebuffer.clear(*self._surround(), 1.0)
+            return
+        if fit is not self._fit:
+            self._renderer.set_paint_fit(fit)
+            self._fit = fit
+        self._renderer.draw(view, framebuffer, size)
+
+    def release(self) -> None:
+        """Give every OpenGL object back."""
+        self._renderer.release()
+
+    def _bring(self, kind: str) -> None:
+        wanted, drawn = getattr(self._stage, kind), self._drawn.get(kind)
+        if wanted is None or wanted is drawn:
+            return
+        try:
+            self._uploads[kind](wanted)
+        except SuiteError as error:
+            if drawn is None:
+                raise
+            self._uploads[kind](drawn)
+            setattr(self._stage, kind, drawn)
+            self._refused(kind, error)
+            return
+        self._drawn[kind] = wanted

@@ -1,0 +1,44 @@
+"""Which files the Viewer opens: by what their names end in, and the dialog that asks for one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from brdf_qt.settings import settings
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from brdf_suite.documents.store import PAINT_ENDING
+from brdf_suite.files.meshes import MESH_ENDINGS
+
+ENDINGS: dict[str, tuple[str, ...]] = {
+    "paint": (PAINT_ENDING,),
+    "environment": (".exr", ".hdr"),
+    "surface": MESH_ENDINGS,
+}
+TITLES = {"paint": "Paint", "environment": "Environment", "surface": "Surface"}
+
+AskFile = Callable[[QWidget, str], str]
+
+
+def kind_of(path: str) -> str | None:
+    """Return what a file is by its name's ending; None for what the Viewer does not open."""
+    ending = Path(path).suffix.lower()
+    return next((kind for kind, endings in ENDINGS.items() if ending in endings), None)
+
+
+def all_endings() -> str:
+    """Return the endings of all kinds, for a message."""
+    return ", ".join(ending for endings in ENDINGS.values() for ending in endings)
+
+
+def ask_file(parent: QWidget, kind: str) -> str:
+    """Ask for a file of a kind, starting where the last one was; empty where the user gives none."""
+    patterns = " ".join(f"*{ending}" for ending in ENDINGS[kind])
+    start = str(settings().value(f"folder/{kind}", ""))
+    path, _ = QFileDialog.getOpenFileName(
+        parent, f"Open {TITLES[kind]}", start, f"{TITLES[kind]} ({patterns});;All files (*)"
+    )
+    if path:
+        settings().setValue(f"folder/{kind}", str(Path(path).parent))
+    return path

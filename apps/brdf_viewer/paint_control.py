@@ -1,0 +1,139 @@
+"""The paint on show: from Designer, shipped, or a file; fitted at once and drawn in the next frame."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from brdf_qt.link import LiveLink
+from brdf_qt.message_bar import message_of
+from PySide6.QtCore import QObject
+
+from brdf_suite.documents.paint import Paint
+from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.paint import PaintFit, PaintFitter
+from brdf_suite.pipeline.scene import paint_names
+from brdf_viewer.paint_patches import Patch
+from brdf_viewer.paint_source import DESIGNER, PaintSource
+from brdf_viewer.recent_files import RecentFiles
+from brdf_viewer.sections import set_note
+from brdf_viewer.source_chooser import Source, title_of
+from brdf_viewer.stage import Stage
+from brdf_viewer.window import ViewerWindow
+
+_KEY = "paint"
+
+
+class PaintControl(QObject):
+    """Fits what :class:`PaintSource` gives and puts it on the stage."""
+
+    def __init__(
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        link: LiveLink,
+        fitter: PaintFitter,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._stage = stage
+        self._window = window
+        self._link = link
+        self._fitter = fitter
+        self._recent = RecentFiles(_KEY)
+        self._names = paint_names()
+        self.source = PaintSource(self)
+        self.source.changed.connect(self._take)
+        self.source.following_changed.connect(self._show_following)
+        link.received.connect(self._received)
+        link.peers_changed.connect(self._show_following)
+        window.paint.follow_edited.connect(self.source.set_following)
+        window.paint.chooser.chosen.connect(self.open)
+        window.commands.follow_wanted.connect(self.source.set_following)
+        window.commands.paint_wanted.connect(self.open)
+        window.commands.set_paints(self._shipped())
+        self._list()
+        self._show_following()
+
+    def start_with(self, name_or_path: str) -> None:
+        """Show this paint until Designer has another one; a paint that cannot be read is told."""
+        self._try(self.source.start_with, name_or_path)
+
+    def open(self, key: str) -> None:
+        """Show a shipped paint or a file, and follow Designer no more."""
+        if key == DESIGNER:
+            self.source.set_following(True)
+            return
+        shipped = key in self._names
+        key = key if shipped else str(Path(key).absolute())
+        if self._try(self.source.choose, key) and not shipped:
+            self._recent.add(key)
+            self._list()
+
+    def _try(self, action: Any, key: str) -> bool:
+        try:
+            action(key)
+        except SuiteError as error:
+            self._tell(error)
+            return False
+        return True
+
+    def _received(self, topic: str, value: dict[str, Any]) -> None:
+        if topic == _KEY:
+            self.source.received(value)
+
+    def _take(self, paint: Paint, key: str) -> None:
+        """The edit path: fit and draw; no file, no texture, no import."""
+        try:
+            fit = self._fitter.fit(paint)
+        except SuiteError as error:
+            self._tell(error)
+            return
+        self._window.messages.dismiss(_KEY)
+        self._stage.set_fit(fit)
+        self._show_fit(fit, key)
+
+    def _tell(self, error: SuiteError) -> None:
+        shown = "" if self._stage.fit is None else f"The picture still shows {self._stage.fit.paint.name}."
+        self._window.messages.show_message(message_of(error, _KEY, todo=shown))
+
+    def _show_fit(self, fit: PaintFit, key: str) -> None:
+        section = self._window.paint
+        title = f"{fit.paint.name} (Designer)" if key == DESIGNER else title_of(key, {})
+        if key == DESIGNER:
+            section.chooser.rename(DESIGNER, title)
+        section.chooser.show_source(key, title)
+        section.patches.set_patches(
+            [Patch(a.aspecular_deg, a.asked, a.fitted, a.delta_e_2000) for a in fit.angles]
+        )
+        worst = f"Fit: ΔE00 at most {fit.worst_delta_e:.2f} at the measured angles"
+        set_note(section.facts, "\n".join([worst, *fit.notices]))
+        limited = " limited" if fit.time_limited else ""
+        self._window.status.cell("lobes").set(
+            f"{len(fit.weights.exponents)} lobes", "Cosine lobes of the fit"
+        )
+        self._window.status.cell("fit").set(
+            f"fit {fit.fit.seconds * 1e3:.2f} ms · ΔE {fit.worst_delta_e:.2f}{limited}",
+            "Time of the lobe fit, and its largest ΔE00 at the measured angles"
+            + (". The time limit came first: best answer so far" if fit.time_limited else ""),
+            "warning" if fit.time_limited else "fresh",
+        )
+
+    def _show_following(self, *_: object) -> None:
+        linked = "designer" in self._link.peers
+        following = self.source.following
+        self._window.paint.set_following(following, linked)
+        self._window.commands.follow.setChecked(following)
+        text = "linked: Designer" if linked else "Designer not open"
+        others = ", ".join(self._link.peers) or "none"
+        self._window.status.cell("link", right=True).set(
+            text if following else f"{text}, not followed", f"Other programs on the link: {others}"
+        )
+
+    def _shipped(self) -> list[Source]:
+        return [Source(name, title_of(name, {}).capitalize()) for name in self._names]
+
+    def _list(self) -> None:
+        files = self._recent.paths()
+        self._window.paint.chooser.set_sources(self._shipped(), [Source(p, title_of(p, {})) for p in files])
+        self._window.commands.set_recent(_KEY, files)

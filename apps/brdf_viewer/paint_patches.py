@@ -1,0 +1,117 @@
+"""The paint's colours at its measured angles, each beside what the fitted lobes give."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPalette
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from brdf_suite.appearance.colorimetry import in_srgb_gamut, lab_to_working, working_to_display
+
+Lab = tuple[float, float, float]
+_GAP = 8
+
+
+@dataclass(frozen=True)
+class Patch:
+    """One measured angle: what was asked for and what the fit gives, both L*a*b* (D65, 10°)."""
+
+    aspecular_deg: float
+    asked: Lab
+    fitted: Lab
+    delta_e_2000: float
+
+
+class PaintPatches(QWidget):
+    """A row of patches: the upper part as measured, the lower strip as fitted, the angle under each."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._patches: tuple[Patch, ...] = ()
+        self._colours: list[tuple[QColor, QColor, bool]] = []
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setMinimumHeight(84)
+        self.setAccessibleName("Colours at the measured angles")
+
+    def set_patches(self, patches: Sequence[Patch]) -> None:
+        """Show ``patches``, from the smallest aspecular angle on; an instrument of many angles is thinned."""
+        ordered = sorted(patches, key=lambda patch: patch.aspecular_deg)
+        keep = np.unique(np.linspace(0, len(ordered) - 1, min(6, len(ordered))).round().astype(int))
+        self._patches = tuple(ordered[i] for i in keep) if ordered else ()
+        self._colours = [
+            (_screen(p.asked), _screen(p.fitted), bool(in_srgb_gamut(np.array(p.asked))))
+            for p in self._patches
+        ]
+        self.setAccessibleDescription("; ".join(_words(patch) for patch in self._patches))
+        self.update()
+
+    @property
+    def patches(self) -> tuple[Patch, ...]:
+        """The patches that are shown."""
+        return self._patches
+
+    def sizeHint(self) -> QSize:
+        return QSize(240, 84)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        label = self.fontMetrics().height()
+        for patch, (asked, fitted, inside), box in zip(
+            self._patches, self._colours, self._boxes(), strict=True
+        ):
+            body = box.adjusted(0, 0, 0, -label - 4)
+            split = body.height() * 0.7
+            painter.fillRect(QRectF(body.left(), body.top(), body.width(), split), asked)
+            painter.fillRect(
+                QRectF(body.left(), body.top() + split, body.width(), body.height() - split), fitted
+            )
+            if not inside:
+                _mark_out_of_gamut(painter, body, asked)
+            painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
+            under = QRectF(box.left(), body.bottom() + 4, box.width(), label)
+            painter.drawText(under, Qt.AlignmentFlag.AlignCenter, f"{patch.aspecular_deg:g}°")
+
+    def event(self, event: QHelpEvent) -> bool:
+        if event.type() == QHelpEvent.Type.ToolTip:
+            for patch, box in zip(self._patches, self._boxes(), strict=True):
+                if box.contains(QPointF(event.pos())):
+                    QToolTip.showText(event.globalPos(), _words(patch), self)
+                    return True
+            QToolTip.hideText()
+            return True
+        return super().event(event)
+
+    def _boxes(self) -> list[QRectF]:
+        count = max(1, len(self._patches))
+        width = (self.width() - _GAP * (count - 1)) / count
+        return [QRectF(i * (width + _GAP), 0, width, self.height()) for i in range(len(self._patches))]
+
+
+def _screen(lab: Lab) -> QColor:
+    red, green, blue = np.clip(working_to_display(lab_to_working(np.array(lab))), 0.0, 1.0)
+    return QColor.fromRgbF(float(red), float(green), float(blue))
+
+
+def _mark_out_of_gamut(painter: QPainter, body: QRectF, asked: QColor) -> None:
+    """A small triangle in the corner, black or white against the colour: this screen cannot show it."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(Qt.GlobalColor.black if asked.lightnessF() > 0.5 else Qt.GlobalColor.white)
+    corner = body.topRight()
+    painter.drawPolygon([corner, corner + QPointF(-9, 0), corner + QPointF(0, 9)])
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def _words(patch: Patch) -> str:
+    def lab(values: Lab) -> str:
+        return f"L* {values[0]:.1f}  a* {values[1]:.1f}  b* {values[2]:.1f}"
+
+    shown = "" if in_srgb_gamut(np.array(patch.asked)) else "\nOutside this screen's colours: shown clipped"
+    return (
+        f"Aspecular {patch.aspecular_deg:g}°\nasked  {lab(patch.asked)}\nfitted {lab(patch.fitted)}\n"
+        f"ΔE00 {patch.delta_e_2000:.2f}{shown}"
+    )

@@ -1,0 +1,41 @@
+"""What the Viewer shows when it starts again: the last environment, surface, background, Fresnel and tone curve.
+
+Camera, exposure and the turn of the light start afresh: a picture that opens too dark or from behind would look
+like a fault.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+from PySide6.QtCore import QSettings
+
+from brdf_suite.documents.view import View
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.pipeline.scene import default_view, environment_names, surface_names
+
+_FIELDS = ("environment", "surface", "tone_curve", "background")
+_FRESNEL = "view/fresnel"
+
+
+def remember(store: QSettings, view: View) -> None:
+    """Keep what is worth it."""
+    for name in _FIELDS:
+        store.setValue(f"view/{name}", getattr(view, name))
+    store.setValue(_FRESNEL, view.fresnel)
+
+
+def recall(store: QSettings) -> View:
+    """Return the default view with what was remembered; what is gone or damaged is left at its default."""
+    view = default_view()
+    names = {"environment": environment_names(), "surface": surface_names()}
+    for field in _FIELDS:
+        value = store.value(f"view/{field}")
+        if value is None or (field in names and value not in names[field] and not Path(str(value)).is_file()):
+            continue
+        try:
+            view = dataclasses.replace(view, **{field: value})
+        except ValueRangeError:
+            continue  # an edited settings file, or one of another version
+    return dataclasses.replace(view, fresnel=store.value(_FRESNEL, view.fresnel, type=bool))

@@ -1,0 +1,173 @@
+"""Environment and surface: chosen, dropped or opened, loaded in the background, and told when they fail."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+from brdf_qt.message_bar import Message, message_of
+from PySide6.QtCore import QObject, Signal
+
+from brdf_suite.documents.view import View
+from brdf_suite.pipeline.scene import PreparedEnvironment, environment_names, surface_names
+from brdf_suite.realtime.camera import frame
+from brdf_suite.surface.mesh import Mesh
+from brdf_viewer.loading import ENVIRONMENT, SURFACE, SceneLoader
+from brdf_viewer.recent_files import RecentFiles
+from brdf_viewer.sections import set_note
+from brdf_viewer.source_chooser import Source, title_of
+from brdf_viewer.stage import Stage
+from brdf_viewer.window import ViewerWindow
+
+SHIPPED_TITLES = {
+    "booth": "Light booth",
+    "sunny": "Sunny sky",
+    "overcast": "Overcast sky",
+    "speed_form": "Speed form",
+    "sphere": "Sphere",
+    "panel": "Curved panel",
+    "car": "Car",
+}
+
+
+class SceneControl(QObject):
+    """Loads what the view names; the view changes only once that is there.
+
+    Signals: ``failed(kind, text)`` where something could not be loaded.
+    """
+
+    failed = Signal(str, str)
+
+    def __init__(
+        self, stage: Stage, window: ViewerWindow, loader: SceneLoader, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._stage = stage
+        self._window = window
+        self._loader = loader
+        self._choosers = {ENVIRONMENT: window.environment.chooser, SURFACE: window.surface.chooser}
+        self._names = {ENVIRONMENT: environment_names(), SURFACE: surface_names()}
+        self._recent = {kind: RecentFiles(kind) for kind in self._choosers}
+        self._loading: dict[str, str] = {}
+        for kind, chooser in self._choosers.items():
+            chooser.chosen.connect(lambda key, kind=kind: self.open(kind, key))
+            self._list(kind)
+            self._show(kind)
+        loader.loaded.connect(self._loaded)
+        loader.failed.connect(self._not_loaded)
+        loader.moved.connect(window.set_busy)
+        loader.ended.connect(self._ended)
+        window.busy_cancelled.connect(self.cancel)
+        stage.view_changed.connect(self._view_changed)
+
+    @property
+    def loading(self) -> dict[str, str]:
+        """What is being loaded, by kind."""
+        return dict(self._loading)
+
+    def load_first(self) -> None:
+        """Load what the view names."""
+        self.open(SURFACE, self._stage.view.surface)
+        self.open(ENVIRONMENT, self._stage.view.environment)
+
+    def open(self, kind: str, key: str) -> None:
+        """Load a shipped name or a file of a kind; the old picture stays until it is there."""
+        if key not in self._names[kind]:
+            key = str(Path(key).absolute())
+        self._window.messages.dismiss(kind)
+        self._loading[kind] = key
+        self._choosers[kind].show_source(key, title_of(key, SHIPPED_TITLES))
+        self._show_environment_cell()
+        self._loader.load(kind, key)
+
+    def cancel(self, kind: str) -> None:
+        """Stop loading; what is shown stays."""
+        self._loader.cancel(kind)
+
+    def refused(self, kind: str, error: Exception) -> None:
+        """The graphics card did not take what was loaded; the view goes back to what is drawn."""
+        drawn = self._drawn_key(kind)
+        if drawn:
+            self._stage.change_view(**{kind: drawn})
+        self._tell(kind, error)
+
+    def _loaded(self, kind: str, key: str, value: PreparedEnvironment | Mesh) -> None:
+        if kind == ENVIRONMENT:
+            self._stage.set_environment(value)
+            self._stage.change_view(environment=key)
+            set_note(self._window.environment.facts, _environment_facts(value))
+        else:
+            known = self._stage.surface is not None
+            self._stage.set_surface(value)
+            camera = self._stage.view.camera
+            view = dataclasses.replace(self._stage.view, surface=key)
+            self._stage.set_view(dataclasses.replace(view, camera=frame(camera)) if known else view)
+            set_note(self._window.surface.facts, _surface_facts(value))
+        if key not in self._names[kind]:
+            self._recent[kind].add(key)
+            self._list(kind)
+        self._show(kind)
+
+    def _not_loaded(self, kind: str, _key: str, error: Exception) -> None:
+        self._tell(kind, error)
+        self._show(kind)
+
+    def _tell(self, kind: str, error: Exception) -> None:
+        shown = self._drawn_key(kind)
+        if shown:
+            todo = f"The picture still shows {title_of(shown, SHIPPED_TITLES)}. Choose or drop another file."
+        else:
+            todo = "Choose another one in the inspector, or drop a file on the picture."
+        message = message_of(error, kind, todo=todo)
+        self._window.messages.show_message(message)
+        self.failed.emit(kind, str(error))
+
+    def tell_unknown(self, path: str, known: str) -> None:
+        """A file was dropped that the Viewer does not open."""
+        what = f"The Viewer opens files that end in {known}."
+        self._window.messages.show_message(
+            Message("dropped", what, where=path, todo="Drop one of these.", severity="error")
+        )
+
+    def _ended(self, kind: str) -> None:
+        self._loading.pop(kind, None)
+        self._window.set_idle(kind)
+        self._show(kind)
+
+    def _drawn_key(self, kind: str) -> str:
+        present = self._stage.environment if kind == ENVIRONMENT else self._stage.surface
+        return "" if present is None else getattr(self._stage.view, kind)
+
+    def _list(self, kind: str) -> None:
+        shipped = [Source(name, title_of(name, SHIPPED_TITLES)) for name in self._names[kind]]
+        files = self._recent[kind].paths()
+        self._choosers[kind].set_sources(shipped, [Source(p, title_of(p, {})) for p in files])
+        self._window.commands.set_recent(kind, files)
+
+    def _show(self, kind: str) -> None:
+        key = self._loading.get(kind) or getattr(self._stage.view, kind)
+        self._choosers[kind].show_source(key, title_of(key, SHIPPED_TITLES))
+        self._show_environment_cell()
+
+    def _view_changed(self, old: View, new: View) -> None:
+        for kind in self._choosers:
+            if getattr(old, kind) != getattr(new, kind):
+                self._show(kind)
+
+    def _show_environment_cell(self) -> None:
+        loading = self._loading.get(ENVIRONMENT)
+        title = title_of(loading or self._stage.view.environment, SHIPPED_TITLES)
+        cell = self._window.status.cell("environment")
+        cell.set(title, "Being loaded" if loading else "The light", "stale" if loading else "fresh")
+
+
+def _environment_facts(prepared: PreparedEnvironment) -> str:
+    rows, columns = prepared.environment.radiance.shape[:2]
+    return "\n".join([f"{columns} × {rows} pixels", *prepared.environment.notes])
+
+
+def _surface_facts(mesh: Mesh) -> str:
+    low, high = mesh.bounds()
+    size = " × ".join(f"{edge:.3g}" for edge in high - low)
+    parts = "part" if len(mesh.parts) == 1 else "parts"
+    return "\n".join([f"{mesh.triangle_count:,} triangles, {len(mesh.parts)} {parts}, {size} m", *mesh.notes])

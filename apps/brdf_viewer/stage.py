@@ -1,0 +1,75 @@
+"""What is on show: the view and what it refers to, loaded. The one place where the Viewer's state lives."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from brdf_suite.documents.view import Camera, View
+from brdf_suite.pipeline.paint import PaintFit
+from brdf_suite.pipeline.scene import PreparedEnvironment
+from brdf_suite.realtime.camera import Bounds
+from brdf_suite.surface.mesh import Mesh
+
+
+class Stage(QObject):
+    """Holds frozen values and tells of their changes.
+
+    Signals
+    -------
+    view_changed(old, new)
+        Two :class:`View` that differ.
+    contents_changed()
+        A new paint fit, environment or surface is to be drawn.
+    """
+
+    view_changed = Signal(object, object)
+    contents_changed = Signal()
+
+    def __init__(self, view: View, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.view = view
+        self.fit: PaintFit | None = None
+        self.environment: PreparedEnvironment | None = None
+        self.surface: Mesh | None = None
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether there is all that a picture needs."""
+        return None not in (self.fit, self.environment, self.surface)
+
+    @property
+    def bounds(self) -> Bounds:
+        """The surface's box in metres; a unit box while there is none."""
+        return Bounds.of([] if self.surface is None else [part.positions for part in self.surface.parts])
+
+    def set_view(self, view: View) -> None:
+        """Take ``view``; nothing is told where it is equal."""
+        if view != self.view:
+            old, self.view = self.view, view
+            self.view_changed.emit(old, view)
+
+    def change_view(self, **fields: Any) -> None:
+        """Replace fields of the view."""
+        self.set_view(dataclasses.replace(self.view, **fields))
+
+    def set_camera(self, camera: Camera) -> None:
+        """Replace the camera."""
+        self.change_view(camera=camera)
+
+    def set_fit(self, fit: PaintFit) -> None:
+        """Draw this paint from the next frame on."""
+        self.fit = fit
+        self.contents_changed.emit()
+
+    def set_environment(self, environment: PreparedEnvironment) -> None:
+        """Light with this environment from the next frame on."""
+        self.environment = environment
+        self.contents_changed.emit()
+
+    def set_surface(self, surface: Mesh) -> None:
+        """Draw this surface from the next frame on."""
+        self.surface = surface
+        self.contents_changed.emit()

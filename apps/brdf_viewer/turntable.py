@@ -1,0 +1,55 @@
+"""The turntable: the object turns before a camera and a light that stand still.
+
+The object itself has no angle in a view, so camera and light are turned together about it, the other way.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal
+
+from brdf_suite.documents.view import View
+from brdf_viewer.camera_presets import signed_deg
+
+DEG_PER_SECOND = 24.0
+_LONGEST_STEP_S = 0.1
+
+
+class Turntable(QObject):
+    """Emits ``turned(degrees)`` as time passes while it runs, and ``running_changed(bool)``."""
+
+    turned = Signal(float)
+    running_changed = Signal(bool)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._clock = QElapsedTimer()
+        self._timer = QTimer(self, interval=16, timeout=self._step)
+
+    @property
+    def is_running(self) -> bool:
+        """Whether the object turns."""
+        return self._timer.isActive()
+
+    def set_running(self, running: bool) -> None:
+        """Start or stop."""
+        if running == self.is_running:
+            return
+        if running:
+            self._clock.start()
+            self._timer.start()
+        else:
+            self._timer.stop()
+        self.running_changed.emit(running)
+
+    def _step(self) -> None:
+        """One step for the time that has passed; a slow frame makes it slower, not jerky."""
+        seconds = min(self._clock.restart() / 1000.0, _LONGEST_STEP_S)
+        self.turned.emit(DEG_PER_SECOND * seconds)
+
+
+def turn(view: View, degrees: float) -> View:
+    """Return the view of the object turned by ``degrees`` counter-clockwise seen from above."""
+    camera = dataclasses.replace(view.camera, azimuth_deg=(view.camera.azimuth_deg - degrees) % 360.0)
+    return dataclasses.replace(view, camera=camera, rotation_deg=signed_deg(view.rotation_deg - degrees))

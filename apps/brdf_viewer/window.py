@@ -1,0 +1,118 @@
+"""The Viewer's window: the picture takes it, the inspector is at the right, a slim toolbar above."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from brdf_qt.gl_surface import Drawer, GlSurface
+from brdf_qt.main_window import SuiteWindow
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPalette
+from PySide6.QtWidgets import QWidget
+
+from brdf_suite.realtime.context import Context
+from brdf_viewer.camera_presets import PRESETS
+from brdf_viewer.commands import ViewerCommands
+from brdf_viewer.sections import (
+    CameraSection,
+    EnvironmentSection,
+    FresnelSection,
+    PaintSection,
+    SurfaceSection,
+    ToneSection,
+)
+
+_BUSY_AFTER_MS = 200
+"""Work that is done sooner shows no progress: a strip that flashes up says nothing."""
+
+
+class ViewerWindow(SuiteWindow):
+    """Widgets only: the sections and ``commands`` carry the intents.
+
+    Signals: ``files_dropped(paths)``; ``busy_cancelled(kind)``; ``closing()`` when the window is about to close.
+    """
+
+    files_dropped = Signal(list)
+    busy_cancelled = Signal(str)
+    closing = Signal()
+
+    def __init__(self, make_drawer: Callable[[Context], Drawer], parent: QWidget | None = None) -> None:
+        super().__init__("Viewer", parent)
+        self.setWindowTitle("BRDF Suite Viewer")
+        self.setAcceptDrops(True)
+        # The renderer averages four samples a pixel by itself, in linear light as the eye does.
+        self.picture = GlSurface(make_drawer, samples=0)
+        self.picture.setAccessibleName("Picture")
+        self.set_centre(self.picture, tab_hides_panels=True)
+        self.environment = EnvironmentSection()
+        self.surface = SurfaceSection()
+        self.paint = PaintSection()
+        self.camera = CameraSection({key: title for key, (title, _, _) in PRESETS.items()})
+        self.fresnel = FresnelSection()
+        self.tone = ToneSection()
+        for section in (
+            self.environment,
+            self.surface,
+            self.paint,
+            self.camera,
+            self.fresnel,
+            self.tone,
+        ):
+            self.inspector.add_section(section)
+        self.commands = ViewerCommands(self)
+        self.picture.addAction(self.commands.turntable)
+        self._busy: dict[str, tuple[float, str]] = {}
+        self._busy_shown = ""
+        self._busy_delay = QTimer(self, singleShot=True, interval=_BUSY_AFTER_MS, timeout=self._show_busy)
+        for name in ("frame", "lobes", "fit", "exposure", "environment"):
+            self.status.cell(name)
+        self.status.cell("link", right=True)
+        self.restore_layout()
+        self.picture.setFocus()
+
+    def surround(self) -> tuple[float, float, float]:
+        """Return the theme's grey, R = G = B, 0…1, for a picture that has nothing to show yet."""
+        colour = self.palette().color(QPalette.ColorRole.Window)
+        return (colour.redF(), colour.greenF(), colour.blueF())
+
+    def set_busy(self, kind: str, fraction: float, what: str) -> None:
+        """Show how far the work of a kind is, once it has taken a moment."""
+        self._busy[kind] = (fraction, what)
+        if self._busy_shown:
+            self._show_busy()
+        elif not self._busy_delay.isActive():
+            self._busy_delay.start()
+
+    def set_idle(self, kind: str) -> None:
+        """The work of a kind has ended."""
+        self._busy.pop(kind, None)
+        if self._busy_shown == kind:
+            self._busy_shown = ""
+            self.progress.finish()
+        if not self._busy:
+            self._busy_delay.stop()
+        elif not self._busy_shown and not self._busy_delay.isActive():
+            self._show_busy()
+
+    def _show_busy(self) -> None:
+        if self._busy_shown not in self._busy:
+            self._busy_shown = next(iter(self._busy), "")
+            if not self._busy_shown:
+                return
+            kind = self._busy_shown
+            self.progress.begin(self._busy[kind][1], lambda: self.busy_cancelled.emit(kind))
+        self.progress.set(*self._busy[self._busy_shown])
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        paths = [url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile()]
+        if paths:
+            event.acceptProposedAction()
+            self.files_dropped.emit(paths)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self.closing.emit()
+        super().closeEvent(event)
