@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,9 +39,7 @@ class Bounds:
             return Bounds((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5))
         low = np.min([b[0] for b in boxes], axis=0)
         high = np.max([b[1] for b in boxes], axis=0)
-        return Bounds(
-            (float(low[0]), float(low[1]), float(low[2])), (float(high[0]), float(high[1]), float(high[2]))
-        )
+        return Bounds(_triple(low), _triple(high))
 
     @property
     def centre(self) -> tuple[float, float, float]:
@@ -64,8 +63,8 @@ class Bounds:
 class CameraMatrices:
     """What a frame needs of a camera.
 
-    ``view_to_world`` (3, 3) has the camera's right, up and backward axes as columns; ``half_tangents`` are those
-    of half the horizontal and vertical field of view; ``near`` and ``far`` (m) enclose the bounds.
+    ``view_to_world`` (3, 3) has the camera's right, up and backward axes as columns; ``half_tangents`` are
+    those of half the horizontal and vertical field of view; ``near`` and ``far`` (m) enclose the bounds.
     """
 
     eye: Floats
@@ -91,7 +90,7 @@ def axes(camera: Camera) -> Floats:
 
 
 def half_tangents(camera: Camera, size: tuple[int, int]) -> tuple[float, float]:
-    """Return the tangents of half the horizontal and half the vertical field of view for a picture of w x h pixels."""
+    """Return the tangents of half the horizontal and half the vertical field of view; ``size`` = (w, h)."""
     horizontal = SENSOR_WIDTH_MM / 2 / camera.focal_length_mm
     return horizontal, horizontal * size[1] / size[0]
 
@@ -114,7 +113,7 @@ def resolve(camera: Camera, bounds: Bounds, size: tuple[int, int]) -> Camera:
 
 
 def matrices(camera: Camera, bounds: Bounds, size: tuple[int, int]) -> CameraMatrices:
-    """Return the matrices of ``camera`` for a picture of ``size`` (width, height) pixels around ``bounds``."""
+    """Return the matrices of ``camera`` for ``size`` (width, height) pixels around ``bounds``."""
     camera = resolve(camera, bounds, size)
     if camera.distance is None or camera.target is None:
         raise AssertionError("resolve() fills distance and target")
@@ -167,7 +166,7 @@ def pan(camera: Camera, bounds: Bounds, size: tuple[int, int], right_px: float, 
     metres_per_pixel = 2 * half_tangents(camera, size)[0] * camera.distance / size[0]
     basis = axes(camera)
     target = np.asarray(camera.target) + metres_per_pixel * (-right_px * basis[:, 0] + down_px * basis[:, 1])
-    return replace(camera, target=(float(target[0]), float(target[1]), float(target[2])))
+    return replace(camera, target=_triple(target))
 
 
 def dolly(camera: Camera, bounds: Bounds, size: tuple[int, int], factor: float) -> Camera:
@@ -182,3 +181,8 @@ def dolly(camera: Camera, bounds: Bounds, size: tuple[int, int], factor: float) 
 def frame(camera: Camera) -> Camera:
     """Return the camera that looks from the same side at the whole object."""
     return replace(camera, distance=None, target=None)
+
+
+def _triple(point: NDArray[Any]) -> tuple[float, float, float]:
+    x, y, z = (float(c) for c in point)
+    return x, y, z

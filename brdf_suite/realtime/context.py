@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -30,7 +30,7 @@ _HINT = {
 def create_context() -> moderngl.Context:
     """Return a windowless context of OpenGL 3.3 core or newer.
 
-    On Linux through EGL, which needs no display, or else through the X display; elsewhere through the system's own way.
+    On Linux through EGL, which needs no display, or else through the X display; elsewhere the system's way.
 
     Raises
     ------
@@ -56,13 +56,46 @@ def create_context() -> moderngl.Context:
     raise GraphicsError(f"No OpenGL context could be made ({'; '.join(reasons)}). {_hint()}.")
 
 
-def adopt_context() -> moderngl.Context:
-    """Return the context that a toolkit has made current (inside ``initializeGL``); :class:`GraphicsError` if none."""
+def adopt_context(load: Callable[[str], int] | None = None) -> moderngl.Context:
+    """Return the context that a toolkit has made current, as inside ``initializeGL``.
+
+    Parameters
+    ----------
+    load
+        Address of an OpenGL function by name, 0 where unknown, as the toolkit tells it; needed with EGL and
+        Wayland, and for a second context in one process. Without it the platform's own way is tried.
+
+    Raises
+    ------
+    GraphicsError
+        None is current, or it is older than OpenGL 3.3.
+    """
     try:
-        context = moderngl.create_context()
-    except Exception as error:  # noqa: BLE001  (as above)
+        # With a loader, moderngl makes a new object; without, it may return one that it remembers.
+        context = moderngl.create_context(context=_Loader(load)) if load else moderngl.create_context()
+    except Exception as error:
         raise GraphicsError(f"The window has no usable OpenGL context ({error}). {_hint()}.") from error
     return _checked(context)
+
+
+class _Loader:
+    """What moderngl asks of a context that is somebody else's; it is current whenever we are called."""
+
+    def __init__(self, load: Callable[[str], int]) -> None:
+        self._load = load
+
+    def load(self, name: str) -> int:
+        """Return the address of a function."""
+        return self._load(name)
+
+    def release(self) -> None:
+        """Nothing to give back: the toolkit owns the context."""
+
+    def __enter__(self) -> _Loader:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Nothing was made current."""
 
 
 def _checked(context: moderngl.Context) -> moderngl.Context:
@@ -80,7 +113,7 @@ def _hint() -> str:
 
 @contextmanager
 def graphics_errors(context: moderngl.Context, doing: str) -> Iterator[None]:
-    """Turn OpenGL's errors inside the block into :class:`GraphicsError`, "The graphics driver failed while ``doing``".
+    """Turn OpenGL's errors inside the block into :class:`GraphicsError`, "… failed while ``doing``".
 
     Errors that others left in the context before are dropped first.
     """

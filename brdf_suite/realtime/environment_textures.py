@@ -15,7 +15,7 @@ from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps
 _SEAMLESS = 0x884F  # GL_TEXTURE_CUBE_MAP_SEAMLESS, core since OpenGL 3.2
 
 MIPMAPPED_FROM = 128
-"""Faces this large get mip levels, chosen by derivatives: a curved surface squeezes the map into few pixels."""
+"""Faces this large get mip levels, by derivatives: a curved surface squeezes the map into few pixels."""
 
 
 class EnvironmentTextures:
@@ -59,8 +59,7 @@ class EnvironmentTextures:
         for name, value in values.items():
             if name in program:
                 # An array of one is a plain number to moderngl.
-                single = isinstance(value, tuple) and len(value) == 1
-                program[name].value = value[0] if single else value  # type: ignore[index]  # a tuple there
+                program[name] = value[0] if isinstance(value, tuple) and len(value) == 1 else value
 
     def release(self) -> None:
         """Give the textures back."""

@@ -36,11 +36,11 @@ class MaterialSet:
         self._write(name, weights)
 
     def buffer(self, name: str) -> moderngl.Buffer:
-        """Return the buffer of a material; :class:`GraphicsError` where its lobes are not the environment's."""
+        """Return a material's buffer; :class:`GraphicsError` where its lobes are not the environment's."""
         if self._given.get(name, self._exponents) != self._exponents:
             raise GraphicsError(
-                f"The material {name} was fitted to other lobes ({len(self._given[name])}) than the environment "
-                f"was filtered with ({len(self._exponents)}); fit it again."
+                f"The material {name} was fitted to {_list(self._given[name])}, but the environment was "
+                f"filtered for {_list(self._exponents)}; fit it again."
             )
         return self._buffers.get(name, self._buffers["neutral"])
 
@@ -51,3 +51,7 @@ class MaterialSet:
         with graphics_errors(self._objects.context, f"writing the weights of {name}"):
             self._buffers[name].write(pack(weights))
         self._objects.counters.buffer_writes += 1
+
+
+def _list(exponents: tuple[float, ...]) -> str:
+    return f"{len(exponents)} lobes ({', '.join(f'{e:g}' for e in exponents)})"

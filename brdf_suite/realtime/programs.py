@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import moderngl
 
+from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.gpu_objects import GpuObjects
 from brdf_suite.realtime.shader_source import compose, lobe_defines
 
@@ -26,7 +27,10 @@ class Programs:
             program = self._objects.program(
                 compose("mesh.vert.glsl"), compose("mesh.frag.glsl", lobe_defines(lobes))
             )
-            program["Material"].binding = MATERIAL_BINDING
+            block = program["Material"]
+            if not isinstance(block, moderngl.UniformBlock):
+                raise GraphicsError("The shader material.glsl has lost its block Material.")
+            block.binding = MATERIAL_BINDING
             self._mesh[lobes] = program
         return self._mesh[lobes]
 

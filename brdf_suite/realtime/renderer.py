@@ -1,12 +1,14 @@
 """Draws parts with lobe weights in prefiltered light: the picture of the Viewer and of the command line.
 
 One frame is two passes. The first draws surface and background into half floats, multisampled: linear display
-light after exposure and tone curve, so that the samples of a pixel are averaged as the eye would. The second
-averages, encodes for sRGB, dithers and writes into whatever framebuffer the caller has, a widget's or its own.
+light after exposure and tone curve, so that a bright highlight's edge is smooth too. The second pass averages
+the samples, encodes for sRGB, dithers, and writes into the caller's framebuffer, a widget's or its own.
 
->>> renderer = Renderer(create_context())                                                      # doctest: +SKIP
->>> renderer.set_environment(maps); renderer.set_mesh(parts); renderer.set_material("paint", weights)
->>> picture = renderer.render_image(View(), (1280, 720))                                      # (720, 1280, 3) uint8
+    renderer = Renderer(create_context())
+    renderer.set_environment(maps)
+    renderer.set_mesh(parts)
+    renderer.set_material("paint", weights)
+    picture = renderer.render_image(View(), (1280, 720))      # (720, 1280, 3) uint8, top row first
 """
 
 from __future__ import annotations
@@ -73,7 +75,7 @@ class Renderer:
         self._materials.set_exponents(maps.exponents)
 
     def set_material(self, name: str, weights: MaterialWeights) -> None:
-        """Give a material its weights. From the second time on this writes one small buffer and nothing else."""
+        """Give a material its weights; from the second time on this writes one small buffer and no more."""
         self._materials.set(name, weights)
 
     def camera_matrices(self, view: View, size: Size) -> CameraMatrices:
@@ -106,7 +108,7 @@ class Renderer:
     def render_image(
         self, view: View, size: Size, samples: int = DEFAULT_SAMPLES, *, largest_tile: int = LARGEST_TILE
     ) -> NDArray[Any]:
-        """Return the picture (h, w, 3) uint8 sRGB, top row first, of any size: large ones are drawn in tiles."""
+        """Return the picture (h, w, 3) uint8 sRGB, top row first, of any size; large ones in tiles."""
         size = checked_size(size)
         limit = self._tile_limit(largest_tile)
         picture = np.empty((size[1], size[0], 3), np.uint8)
@@ -129,7 +131,7 @@ class Renderer:
         info = self.context.info
         limits = [info[key] for key in ("GL_MAX_RENDERBUFFER_SIZE", "GL_MAX_TEXTURE_SIZE")]
         # Even tiles keep the 2x2 blocks, in which derivatives are taken, where they are in the whole picture.
-        return max(2, min(wanted, *limits, *info["GL_MAX_VIEWPORT_DIMS"]) // 2 * 2)
+        return max(2, int(min(wanted, *limits, *info["GL_MAX_VIEWPORT_DIMS"])) // 2 * 2)
 
     def _draw(
         self, view: View, target: moderngl.Framebuffer, tile: Size, samples: int, size: Size, corner: Corner
@@ -154,8 +156,8 @@ class Renderer:
         self.context.viewport = (0, 0, *tile)
         self.context.enable_only(moderngl.NOTHING)
         finish, screen = self._programs.finish(samples)
-        finish["light"].value = 0
-        finish["frame"].value = (*corner, 0.0, 0.0)
+        finish["light"] = 0
+        finish["frame"] = (*corner, 0.0, 0.0)
         light.use(0)
         screen.render(moderngl.TRIANGLES, vertices=3)
 
@@ -166,9 +168,9 @@ class Renderer:
         self._environment.connect(program)
         _set_view(program, view)
         world_to_clip = cropping @ camera.world_to_clip
-        program["world_to_clip"].write(world_to_clip.T.astype(np.float32).tobytes())
-        program["eye"].value = tuple(camera.eye)
-        program["fresnel_on"].value = view.fresnel
+        program["world_to_clip"] = _columns(world_to_clip)
+        program["eye"] = tuple(camera.eye)
+        program["fresnel_on"] = view.fresnel
         for array, material in zip(self._mesh.arrays(program), self._mesh.materials, strict=True):
             self._materials.buffer(material).bind_to_uniform_block(MATERIAL_BINDING)
             array.render(moderngl.TRIANGLES)
@@ -177,10 +179,10 @@ class Renderer:
         program, screen = self._programs.background()
         self._environment.connect(program)
         _set_view(program, view)
-        program["view_to_world"].write(camera.view_to_world.T.astype(np.float32).tobytes())
-        program["half_tangents"].value = camera.half_tangents
-        program["frame"].value = (*corner, 1.0 / size[0], 1.0 / size[1])
-        program["grey_background"].value = view.background == "grey"
+        program["view_to_world"] = _columns(camera.view_to_world)
+        program["half_tangents"] = camera.half_tangents
+        program["frame"] = (*corner, 1.0 / size[0], 1.0 / size[1])
+        program["grey_background"] = view.background == "grey"
         screen.render(moderngl.TRIANGLES, vertices=3)
 
 
@@ -194,7 +196,12 @@ def checked_size(size: Size) -> Size:
 
 def _set_view(program: moderngl.Program, view: View) -> None:
     turn = np.radians(view.rotation_deg)
-    program["light_turn"].value = (float(np.cos(turn)), float(np.sin(turn)))
-    program["exposure"].value = 2.0**view.exposure_ev
-    program["tone_curve_kind"].value = TONE_CURVE_NUMBERS[view.tone_curve]
-    program["working_to_display"].write(WORKING_TO_SRGB.T.astype(np.float32).tobytes())
+    program["light_turn"] = (float(np.cos(turn)), float(np.sin(turn)))
+    program["exposure"] = 2.0**view.exposure_ev
+    program["tone_curve_kind"] = TONE_CURVE_NUMBERS[view.tone_curve]
+    program["working_to_display"] = _columns(WORKING_TO_SRGB)
+
+
+def _columns(matrix: NDArray[np.float64]) -> tuple[float, ...]:
+    # OpenGL wants a matrix column by column.
+    return tuple(matrix.T.ravel().tolist())

@@ -1,7 +1,7 @@
 """Shaders are files: put together from includes, compiled, and their errors told by file and line.
 
-A line ``#include "name.glsl"`` is replaced by that file, once per shader. Each file has a number, given to the
-compiler by ``#line``, so that whatever the compiler complains about can be traced to the file and line.
+A line ``#include "name.glsl"`` is replaced by that file, once per shader. Each file has a number, given to
+the compiler by ``#line``, so that whatever the compiler complains about can be traced to the file and line.
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """What a car is made of beside its paint, as lobe weights for any set of exponents.
 
-The numbers are plausible for the material class, not measured ones. Every material is chosen so that the sum of
-what it reflects stays below what it receives.
+The numbers are plausible for the class of material, not measured. No material reflects more than it receives.
 """
 
 from __future__ import annotations
@@ -20,9 +19,9 @@ _THETA_FIT = float(np.pi / 4)
 def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
     """Return ``glass``, ``rubber``, ``chrome``, ``lamp``, ``trim``, ``neutral`` and a stand-in ``paint``.
 
-    glass: dark glazing seen from outside, n = 1.52; rubber: black, broad weak sheen; chrome: neutral metal mirror;
-    lamp: a bright reflector under clear plastic, n = 1.59; trim: satin black plastic; neutral: an 18 % grey, matt.
-    ``paint`` is a plain grey under a coat, seen until the paint has been fitted.
+    glass: dark glazing seen from outside, n = 1.52; rubber: black, broad weak sheen; chrome: neutral metal
+    mirror; lamp: a bright reflector under clear plastic, n = 1.59; trim: satin black plastic; neutral: an 18 %
+    grey, matt. ``paint`` is a plain grey under a coat, seen until the paint has been fitted.
     """
     e = checked_exponents(exponents)
     return {
@@ -39,8 +38,8 @@ def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
 def lobe_mix(exponents: tuple[float, ...], exponent: float, albedo: ArrayLike) -> NDArray[Any]:
     """Return weights (m, 3) of the two nearest lobes that make a lobe of ``exponent`` with this albedo.
 
-    The share of each is linear in log E, and ``albedo`` (3,) = Σ weight·2π/(E+1) exactly. An exponent beyond the
-    ends of the set takes the lobe at the end.
+    The share of each is linear in log E, and ``albedo`` (3,) = Σ weight·2π/(E+1) exactly. An exponent
+    beyond the ends of the set takes the lobe at the end.
     """
     order = np.argsort(exponents)
     logs = np.log(np.asarray(exponents)[order])

@@ -1,4 +1,4 @@
-"""Where a frame is drawn before it is finished: linear display light in half floats, multisampled, with depth."""
+"""Where a frame is drawn before it is finished: linear display light in half floats, multisampled."""
 
 from __future__ import annotations
 

@@ -29,10 +29,10 @@ def _rgb_to_xyz(primaries: tuple[tuple[float, float], ...]) -> Floats:
         return [x / y, 1.0, (1.0 - x - y) / y]
 
     columns = np.array([xyz(p) for p in primaries]).T
-    return columns * np.linalg.solve(columns, np.array(xyz(_D65)))
+    return np.asarray(columns * np.linalg.solve(columns, np.array(xyz(_D65))), np.float64)
 
 
-WORKING_TO_SRGB: Floats = np.linalg.solve(_rgb_to_xyz(_SRGB), _rgb_to_xyz(_REC2020))
+WORKING_TO_SRGB: Floats = np.asarray(np.linalg.solve(_rgb_to_xyz(_SRGB), _rgb_to_xyz(_REC2020)), np.float64)
 """(3, 3): linear Rec. 2020 to linear sRGB, both D65 (ITU-R BT.2020, IEC 61966-2-1)."""
 
 
@@ -75,7 +75,7 @@ def srgb_encode(linear: ArrayLike) -> Floats:
 
 
 def display_light(radiance: ArrayLike, exposure_ev: float, kind: str) -> Floats:
-    """Return linear sRGB (..., 3), clipped to 0…1, of working-space radiance (..., 3) at an exposure in EV."""
+    """Return linear sRGB (..., 3), clipped to 0…1, of working-space radiance (..., 3)."""
     toned = tone_curve(np.asarray(radiance, np.float64) * 2.0**exposure_ev, kind)
     return np.asarray(np.clip(toned @ WORKING_TO_SRGB.T, 0.0, 1.0))
 

@@ -1,4 +1,4 @@
-"""What the renderer is given: parts of a mesh, prefiltered maps, lobe weights. Frozen, checked, arrays only."""
+"""What the renderer is given: parts of a mesh, prefiltered maps, lobe weights; frozen and checked."""
 
 from __future__ import annotations
 
@@ -158,7 +158,7 @@ def checked_exponents(exponents: ArrayLike) -> tuple[float, ...]:
 
 
 def _finite(array: ArrayLike, dtype: type, shape: tuple[int, ...], place: str) -> NDArray[Any]:
-    value = np.ascontiguousarray(array, dtype)
+    value: NDArray[Any] = np.ascontiguousarray(array, dtype)
     fits = value.ndim == len(shape) and all(
         want in (-1, got) for want, got in zip(shape, value.shape, strict=True)
     )
