@@ -42,8 +42,7 @@ class Environment:
         radiance = np.ascontiguousarray(self.radiance, dtype=np.float32)
         if radiance.ndim != 3 or radiance.shape[2] != 3 or radiance.shape[0] < 4 or radiance.shape[1] < 8:
             shape = radiance.shape
-            raise ValueRangeError("radiance", f"must have the shape (h, w, 3), at least (4, 8, 3), not
-            {shape}")
+            raise ValueRangeError("radiance", f"must have shape (h, w, 3), at least (4, 8, 3), not {shape}")
         if not np.isfinite(radiance).all() or float(radiance.min()) < 0.0:
             raise ValueRangeError("radiance", "must be finite and never negative")
         if radiance is self.radiance:

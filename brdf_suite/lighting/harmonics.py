@@ -89,15 +89,15 @@ def _lots(scale: LegendreScale, cosines: Floats, orders: int) -> Iterator[tuple[
 
 
 def _orders_on(cosines: Floats, bandlimit: int) -> int:
-    """Return how many orders matter on these rings: P̄_lm is negligible where m exceeds l·sinθ by a
-    margin.""" reach = bandlimit * float(np.sqrt(1.0 - np.min(np.abs(cosines)) ** 2))
+    """Return how many orders matter on these rings: P̄_lm is negligible where m is far beyond l·sinθ."""
+    reach = bandlimit * float(np.sqrt(1.0 - np.min(np.abs(cosines)) ** 2))
     margin = 24.0 + 6.0 * bandlimit ** (1.0 / 3.0)
     return min(bandlimit, int(np.ceil(reach + margin))) + 1
 
 
 def _run(work: Callable[[int], None], blocks: int, progress: Progress | None, what: str) -> None:
-    """Run ``work`` on every block on a few threads (numpy frees the lock); report and cancel between
-    blocks.""" with ThreadPoolExecutor(_WORKERS) as pool:
+    """Run ``work`` on every block on a few threads (numpy frees the lock); report and cancel between them."""
+    with ThreadPoolExecutor(_WORKERS) as pool:
         futures = [pool.submit(work, block) for block in range(blocks)]
         try:
             for done, future in enumerate(futures):
@@ -157,11 +157,9 @@ def analyse(
     return result.view(np.complex128)
 
 
-def synthesise(
-    coefficients: Complexes, cosines: Floats, progress: Progress | None = None
-) -> Complexes:
-    """Return F_m (m, rings, channels) of coefficients (m, k, channels) on symmetric rings, cosθ
-    descending.""" bandlimit = coefficients.shape[0] - 1
+def synthesise(coefficients: Complexes, cosines: Floats, progress: Progress | None = None) -> Complexes:
+    """Return F_m (m, rings, channels) of coefficients (m, k, channels) on rings as in :func:`analyse`."""
+    bandlimit = coefficients.shape[0] - 1
     channels = coefficients.shape[2]
     rings = cosines.size
     half = (rings + 1) // 2

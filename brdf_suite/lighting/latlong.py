@@ -53,8 +53,8 @@ def fejer_weights(rings: int) -> NDArray[np.float64]:
 
 
 def sample(pixels: NDArray[np.float32], directions: NDArray[np.float64]) -> NDArray[np.float32]:
-    """Return radiance (..., 3) of a map (h, w, 3) along directions (..., 3), bilinear, across seam and
-    poles.""" height, width = pixels.shape[:2]
+    """Return radiance (..., 3) of a map (h, w, 3) along directions (..., 3): bilinear, over seam and poles."""
+    height, width = pixels.shape[:2]
     theta, phi = angles(directions)
     row = theta * (height / np.pi) - 0.5
     column = (phi + np.pi) * (width / (2.0 * np.pi)) - 0.5

@@ -97,8 +97,8 @@ def prefilter(
     largest = background_size(environment)
     lobe_filter = LobeFilter(environment.radiance)
     smooth = sorted({DIFFUSE_EXPONENT, *(e for e in wanted if e <= lobe_filter.largest_exponent)})
-    costs = np.array([lobe_bandlimit(e) ** 2.0 * 600.0 + face_size(e, largest) ** 2.0 * 100.0 for e in
-    smooth]) ends = 0.9 * np.cumsum(costs) / costs.sum()
+    costs = np.array([600.0 * lobe_bandlimit(e) ** 2 + 100.0 * face_size(e, largest) ** 2 for e in smooth])
+    ends = 0.9 * np.cumsum(costs) / costs.sum()
     maps: dict[float, FaceArray] = {}
     for index, exponent in enumerate(smooth):
         step = part(progress, float(ends[index - 1]) if index else 0.0, float(ends[index]))

@@ -59,8 +59,8 @@ def _kernel_transform(frequencies: Floats, period: int) -> Floats:
 
 
 def _taps(position: Floats) -> tuple[NDArray[np.int64], Floats]:
-    """Return the first grid index (...) and the kernel's weights (..., _WIDTH) around positions in grid
-    steps.""" first = np.ceil(position - 0.5 * _WIDTH).astype(np.int64)
+    """Return the first grid index (...) and the kernel's weights (..., _WIDTH) around positions in steps."""
+    first = np.ceil(position - 0.5 * _WIDTH).astype(np.int64)
     return first, _kernel((position - first)[..., None] - np.arange(_WIDTH))
 
 
@@ -173,9 +173,7 @@ def _polar_faces(grid: Complexes, period: int, size: int, faces: Floats) -> None
     source = source + ((column + _WIDTH)[:, None] + reach)[:, None, :]
     weights = ring_weights[:, :, None] * column_weights[:, None, :]
     pointers = np.arange(0, source.size + 1, _WIDTH * _WIDTH)
-    matrix = csr_array(
-        (weights.ravel(), source.ravel(), pointers), shape=(p.size, rings.size * columns.size)
-    )
+    matrix = csr_array((weights.ravel(), source.ravel(), pointers), shape=(p.size, rings.size * columns.size))
     divided = 1.0 / _kernel_transform(np.arange(count, dtype=np.float64), period)
     for face, rows in ((2, rings % period), (3, (period // 2 - rings) % period)):
         spectrum = np.zeros((channels, rings.size, period // 2 + 1), dtype=np.complex128)
