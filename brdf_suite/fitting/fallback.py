@@ -1,11 +1,15 @@
 """Feasible answers in bounded time, for when the time limit comes before the optimum.
 
-Two candidates per channel: the last accepted weights rescaled to the new target, and non-negative least
-squares by coordinate descent on a kept Gram matrix. Both are non-negative by construction; the caller takes
-the one with the least L1 error.
+Two candidates per channel: the last accepted weights rescaled to the new target, and non-negative least squares
+by an accelerated projected gradient on a kept Gram matrix. Both are non-negative by construction; the caller
+takes the one with the least L1 error. The gradient moves all columns and channels at once: in numpy, coordinate
+descent, which moves one column after the other, cost 1 ms for ten lobes and 30 ms for 300.
 """
 
 from __future__ import annotations
+
+import math
+import time
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +18,8 @@ from brdf_suite.fitting.program import PartProgram
 
 FloatArray = NDArray[np.float64]
 
-#: Sweeps of the descent: enough to come near the least-squares optimum from the last weights.
-SWEEPS = 20
+#: Steps of the projected gradient, unless its deadline comes first.
+STEPS = 60
 
 
 class FallbackSolver:
@@ -24,10 +28,9 @@ class FallbackSolver:
     def __init__(self, program: PartProgram) -> None:
         self._program = program
         self._gram: FloatArray = program.matrix.T @ program.matrix
-        diagonal = np.diagonal(self._gram).copy()
-        self._inverse_diagonal: FloatArray = np.where(
-            diagonal > 0.0, 1.0 / np.where(diagonal > 0.0, diagonal, 1.0), 0.0
-        )
+        largest = float(np.linalg.eigvalsh(self._gram)[-1])
+        # A step of one over the largest curvature never overshoots; a program of zeros needs no step.
+        self._step = 1.0 / largest if largest > 0.0 else 0.0
 
     def rescaled(self, last: FloatArray, target: FloatArray) -> FloatArray:
         """Return ``last`` (m, channels) times one factor ≥ 0 per channel, best for ``target`` (n, channels).
@@ -39,18 +42,28 @@ class FallbackSolver:
         result: FloatArray = last * np.array(factors)
         return result
 
-    def least_squares(self, start: FloatArray, target: FloatArray, sweeps: int = SWEEPS) -> FloatArray:
-        """Return columns ≥ 0 ``(m, channels)`` after ``sweeps`` of coordinate descent from ``start``."""
-        gram, inverse = self._gram, self._inverse_diagonal
+    def least_squares(
+        self, start: FloatArray, target: FloatArray, *, deadline: float = math.inf, steps: int = STEPS
+    ) -> FloatArray:
+        """Return columns ≥ 0 ``(m, channels)`` near the least-squares optimum for ``target`` (n, channels).
+
+        From ``start`` by at most ``steps`` steps, fewer where ``time.perf_counter()`` passes ``deadline``.
+        (Beck and Teboulle 2009, FISTA; the momentum restarts where it points uphill, O'Donoghue and Candès 2015.)
+        """
+        gram, step = self._gram, self._step
+        pulled = step * (self._program.matrix.T @ target)
         solution = np.maximum(start, 0.0)
-        gradient = gram @ solution - self._program.matrix.T @ target
-        for _ in range(sweeps):
-            for i in range(gram.shape[0]):
-                moved = np.maximum(solution[i] - gradient[i] * inverse[i], 0.0)
-                step = moved - solution[i]
-                if step.any():
-                    gradient += gram[:, i, None] * step
-                    solution[i] = moved
+        ahead, momentum = solution, 1.0
+        for _ in range(steps):
+            moved = np.maximum(ahead - step * (gram @ ahead) + pulled, 0.0)
+            change = moved - solution
+            if np.vdot(ahead - moved, change) > 0.0:
+                momentum = 1.0
+            following = 0.5 * (1.0 + math.sqrt(1.0 + 4.0 * momentum * momentum))
+            ahead = moved + (momentum - 1.0) / following * change
+            solution, momentum = moved, following
+            if time.perf_counter() >= deadline:
+                break
         return solution
 
 

@@ -25,9 +25,11 @@ CHANNELS = ("red", "green", "blue")
 #: Weight of the row that holds the coat's energy against the rings' (columns sum to about 1): above 1 the
 #: optimum keeps the energy exactly, because no gain on the rings can pay for losing it.
 ENERGY_WEIGHT = 2.0
-#: Time kept back from the solver for the fallback's descent, and the smallest budget it is called with.
-FALLBACK_RESERVE_S = 0.0008
+#: Time kept back from the solver for the fallback, and the smallest budget it is called with.
+FALLBACK_RESERVE_S = 0.0006
 SMALLEST_BUDGET_S = 0.0002
+#: Limit of the first solve, made with the fitter itself: no edit waits for it.
+WARM_UP_S = 1.0
 
 
 class SampledReflectance(Protocol):
@@ -145,7 +147,10 @@ class LobeFitter:
         """Solve once for a plain metallic look, so that the first edit starts from a basis."""
         base = 0.05 + 0.5 * np.clip(np.cos(self.base_samples.gamma_rad), 0.0, None) ** 6
         coat = np.exp(-20_000.0 * self.coat_samples.gamma_rad**2)
-        self._run([np.repeat(base[:, None], 3, 1), np.repeat(self._with_energy(coat[:, None]), 3, 1)], 1.0)
+        self._run(
+            [np.repeat(base[:, None], 3, 1), np.repeat(self._with_energy(coat[:, None]), 3, 1)],
+            time.perf_counter() + WARM_UP_S,
+        )
 
     def _with_energy(self, rings: FloatArray) -> FloatArray:
         energy = self.coat_samples.solid_angle @ rings
@@ -184,9 +189,8 @@ class LobeFitter:
         start = time.perf_counter()
         base = _checked("base", base, self.base_samples.gamma_rad)
         coat = _checked("coat", coat, self.coat_samples.gamma_rad)
-        deadline = start + self.time_limit_s
         solutions, errors, optimal, iterations = self._run(
-            [base, self._with_energy(coat)], deadline - time.perf_counter()
+            [base, self._with_energy(coat)], start + self.time_limit_s
         )
         exponents = self.basis.array()
         weights = LobeWeights(
@@ -209,32 +213,32 @@ class LobeFitter:
         )
 
     def _run(
-        self, targets: Sequence[FloatArray], budget_s: float
+        self, targets: Sequence[FloatArray], deadline: float
     ) -> tuple[list[FloatArray], list[PartError], bool, int]:
-        """Solve for unweighted ``targets``: lobe weights and errors per part, optimality, iterations."""
-        start = time.perf_counter()
+        """Solve for unweighted ``targets`` until ``deadline`` of the performance counter.
+
+        Returns lobe weights and errors per part, whether optimal, and iterations.
+        """
         weighted = [p.row_weights[:, None] * t for p, t in zip(self.programs, targets, strict=True)]
         # The program is linear in its target: each channel is solved at a size of 1 and scaled back, so that
         # the solver's absolute tolerances are relative ones. A channel of zeros stays zeros.
         sizes = [w.sum(axis=0) for w in weighted]
         scaled = [w / np.where(s > 0.0, s, 1.0) for w, s in zip(weighted, sizes, strict=True)]
-        budget = budget_s - (time.perf_counter() - start) - FALLBACK_RESERVE_S
+        budget = deadline - time.perf_counter() - FALLBACK_RESERVE_S
         answer = self._solver.solve(scaled, max(budget, SMALLEST_BUDGET_S))
         solutions, errors = [], []
         kept = []
         for k, program in enumerate(self.programs):
-            best, objective, method = self._best(k, answer.solutions[k], answer.optimal, scaled[k])
+            best, objective, method = self._best(k, answer.solutions[k], answer.optimal, scaled[k], deadline)
             kept.append(best)
             solutions.append(best * program.column_scale[:, None] * sizes[k])
             relative = np.where(sizes[k] > 0.0, objective, 0.0)
             errors.append(PartError(objective * sizes[k], relative, method))
         self._last = tuple(kept)
-        if not answer.optimal:
-            self._solver.forget()
         return solutions, errors, answer.optimal, answer.iterations
 
     def _best(
-        self, part: int, simplex: FloatArray, optimal: bool, target: FloatArray
+        self, part: int, simplex: FloatArray, optimal: bool, target: FloatArray, deadline: float
     ) -> tuple[FloatArray, FloatArray, tuple[str, ...]]:
         """Return one part's scaled solution of least L1 error per channel, that error, and its origin."""
         program, fallback = self.programs[part], self._fallbacks[part]
@@ -244,7 +248,7 @@ class LobeFitter:
         candidates = {
             "simplex": simplex,
             "rescaled": last,
-            "least squares": fallback.least_squares(last, target),
+            "least squares": fallback.least_squares(last, target, deadline=deadline),
             "zero": np.zeros_like(simplex),
         }
         names = list(candidates)

@@ -48,6 +48,7 @@ class BlockSolver:
         self._parts = tuple(parts)
         self._channels = channels
         self._optimal_status = highspy.HighsModelStatus.kOptimal
+        self._limit_status = highspy.HighsModelStatus.kTimeLimit
         self._error_status = highspy.HighsStatus.kError
         self._highs: Any = highspy.Highs()
         for name, value in {
@@ -119,11 +120,11 @@ class BlockSolver:
         status = highs.run()
         optimal = status != self._error_status and highs.getModelStatus() == self._optimal_status
         iterations = int(highs.getInfo().simplex_iteration_count)
-        return BlockSolution(self._split(highs.getSolution().row_dual), optimal, iterations)
-
-    def forget(self) -> None:
-        """Drop the basis, so that the next solve starts cold; for measurements and after a failed solve."""
-        self._highs.clearSolver()
+        solutions = self._split(highs.getSolution().row_dual)
+        if not optimal and highs.getModelStatus() != self._limit_status:
+            # It lost its way rather than its time: the basis is no start for the next edit.
+            highs.clearSolver()
+        return BlockSolution(solutions, optimal, iterations)
 
     def _split(self, row_dual: Sequence[float]) -> tuple[FloatArray, ...]:
         """Turn row duals into non-negative columns per part; a solver without an answer gives zeros."""

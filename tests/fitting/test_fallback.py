@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import time
+
 import numpy as np
 from scipy.optimize import nnls
 
@@ -7,11 +9,11 @@ from brdf_suite.fitting.fallback import FallbackSolver
 from brdf_suite.fitting.program import build_program
 
 
-def test_descent_reaches_the_non_negative_least_squares_answer() -> None:
+def test_the_gradient_reaches_the_non_negative_least_squares_answer() -> None:
     rng = np.random.default_rng(5)
     program = build_program(rng.uniform(0, 1, (20, 5)), np.ones(20))
     target = rng.uniform(0, 1, (20, 3))
-    found = FallbackSolver(program).least_squares(np.zeros((5, 3)), target, sweeps=2000)
+    found = FallbackSolver(program).least_squares(np.zeros((5, 3)), target, steps=5000)
     for channel in range(3):
         np.testing.assert_allclose(found[:, channel], nnls(program.matrix, target[:, channel])[0], atol=1e-8)
 
@@ -24,6 +26,17 @@ def test_rescaling_is_the_best_factor() -> None:
     factors = np.linspace(0.0, 20.0, 20_001)
     brute = min(program.residual_l1(last * f, target)[0] for f in factors)
     assert chosen <= brute + 1e-9
+
+
+def test_the_gradient_stops_at_its_deadline() -> None:
+    rng = np.random.default_rng(7)
+    program = build_program(rng.uniform(0, 1, (300, 200)), np.ones(300))
+    target = rng.uniform(0, 1, (300, 3))
+    start = time.perf_counter()
+    found = FallbackSolver(program).least_squares(np.zeros((200, 3)), target, deadline=0.0, steps=10**7)
+    assert time.perf_counter() - start < 2.0
+    assert (found >= 0.0).all()
+    assert (program.residual_l1(found, target) < target.sum(axis=0)).all()
 
 
 def test_nothing_to_rescale_gives_zeros() -> None:
