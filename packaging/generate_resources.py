@@ -40,9 +40,8 @@ def meshes(folder: Path) -> Iterator[Path]:
 
 def environments(folder: Path) -> Iterator[Path]:
     """Write the generated environments."""
-    from brdf_suite.lighting.procedural import booth, overcast, sunny
-
     from brdf_suite.files.images import write_exr
+    from brdf_suite.lighting.procedural import booth, overcast, sunny
 
     for make in (booth, sunny, overcast):
         environment = make()

@@ -50,8 +50,8 @@ class ProceduralEnvironment:
         return f"{self.description} The value 1.0 is {self.white_luminance:,.0f} cd/m²."
 
     def stored(self) -> NDArray[np.floating]:
-        """Return the radiance as it is stored: half precision where all of it fits with room to spare."""
-        if float(self.radiance.max()) < 0.5 * _LARGEST_HALF:
+        """Return the radiance as it is stored: half precision where all of it fits, the sun too."""
+        if float(self.radiance.max()) < 0.9 * _LARGEST_HALF:
             return self.radiance.astype(np.float16)
         return self.radiance
 
