@@ -107,5 +107,5 @@ def test_what_cannot_be_reached_is_refused_by_name(readings: tuple, words: str) 
 
 def test_a_smooth_coat_is_not_refused_for_half_a_unit() -> None:
     coat = solve_coat(90.0, gloss_units(60, 1.531, 0.002) - 0.4)
-    assert coat.roughness == 0.002
+    assert coat.roughness == pytest.approx(0.002)
     assert gloss_units(20, coat.ior, coat.roughness) == pytest.approx(90.0, abs=1e-6)

@@ -1,0 +1,62 @@
+"""The monotone and the polynomial rule, against scipy and numbers worked out by hand."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.interpolate import PchipInterpolator
+
+from brdf_suite.appearance.colorimetry import LUMINANCE, lab_to_working, working_to_lab
+from brdf_suite.reflectance.monotone_rule import MonotoneRule
+from brdf_suite.reflectance.polynomial_rule import PolynomialRule
+
+ANGLES = np.radians([15.0, 45.0, 110.0])
+SILVER = lab_to_working([(128.0, 0.0, 0.0), (62.0, 0.0, 0.0), (36.0, 0.0, 0.0)])
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    st.lists(
+        st.tuples(st.floats(20.0, 130.0), st.floats(-40.0, 40.0), st.floats(-40.0, 40.0)),
+        min_size=2,
+        max_size=6,
+    ),
+    st.randoms(use_true_random=False),
+)
+def test_the_monotone_rule_is_pchip_in_lab(labs: list, random) -> None:
+    knots = np.cumsum([random.uniform(0.1, 0.7) for _ in labs])
+    angles = np.linspace(knots[0], knots[-1], 37)
+    rule = MonotoneRule.through(knots, lab_to_working(labs))
+    expected = PchipInterpolator(knots, labs)(angles)
+    np.testing.assert_allclose(working_to_lab(rule(angles)), expected, atol=1e-7)
+    np.testing.assert_allclose(rule(knots), lab_to_working(labs), atol=1e-9)
+
+
+def test_towards_the_mirror_direction_it_runs_away() -> None:
+    """ρ(0) of L* 128/62/36 is 3.7 by PCHIP carried on."""
+    np.testing.assert_allclose(MonotoneRule.through(ANGLES, SILVER)(np.array(0.0)), 3.7, atol=0.05)
+
+
+def test_a_lightness_below_zero_is_black() -> None:
+    rule = MonotoneRule.through(ANGLES, lab_to_working([(5.0, 0, 0), (60.0, 0, 0), (90.0, 0, 0)]))
+    np.testing.assert_allclose(rule(np.array([0.0])), 0.0, atol=1e-12)
+
+
+def test_the_polynomial_passes_the_readings_and_may_turn_negative() -> None:
+    """L* 128/62/36 gives Y(80°) = -0.37 and Y(0°) = 3.1."""
+    rule = PolynomialRule.through(ANGLES, SILVER)
+    np.testing.assert_allclose(rule(ANGLES), SILVER, atol=1e-13)
+    luminance = rule(np.radians([80.0, 0.0])) @ LUMINANCE
+    assert luminance[0] == pytest.approx(-0.37, abs=0.005)
+    assert luminance[1] == pytest.approx(3.1, abs=0.05)
+
+
+def test_more_angles_give_the_least_squares_polynomial() -> None:
+    rng = np.random.default_rng(2)
+    angles, rho = np.radians([15.0, 25.0, 45.0, 75.0, 110.0]), rng.uniform(0.1, 1.0, (5, 3))
+    rule = PolynomialRule.through(angles, rho)
+    for channel in range(3):
+        expected = np.polyfit(angles, rho[:, channel], 2)[::-1]
+        np.testing.assert_allclose(rule.coefficients[:, channel], expected, rtol=1e-9)
