@@ -152,9 +152,10 @@ def analyse(
         free.append(mine)
 
     _run(work, len(starts), progress, "analysing the environment")
-    result = np.sum(sums, axis=0)
+    result: Floats = np.sum(sums, axis=0)
     result *= (scale.factors.T * np.exp(-_LIFT))[:, :, None]
-    return result.view(np.complex128)
+    coefficients: Complexes = result.view(np.complex128)
+    return coefficients
 
 
 def synthesise(coefficients: Complexes, cosines: Floats, progress: Progress | None = None) -> Complexes:

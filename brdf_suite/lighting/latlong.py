@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 def ring_angles(rings: int) -> NDArray[np.float64]:
     """Return theta (rings,) of the rows' centres, in radians."""
-    return (np.arange(rings) + 0.5) * (np.pi / rings)
+    return np.asarray((np.arange(rings) + 0.5) * (np.pi / rings), dtype=np.float64)
 
 
 def column_angles(columns: int) -> NDArray[np.float64]:
     """Return phi (columns,) of the columns' centres, in radians, -π…π."""
-    return (np.arange(columns) + 0.5) * (2.0 * np.pi / columns) - np.pi
+    return np.asarray((np.arange(columns) + 0.5) * (2.0 * np.pi / columns) - np.pi, dtype=np.float64)
 
 
 def direction(theta: NDArray[np.float64], phi: NDArray[np.float64]) -> NDArray[np.float64]:
