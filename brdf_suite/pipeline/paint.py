@@ -17,7 +17,8 @@ from brdf_suite.fitting.basis import LobeBasis
 from brdf_suite.fitting.fitter import LobeFit, LobeFitter
 from brdf_suite.fitting.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.reflectance.build import PaintReflectance, build_paint
+from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 
 DEFAULT_TIME_LIMIT_S = 0.004
 

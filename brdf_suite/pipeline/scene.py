@@ -13,7 +13,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.fitting.basis import LobeBasis, default_basis
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.maps import LobeMaps
+from brdf_suite.lighting.prefilter import LobeMaps
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.resources import resource, resource_names
 from brdf_suite.surface.mesh import Mesh
@@ -135,8 +135,14 @@ def load_environment(
     environment = Environment(path.stem, image.pixels, image.notes)
     exponents = (basis or default_basis()).exponents
     store = cache or MapCache()
-    maps = store.get_or_compute(environment, exponents, part(progress, _READING_SHARE, 1.0))
-    return PreparedEnvironment(name, environment, maps, from_cache=store.last_was_hit)
+    filtered: list[float | None] = []
+    maps = store.get_or_compute(
+        environment,
+        exponents,
+        part(progress, _READING_SHARE, 1.0),
+        ready=lambda exponent, _faces: filtered.append(exponent),
+    )
+    return PreparedEnvironment(name, environment, maps, from_cache=not filtered)
 
 
 def load_surface(name_or_path: str | os.PathLike[str]) -> Mesh:
@@ -153,10 +159,6 @@ def load_surface(name_or_path: str | os.PathLike[str]) -> Mesh:
         raise FileError(
             name, f"there is no such file, nor a shipped surface of that name ({', '.join(surface_names())})"
         )
-    if path.parent.name == "meshes" and name in surface_names():
-        from brdf_suite.files.glb import read_glb
-
-        return read_glb(path)
     from brdf_suite.files.meshes import read_mesh
 
     return read_mesh(path)

@@ -1,0 +1,56 @@
+"""Paint to weights, the edit path."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from brdf_suite.documents.paint import Gloss
+from brdf_suite.errors import UnreachableError
+from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
+
+
+@pytest.fixture(scope="module")
+def fitter() -> PaintFitter:
+    return PaintFitter(time_limit_s=1.0)
+
+
+@pytest.mark.parametrize("name", paint_names())
+def test_every_shipped_paint_is_fitted_closely(fitter: PaintFitter, name: str) -> None:
+    fit = fitter.fit(load_shipped_paint(name))
+    assert fit.worst_delta_e < 0.5
+    assert not fit.time_limited
+    for row in fit.angles:
+        assert np.allclose(row.asked, row.fitted, atol=1.0)
+
+
+def test_at_least_twelve_paints_are_shipped_and_say_where_they_come_from() -> None:
+    assert len(paint_names()) >= 12
+    assert all(load_shipped_paint(name).source for name in paint_names())
+
+
+def test_an_edit_keeps_the_linear_program(fitter: PaintFitter) -> None:
+    paint = load_shipped_paint("blue")
+    first = fitter.fit(paint)
+    edited = fitter.fit(paint.with_lab(15.0, (52.0, -4.0, -45.0)))
+    again = fitter.fit(paint)
+    assert edited.achieved_lab[15.0][0] == pytest.approx(52.0, abs=0.5)
+    assert edited.achieved_lab[110.0] == pytest.approx(first.achieved_lab[110.0], abs=0.5)
+    assert np.allclose(again.weights.kdd, first.weights.kdd, atol=1e-4)
+
+
+def test_the_json_of_a_fit_is_plain(fitter: PaintFitter) -> None:
+    facts = fitter.fit(load_shipped_paint("copper")).to_json()
+    again = json.loads(json.dumps(facts, allow_nan=False))
+    assert again["paint"] == "Copper"
+    assert len(again["angles"]) == 3
+
+
+def test_an_unreachable_gloss_is_refused_by_name(fitter: PaintFitter) -> None:
+    from dataclasses import replace
+
+    with pytest.raises(UnreachableError, match="180"):
+        fitter.fit(replace(load_shipped_paint("blue"), gloss=Gloss(180.0)))
