@@ -32,7 +32,7 @@ from brdf_suite.reflectance.polynomial_rule import PolynomialRule
 _CHANNELS = ("red", "green", "blue")
 # Gloss units: far finer than any reading. A glossy coat settles in one turn, a satin one in a few.
 _SETTLED_GU = 0.01
-_FULL_TURNS, _MOST_TURNS = 8, 60
+_FULL_TURNS, _MOST_TURNS = 8, 24
 _SAME_ANGLE_DEG = 1e-6
 # The smallest base that is refused as negative; anything nearer to 0 is rounding.
 _ROUNDING = 1e-7

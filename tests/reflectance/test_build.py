@@ -204,3 +204,28 @@ def test_it_is_fast_enough_for_every_slider_move(invented_labs) -> None:
             build_paint(paint)
             times.append(time.perf_counter() - start)
     assert np.median(times) < 3e-3
+
+
+lab_values = st.tuples(st.floats(0.0, 250.0), st.floats(-250.0, 250.0), st.floats(-250.0, 250.0))
+
+
+@settings(max_examples=80, deadline=None)
+@given(
+    st.lists(lab_values, min_size=3, max_size=3),
+    st.floats(0.0, 200.0),
+    st.none() | st.floats(0.0, 200.0),
+    st.sampled_from(["flake", "monotone", "polynomial"]),
+    st.floats(0.0, 10.0),
+)
+def test_any_valid_paint_is_finite_or_refused(labs, gu_20, gu_60, interpolation, near_specular) -> None:
+    paint = paint_of(labs, gu_20, gu_60, interpolation=interpolation, near_specular=near_specular)
+    try:
+        built = build_paint(paint)
+    except UnreachableError as error:
+        assert str(error).endswith(".")  # noqa: PT017 - either outcome is right
+        return
+    value = built.eval(
+        spherical(np.linspace(0.0, 1.57, 13), 0.3)[:, None], spherical(np.linspace(0.0, 1.57, 9), -2.9)
+    )
+    assert np.isfinite(value).all()
+    assert value.min() >= 0.0
