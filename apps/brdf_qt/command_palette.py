@@ -111,7 +111,7 @@ class CommandPalette(QFrame):
         self.found.clear()
         for _, text, action in kept:
             keys = action.shortcut().toString(action.shortcut().SequenceFormat.NativeText)
-            item = QListWidgetItem(action.icon(), text)
+            item = QListWidgetItem(text)
             item.setData(_ACTION, action)
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{text} {keys}")
             self.found.addItem(item)

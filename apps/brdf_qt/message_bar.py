@@ -125,6 +125,7 @@ class MessageBar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("messages")
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self._rows: dict[str, _Row] = {}
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(8, 8, 8, 0)

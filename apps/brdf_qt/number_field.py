@@ -135,6 +135,15 @@ class NumberField(QDoubleSpinBox):
         self._burst.touch()
         super().stepBy(steps)
 
+    def event(self, event: QEvent) -> bool:
+        """Leave undo and redo to the document: the line's own history would undo something else."""
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            keys = QKeySequence.StandardKey
+            if event.matches(keys.Undo) or event.matches(keys.Redo):
+                event.ignore()
+                return False
+        return super().event(event)
+
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Turn only the field that has the focus: a wheel that scrolls the inspector changes no value."""
         if self.hasFocus():

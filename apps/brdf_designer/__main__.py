@@ -1,0 +1,90 @@
+"""Designer: the program in which a paint is made. ``brdf-designer --help`` tells its options."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from brdf_qt.application import create_application, process_age_s, run
+from brdf_qt.theme import THEMES
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+
+from brdf_designer.assembly import Designer
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run Designer; return the exit status."""
+    options = _parser().parse_args(argv)
+    app = create_application("Designer", theme_name=options.theme)
+    designer = Designer()
+    if options.paint is not None:
+        designer.open(options.paint)
+    if options.size is not None:
+        designer.window.resize(*options.size)
+    _when_ready(app, designer, options)
+    return run(app, designer.window)
+
+
+def _when_ready(app: QApplication, designer: Designer, options: argparse.Namespace) -> None:
+    """Do what the options ask for once the window is painted; the plot and the link follow that paint."""
+    times: dict[str, float] = {}
+
+    def painted() -> None:
+        times["ready_s"] = round(process_age_s(), 3)
+        QTimer.singleShot(0, complete)
+
+    def complete() -> None:
+        times["complete_s"] = round(process_age_s(), 3)
+        if options.report_startup:
+            sys.stdout.write(json.dumps(times) + "\n")
+            sys.stdout.flush()
+        if options.screenshot is not None:
+            QTimer.singleShot(300, lambda: screenshot(options.screenshot))
+        elif options.quit_after is not None:
+            QTimer.singleShot(round(1000 * options.quit_after), lambda: app.exit(0))
+
+    def screenshot(path: Path) -> None:
+        if not designer.window.grab().save(str(path)):
+            sys.stderr.write(f"{path}: the picture cannot be written there.\n")
+            app.exit(1)
+            return
+        app.exit(0)
+
+    designer.window.first_painted.connect(painted)
+
+
+def _size(text: str) -> tuple[int, int]:
+    width, _, height = text.partition("x")
+    return int(width), int(height)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="brdf-designer",
+        description="Edit a metallic car paint: L*a*b* (D65, 10°) at its aspecular angles in degrees, gloss in "
+        "gloss units (GU), flakes. Programs of the suite that are open follow every change.",
+    )
+    parser.add_argument("paint", nargs="?", help="a .brdfpaint file, or the name of a shipped paint")
+    parser.add_argument("--theme", choices=THEMES, help="surround of this run (default: the one chosen last)")
+    parser.add_argument("--size", type=_size, metavar="WxH", help="size of the window in pixels")
+    parser.add_argument(
+        "--screenshot", type=Path, metavar="FILE", help="save a picture of the window, and end"
+    )
+    parser.add_argument(
+        "--quit-after", type=float, metavar="S", help="end S seconds after the window is complete"
+    )
+    parser.add_argument(
+        "--report-startup",
+        action="store_true",
+        help='print {"ready_s": s, "complete_s": s}: seconds from the start of the process to the first painted '
+        "window, and to its plot being there",
+    )
+    return parser
+
+
+if __name__ == "__main__":
+    sys.exit(main())

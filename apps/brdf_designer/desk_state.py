@@ -1,0 +1,146 @@
+"""What the desk shows of a paint, worked out at once as one frozen value; widgets only draw it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_designer.display import Flags, Rgb, lab_to_codes, working_to_codes
+from brdf_designer.fields import angle_text, by_angle
+from brdf_suite.appearance.colorimetry import working_to_lab
+from brdf_suite.appearance.flop import FlopIndex, flop_index
+from brdf_suite.documents.paint import Lab, Paint
+from brdf_suite.geometry.directions import aspecular_view, illumination
+from brdf_suite.pipeline.paint import PaintFit
+
+FLOP_ANGLES_DEG = (15.0, 45.0, 110.0)
+_CURVE_STEP_DEG = 1.0
+_STRIP_SAMPLES = 96
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class AngleColour:
+    """One measurement as it is shown: ``index`` in the document, L*a*b*, sRGB code, whether sRGB holds it."""
+
+    index: int
+    text: str
+    aspecular_deg: float
+    lab: Lab
+    rgb: tuple[int, int, int]
+    in_gamut: bool
+
+
+@dataclass(frozen=True)
+class Colours:
+    """What the document alone says: always fresh, also where no coat gives the gloss."""
+
+    paint: Paint
+    angles: tuple[AngleColour, ...]
+    flop: FlopIndex | None
+
+
+@dataclass(frozen=True, eq=False)
+class Curves:
+    """What the model and its lobes give over the aspecular angle.
+
+    ``gamma_deg`` (k,) with ``model`` and ``fitted`` L* (k,); ``ceiling`` the largest L* of the base alone;
+    ``measured_deg`` the nearest and farthest reading; ``strip_rgb`` (s, 3) and ``strip_in_gamut`` (s,) evenly
+    between them.
+    """
+
+    gamma_deg: Floats
+    model: Floats
+    fitted: Floats
+    ceiling: float
+    measured_deg: tuple[float, float]
+    marks_deg: tuple[float, ...]
+    strip_rgb: Rgb
+    strip_in_gamut: Flags
+
+
+@dataclass(frozen=True, eq=False)
+class FitState:
+    """The reflectance and its fit as the desk tells them; ``delta_e`` ΔE00 by index of the measurement."""
+
+    curves: Curves
+    delta_e: tuple[float, ...]
+    worst_delta_e: float
+    milliseconds: float
+    time_limited: bool
+    ior: float
+    roughness: float
+    notices: tuple[str, ...]
+
+
+def colours_of(paint: Paint) -> Colours:
+    """Return what the document alone says."""
+    codes, inside = lab_to_codes([m.lab for m in paint.measurements])
+    angles = tuple(
+        AngleColour(
+            i,
+            angle_text(paint, i),
+            paint.measurements[i].aspecular_deg,
+            paint.measurements[i].lab,
+            (int(codes[i, 0]), int(codes[i, 1]), int(codes[i, 2])),
+            bool(inside[i]),
+        )
+        for i in by_angle(paint)
+    )
+    return Colours(paint, angles, _flop(paint))
+
+
+def fit_state_of(fit: PaintFit) -> FitState:
+    """Return what the reflectance and its lobes give."""
+    return FitState(
+        curves=_curves(fit),
+        delta_e=tuple(row.delta_e_2000 for row in fit.angles),
+        worst_delta_e=fit.worst_delta_e,
+        milliseconds=1e3 * fit.seconds,
+        time_limited=fit.time_limited,
+        ior=fit.reflectance.ior,
+        roughness=fit.reflectance.roughness,
+        notices=fit.notices,
+    )
+
+
+def _flop(paint: Paint) -> FlopIndex | None:
+    found = {m.aspecular_deg: m.lab[0] for m in reversed(paint.measurements)}
+    if any(angle not in found for angle in FLOP_ANGLES_DEG):
+        return None
+    return flop_index(*(found[angle] for angle in FLOP_ANGLES_DEG))
+
+
+@lru_cache(maxsize=8)
+def _directions(light_deg: float, first_deg: float, last_deg: float) -> tuple[Floats, Floats, Floats]:
+    """Return γ (k,) of curve and strip together, wi (3,), wo (k, 3): the same from edit to edit."""
+    gamma = np.arange(0.0, last_deg + _CURVE_STEP_DEG / 2, _CURVE_STEP_DEG)
+    gamma = np.concatenate((gamma, np.linspace(first_deg, last_deg, _STRIP_SAMPLES)))
+    return gamma, illumination(light_deg), aspecular_view(light_deg, gamma)
+
+
+def _curves(fit: PaintFit) -> Curves:
+    readings = fit.paint.measurements
+    light = readings[by_angle(fit.paint)[0]].illumination_deg
+    angles = [m.aspecular_deg for m in readings if m.illumination_deg == light]
+    first, last = max(0.0, min(angles)), max(angles)
+    gamma, wi, wo = _directions(light, first, last)
+    base = np.pi * fit.reflectance.base.eval(wi, wo)
+    rho = base + np.pi * fit.reflectance.coat.eval(wi, wo)
+    fitted = np.pi * fit.weights.eval(wi, wo)
+    count = len(gamma) - _STRIP_SAMPLES
+    lightness = working_to_lab(np.stack((rho[:count], fitted[:count], base[:count])))[..., 0]
+    codes, inside = working_to_codes(rho[count:])
+    return Curves(
+        gamma_deg=gamma[:count],
+        model=lightness[0],
+        fitted=lightness[1],
+        ceiling=float(lightness[2].max()),
+        measured_deg=(first, last),
+        marks_deg=tuple(sorted(angles)),
+        strip_rgb=codes,
+        strip_in_gamut=inside,
+    )

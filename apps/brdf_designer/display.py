@@ -1,0 +1,39 @@
+"""L*a*b* as the screen shows it: sRGB codes, clipped, with word of what was clipped."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from brdf_suite.appearance.colorimetry import WORKING_TO_SRGB, lab_to_working, srgb_encode
+
+Rgb = NDArray[np.uint8]
+Flags = NDArray[np.bool_]
+_TOLERANCE = 1e-4
+
+
+def lab_to_codes(lab: ArrayLike) -> tuple[Rgb, Flags]:
+    """Return sRGB codes (..., 3) of L*a*b* (D65, 10°) and whether (...) the screen can show each."""
+    return working_to_codes(lab_to_working(lab))
+
+
+def working_to_codes(rho: ArrayLike) -> tuple[Rgb, Flags]:
+    """Return sRGB codes (..., 3) of a reflectance factor in the working space, and whether each is shown."""
+    linear = np.asarray(rho, float) @ WORKING_TO_SRGB.T
+    inside = np.all((linear >= -_TOLERANCE) & (linear <= 1.0 + _TOLERANCE), axis=-1)
+    codes = np.rint(255.0 * srgb_encode(np.clip(linear, 0.0, 1.0))).astype(np.uint8)
+    return codes, np.asarray(inside)
+
+
+def component_tracks(lab: ArrayLike, positions: list[NDArray[np.float64]]) -> list[tuple[Rgb, Flags]]:
+    """Return, for L*, a* and b*, what colours the ``positions`` of its slider would give, all else kept."""
+    start = np.asarray(lab, float)
+    counts = [len(p) for p in positions]
+    stack = np.repeat(start[None], sum(counts), axis=0)
+    at = 0
+    for component, values in enumerate(positions):
+        stack[at : at + len(values), component] = values
+        at += len(values)
+    codes, inside = lab_to_codes(stack)
+    ends = np.cumsum(counts)[:-1]
+    return list(zip(np.split(codes, ends), np.split(inside, ends), strict=True))

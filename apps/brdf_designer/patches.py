@@ -1,0 +1,182 @@
+"""The colours as large fields side by side, and the flop as one continuous strip."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPalette, QPen, QPolygonF
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from brdf_designer.desk_state import AngleColour, Colours, Curves
+
+OUTSIDE_TIP = (
+    "Outside sRGB: this screen shows the nearest colour by clipping. The paint itself is not clipped."
+)
+CORNER = 14.0
+
+
+def paint_corner(painter: QPainter, rect: QRectF, size: float = CORNER) -> None:
+    """Draw the mark of a colour that the screen cannot show, seen on any colour: a black corner, white edge."""
+    corner = QPolygonF(
+        [rect.topRight(), rect.topRight() - QPointF(size, 0), rect.topRight() + QPointF(0, size)]
+    )
+    painter.save()
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QColor(0, 0, 0))
+    painter.drawPolygon(corner)
+    painter.setPen(QPen(QColor(255, 255, 255), 1.5))
+    painter.drawLine(corner[1], corner[2])
+    painter.restore()
+
+
+class ColourField(QWidget):
+    """One colour, edge to edge; a corner mark where the screen cannot show it."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._rgb = QColor(0, 0, 0)
+        self._in_gamut = True
+        self.setMinimumSize(72, 56)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def show_colour(self, colour: AngleColour) -> None:
+        """Show the colour of one measurement."""
+        self._rgb = QColor(*colour.rgb)
+        self._in_gamut = colour.in_gamut
+        self.setToolTip("" if colour.in_gamut else OUTSIDE_TIP)
+        numbers = lab_text(colour.lab)
+        self.setAccessibleName(f"Colour at {colour.text}: {numbers}")
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(260, 200)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), self._rgb)
+        if not self._in_gamut:
+            paint_corner(painter, QRectF(self.rect()), 2 * CORNER)
+
+
+def lab_text(lab: tuple[float, float, float]) -> str:
+    """Return L*a*b* as text with true minus signs, one decimal."""
+    return "   ".join(
+        f"{name} {value:.1f}" for name, value in zip(("L*", "a*", "b*"), lab, strict=True)
+    ).replace("-", "−")
+
+
+class PatchRow(QWidget):
+    """A field for each measurement, with its angle, its numbers and what the fit gives there."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(8)
+        self._grid.setVerticalSpacing(2)
+        self._grid.setRowStretch(0, 1)
+        self._cells: list[tuple[ColourField, QLabel, QLabel, QLabel]] = []
+
+    def show_colours(self, colours: Colours) -> None:
+        """Show every measurement; makes or drops fields where their number changes."""
+        while len(self._cells) < len(colours.angles):
+            self._cells.append(self._new_cell(len(self._cells)))
+        while len(self._cells) > len(colours.angles):
+            self._grid.setColumnStretch(len(self._cells) - 1, 0)
+            for widget in self._cells.pop():
+                self._grid.removeWidget(widget)
+                widget.deleteLater()
+        for (field, angle, numbers, _), colour in zip(self._cells, colours.angles, strict=True):
+            field.show_colour(colour)
+            angle.setText(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip())
+            numbers.setText(lab_text(colour.lab))
+
+    def show_differences(self, delta_e: list[float] | None) -> None:
+        """Show ΔE00 of the fit under each field; ``None``: there is no fit of this paint."""
+        for number, cell in enumerate(self._cells):
+            cell[3].setText("fit: none" if delta_e is None else f"fit ΔE00 {delta_e[number]:.2f}")
+
+    def _new_cell(self, column: int) -> tuple[ColourField, QLabel, QLabel, QLabel]:
+        field, angle, numbers, fit = ColourField(), QLabel(), QLabel(), QLabel()
+        bold = angle.font()
+        bold.setBold(True)
+        angle.setFont(bold)
+        italic = fit.font()
+        italic.setItalic(True)
+        fit.setFont(italic)
+        fit.setToolTip("Colour difference CIEDE2000 between what is asked and what the fitted lobes give.")
+        for row, widget in enumerate((field, angle, numbers, fit)):
+            self._grid.addWidget(widget, row, column)
+            if isinstance(widget, QLabel):
+                widget.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._grid.setColumnStretch(column, 1)
+        return field, angle, numbers, fit
+
+
+def place_word(aspecular_deg: float) -> str:
+    """Return the trade's word for the view at an aspecular angle; empty where there is none."""
+    return {15.0: "near-specular", 45.0: "face", 110.0: "flop"}.get(aspecular_deg, "")
+
+
+class FlopStrip(QWidget):
+    """The model's colour from the nearest to the farthest reading, marked where something was measured."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.caption = QLabel("Flop: the model's colour over the aspecular angle")
+        self._band = _Band()
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(4)
+        box.addWidget(self.caption)
+        box.addWidget(self._band)
+
+    def show_curves(self, curves: Curves) -> None:
+        """Show the strip, fresh."""
+        self.caption.setText("Flop: the model's colour over the aspecular angle")
+        self._band.show_curves(curves)
+
+    def mark_stale(self) -> None:
+        """Say that the strip is of the last paint that could be."""
+        self.caption.setText("Flop: of the last paint that can be")
+
+
+class _Band(QWidget):
+    def __init__(self) -> None:
+        super().__init__()
+        self._image = QImage()
+        self._range = (15.0, 110.0)
+        self._marks: tuple[float, ...] = ()
+        self._outside = False
+        self.setFixedHeight(64)
+        self.setAccessibleName("Flop strip")
+
+    def show_curves(self, curves: Curves) -> None:
+        row = curves.strip_rgb
+        self._image = QImage(row.tobytes(), len(row), 1, 3 * len(row), QImage.Format.Format_RGB888).copy()
+        self._range, self._marks = curves.measured_deg, curves.marks_deg
+        self._outside = not bool(curves.strip_in_gamut.all())
+        self.setToolTip(OUTSIDE_TIP if self._outside else "")
+        self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        text = self.fontMetrics().height()
+        band = QRectF(0, 0, self.width(), self.height() - text - 6)
+        if self._image.isNull():
+            painter.fillRect(band, self.palette().base())
+            return
+        painter.drawImage(band, self._image, QRectF(0.5, 0, self._image.width() - 1.0, 1))
+        if self._outside:
+            paint_corner(painter, band)
+        painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
+        first, last = self._range
+        for angle in self._marks:
+            part = (angle - first) / max(1e-9, last - first)
+            x = part * (band.width() - 1)
+            painter.drawLine(QPointF(x, band.bottom()), QPointF(x, band.bottom() + 4))
+            label = f"{angle:g}°"
+            width = self.fontMetrics().horizontalAdvance(label)
+            left = min(max(0.0, x - width / 2), band.width() - width)
+            painter.drawText(QPointF(left, self.height() - self.fontMetrics().descent() - 1.0), label)

@@ -1,0 +1,60 @@
+"""The questions that a program asks about its files; tests answer them with a script of their own."""
+
+from __future__ import annotations
+
+from enum import Enum
+from pathlib import Path
+from typing import Protocol
+
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+
+class Answer(Enum):
+    """What to do with unsaved changes."""
+
+    SAVE = "save"
+    DISCARD = "discard"
+    CANCEL = "cancel"
+
+
+class Dialogs(Protocol):
+    """What :class:`brdf_qt.document_files.DocumentFiles` asks."""
+
+    def unsaved(self, name: str) -> Answer:
+        """Ask what to do with the unsaved changes of document ``name``."""
+
+    def open_path(self, folder: Path, filters: str) -> Path | None:
+        """Ask for a file to open; ``None`` where the user gives up."""
+
+    def save_path(self, suggested: Path, filters: str) -> Path | None:
+        """Ask for a file to write; ``None`` where the user gives up."""
+
+
+class QtDialogs:
+    """The questions as dialogs over ``window``."""
+
+    def __init__(self, window: QWidget) -> None:
+        self._window = window
+
+    def unsaved(self, name: str) -> Answer:
+        """See :meth:`Dialogs.unsaved`."""
+        box = QMessageBox(self._window)
+        box.setIcon(QMessageBox.Icon.Question)
+        box.setWindowTitle("Unsaved Changes")
+        box.setText(f"Save the changes to “{name}”?")
+        box.setInformativeText("Without saving, they are lost.")
+        kinds = QMessageBox.StandardButton
+        box.setStandardButtons(kinds.Save | kinds.Discard | kinds.Cancel)
+        box.setDefaultButton(kinds.Save)
+        answers = {kinds.Save: Answer.SAVE, kinds.Discard: Answer.DISCARD}
+        return answers.get(kinds(box.exec()), Answer.CANCEL)
+
+    def open_path(self, folder: Path, filters: str) -> Path | None:
+        """See :meth:`Dialogs.open_path`."""
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open", str(folder), filters)
+        return Path(name) if name else None
+
+    def save_path(self, suggested: Path, filters: str) -> Path | None:
+        """See :meth:`Dialogs.save_path`."""
+        name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(suggested), filters)
+        return Path(name) if name else None

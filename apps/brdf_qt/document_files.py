@@ -1,0 +1,174 @@
+"""New, open, save, save as, recent files, and the question about unsaved changes; the same for every document.
+
+A file that cannot be read or written leaves the open document as it was; ``failed`` carries the message.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+from PySide6.QtCore import QObject, QStandardPaths, Signal
+
+from brdf_qt.dialogs import Answer, Dialogs
+from brdf_qt.document_store import DocumentStore
+from brdf_qt.message_bar import Message, message_of
+from brdf_qt.settings import settings
+from brdf_suite.errors import SuiteError
+
+T = TypeVar("T")
+MOST_RECENT = 10
+
+
+@dataclass(frozen=True)
+class DocumentFormat(Generic[T]):
+    """How a kind of document is made, read, written and named.
+
+    ``kind`` is the word for the user ("paint"), ``ending`` has its dot, ``name_of`` gives the document's name.
+    """
+
+    kind: str
+    ending: str
+    new: Callable[[], T]
+    load: Callable[[Path], T]
+    save: Callable[[T, Path], None]
+    to_json: Callable[[T], dict[str, Any]]
+    from_json: Callable[[dict[str, Any], Path], T]
+    name_of: Callable[[T], str]
+
+    @property
+    def filters(self) -> str:
+        """The filter line of a file dialog."""
+        return f"{self.kind.capitalize()} (*{self.ending});;All files (*)"
+
+
+class DocumentFiles(QObject, Generic[T]):
+    """The File menu's work on one :class:`DocumentStore`."""
+
+    failed = Signal(Message)
+    succeeded = Signal(str)
+    recent_changed = Signal()
+
+    def __init__(
+        self,
+        store: DocumentStore[T],
+        form: DocumentFormat[T],
+        dialogs: Dialogs,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.store, self.format, self.dialogs = store, form, dialogs
+
+    def new(self) -> bool:
+        """Start a new document, after asking about the old one; True where it was done."""
+        if not self.may_discard():
+            return False
+        self.store.replace(self.format.new(), None)
+        return True
+
+    def open(self, path: Path | None = None) -> bool:
+        """Open ``path``, or ask for one; True where a document was opened."""
+        if not self.may_discard():
+            return False
+        if path is None:
+            path = self.dialogs.open_path(self._folder(), self.format.filters)
+            if path is None:
+                return False
+        try:
+            value = self.format.load(path)
+        except SuiteError as error:
+            todo = f"The {self.format.kind} that was open is unchanged."
+            self.failed.emit(message_of(error, "open", todo=todo))
+            self._forget(path)
+            return False
+        self.store.replace(value, path.absolute())
+        self._remember(path.absolute())
+        self.succeeded.emit("open")
+        return True
+
+    def open_value(self, value: T) -> bool:
+        """Open a document that comes from no file of the user's, such as a shipped one."""
+        if not self.may_discard():
+            return False
+        self.store.replace(value, None)
+        return True
+
+    def save(self) -> bool:
+        """Write the document to its file, asking for one where it has none; True where it was written."""
+        return self.save_as() if self.store.path is None else self._write(self.store.path)
+
+    def save_as(self) -> bool:
+        """Ask for a file and write the document to it; True where it was written."""
+        path = self.dialogs.save_path(self._suggested(), self.format.filters)
+        if path is None:
+            return False
+        if not path.suffix:
+            path = path.with_name(path.name + self.format.ending)
+        return self._write(path.absolute())
+
+    def may_discard(self) -> bool:
+        """Ask about unsaved changes where there are any; True where the document may be given up."""
+        if self.store.is_clean:
+            return True
+        answer = self.dialogs.unsaved(self.title())
+        if answer is Answer.SAVE:
+            return self.save()
+        return answer is Answer.DISCARD
+
+    def title(self) -> str:
+        """Return the name of the file, or of the document while it has no file."""
+        return self.store.path.name if self.store.path else self.format.name_of(self.store.value)
+
+    def recent(self) -> list[Path]:
+        """Return the files opened or saved last, newest first."""
+        found = settings().value("recent", [])
+        names = [found] if isinstance(found, str) else list(found or [])
+        return [Path(name) for name in names]
+
+    def clear_recent(self) -> None:
+        """Forget the recent files."""
+        settings().setValue("recent", [])
+        self.recent_changed.emit()
+
+    def _write(self, path: Path) -> bool:
+        try:
+            self.format.save(self.store.value, path)
+        except SuiteError as error:
+            todo = "Nothing was lost: the document is still open. Choose another place with Save As."
+            self.failed.emit(message_of(error, "save", todo=todo))
+            return False
+        self.store.mark_clean(path)
+        self._remember(path)
+        self.succeeded.emit("save")
+        return True
+
+    def _remember(self, path: Path) -> None:
+        kept = [path, *(known for known in self.recent() if known != path)][:MOST_RECENT]
+        self._store_recent(kept)
+
+    def _forget(self, path: Path) -> None:
+        self._store_recent([known for known in self.recent() if known != path.absolute()])
+
+    def _store_recent(self, paths: list[Path]) -> None:
+        settings().setValue("recent", [str(path) for path in paths])
+        self.recent_changed.emit()
+
+    def _folder(self) -> Path:
+        if self.store.path is not None:
+            return self.store.path.parent
+        recent = self.recent()
+        if recent:
+            return recent[0].parent
+        documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
+        return Path(documents) if Path(documents).is_dir() else Path.home()
+
+    def _suggested(self) -> Path:
+        if self.store.path is not None:
+            return self.store.path
+        name = (
+            re.sub(r"[^\w\- .]+", "_", self.format.name_of(self.store.value)).strip(" .") or self.format.kind
+        )
+        return self._folder() / f"{name}{self.format.ending}"

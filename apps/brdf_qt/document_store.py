@@ -1,0 +1,148 @@
+"""One open document: its value, its undo history, its file, and whether it is saved.
+
+Documents are frozen values. An edit is a pair of values on a :class:`QUndoStack`, and views hear
+``changed(old, new)``. Between :meth:`DocumentStore.begin_gesture` and :meth:`~DocumentStore.end_gesture` all
+edits merge into one step; a gesture that ends where it began leaves no step.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Generic, TypeVar
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+T = TypeVar("T")
+MOST_STEPS = 1000
+
+
+class _Edit(QUndoCommand, Generic[T]):
+    """From ``old`` to ``new``; edits of the same gesture merge."""
+
+    def __init__(self, store: DocumentStore[T], old: T, new: T, name: str, gesture: int) -> None:
+        super().__init__(name)
+        self._store, self.old, self.new, self._gesture = store, old, new, gesture
+
+    def id(self) -> int:
+        return self._gesture
+
+    def redo(self) -> None:
+        self._store._take(self.new)
+
+    def undo(self) -> None:
+        self._store._take(self.old)
+
+    def mergeWith(self, later: QUndoCommand) -> bool:
+        assert isinstance(later, _Edit)
+        self.new = later.new
+        if self.new == self.old:
+            self.setObsolete(True)
+        return True
+
+
+class DocumentStore(QObject, Generic[T]):
+    """The open document of a program.
+
+    Signals: ``changed(old, new)`` after every change of the value; ``replaced()`` where another document took
+    its place; ``path_changed(path)`` with a Path or None; ``clean_changed(bool)``.
+    """
+
+    changed = Signal(object, object)
+    replaced = Signal()
+    path_changed = Signal(object)
+    clean_changed = Signal(bool)
+
+    def __init__(self, value: T, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._value = value
+        self._path: Path | None = None
+        self._gesture = 0
+        self._gesture_name: str | None = None
+        self.stack = QUndoStack(self)
+        self.stack.setUndoLimit(MOST_STEPS)
+        self.stack.cleanChanged.connect(self.clean_changed)
+
+    @property
+    def value(self) -> T:
+        """The document as it is now."""
+        return self._value
+
+    @property
+    def path(self) -> Path | None:
+        """The file of the document; ``None`` while it has none."""
+        return self._path
+
+    @property
+    def is_clean(self) -> bool:
+        """Whether the value is the one last saved or opened."""
+        return self.stack.isClean()
+
+    @property
+    def in_gesture(self) -> bool:
+        """Whether a gesture runs."""
+        return self._gesture_name is not None
+
+    def set(self, value: T, name: str) -> bool:
+        """Make ``value`` the document, undone as ``name``; False where it is the same already."""
+        if value == self._value:
+            return False
+        in_gesture = self._gesture_name is not None
+        command = _Edit(
+            self,
+            self._value,
+            value,
+            self._gesture_name if self._gesture_name is not None else name,
+            self._gesture if in_gesture else -1,
+        )
+        self.stack.push(command)
+        return True
+
+    def begin_gesture(self, name: str) -> None:
+        """Merge the edits that follow into one step called ``name``; a gesture that runs is ended first."""
+        self.end_gesture()
+        self._gesture += 1
+        self._gesture_name = name
+
+    def end_gesture(self) -> None:
+        """End the gesture; nothing where none runs."""
+        self._gesture_name = None
+
+    def undo(self) -> None:
+        """Take the newest step back."""
+        self.end_gesture()
+        self.stack.undo()
+
+    def redo(self) -> None:
+        """Do the step again that was taken back last."""
+        self.end_gesture()
+        self.stack.redo()
+
+    def replace(self, value: T, path: Path | None, *, clean: bool = True) -> None:
+        """Open another document; ``clean=False`` for work that no file holds, as after a recovery."""
+        self.end_gesture()
+        was_clean = self.is_clean
+        self.stack.clear()
+        if not clean:
+            self.stack.resetClean()
+        self._take(value)
+        self._set_path(path)
+        self.replaced.emit()
+        if was_clean != self.is_clean:
+            self.clean_changed.emit(self.is_clean)
+
+    def mark_clean(self, path: Path) -> None:
+        """Note that the value is now what file ``path`` holds."""
+        self.end_gesture()
+        self.stack.setClean()
+        self._set_path(path)
+
+    def _set_path(self, path: Path | None) -> None:
+        if path != self._path:
+            self._path = path
+            self.path_changed.emit(path)
+
+    def _take(self, value: T) -> None:
+        old, self._value = self._value, value
+        if old != value:
+            self.changed.emit(old, value)

@@ -1,0 +1,143 @@
+"""Unsaved work survives a kill: it is written beside the settings about once a second, and offered back.
+
+Each run has a file of its own and holds a lock beside it; the system frees the lock of a process that dies.
+So the work of a program that still runs is never offered to another. A file goes once its work is saved or
+discarded.
+"""
+
+from __future__ import annotations
+
+import json
+import uuid
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+from PySide6.QtCore import QLockFile, QObject, QTimer
+
+from brdf_qt.document_files import DocumentFormat
+from brdf_qt.document_store import DocumentStore
+from brdf_qt.settings import state_folder
+from brdf_suite.errors import FileError, SuiteError
+
+T = TypeVar("T")
+INTERVAL_MS = 900
+_ENDING = ".recovery.json"
+
+
+@dataclass(frozen=True)
+class Recovered(Generic[T]):
+    """Unsaved work of a run that ended without saving it."""
+
+    value: T
+    path: Path | None
+    when: datetime
+    file: Path
+
+
+class Recovery(QObject, Generic[T]):
+    """Keeps the autosave of one store; :meth:`found` gives what earlier runs left."""
+
+    def __init__(
+        self,
+        store: DocumentStore[T],
+        form: DocumentFormat[T],
+        failed: Callable[[BaseException], None],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._store, self._format, self._failed = store, form, failed
+        self._folder = state_folder("autosave")
+        self._file = self._folder / f"{uuid.uuid4().hex}{_ENDING}"
+        self._lock = _lock(self._file)
+        self._lock.tryLock(0)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(INTERVAL_MS)
+        self._timer.timeout.connect(self.write)
+        store.changed.connect(self._schedule)
+        store.replaced.connect(self._schedule)
+        store.clean_changed.connect(self._schedule)
+
+    def _schedule(self, *_: object) -> None:
+        """Start the second that may be lost; a timer that runs is left alone, so that a drag is saved too."""
+        if not self._timer.isActive():
+            self._timer.start()
+
+    def write(self) -> None:
+        """Write the unsaved document now; where all is saved, remove the file."""
+        self._timer.stop()
+        try:
+            if self._store.is_clean:
+                self._file.unlink(missing_ok=True)
+            else:
+                self._write()
+        except OSError as error:
+            reason = f"the autosave cannot be written ({error.strerror})"
+            self._failed(FileError(self._file, reason))
+
+    def _write(self) -> None:
+        path = self._store.path
+        content = {
+            "path": None if path is None else str(path),
+            "time": datetime.now().isoformat(timespec="seconds"),
+            "document": self._format.to_json(self._store.value),
+        }
+        # No fsync: what a killed process has written stays in the system, and this runs between two frames.
+        draft = self._file.with_suffix(".tmp")
+        draft.write_text(json.dumps(content, ensure_ascii=False), encoding="utf-8")
+        draft.replace(self._file)
+
+    def found(self) -> list[Recovered[T]]:
+        """Return what ended runs left, newest first; a file that cannot be read is reported and put aside."""
+        result = []
+        for file in self._folder.glob(f"*{_ENDING}"):
+            lock = _lock(file)
+            if file == self._file or not lock.tryLock(0):
+                continue
+            lock.unlock()
+            try:
+                result.append(self._read(file))
+            except (OSError, ValueError, KeyError, TypeError, SuiteError) as error:
+                aside = file.with_suffix(".damaged")
+                file.replace(aside)
+                self._failed(FileError(aside, f"unsaved work of an earlier run cannot be read ({error})"))
+        return sorted(result, key=lambda item: item.when, reverse=True)
+
+    def _read(self, file: Path) -> Recovered[T]:
+        content: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+        path = content["path"]
+        return Recovered(
+            self._format.from_json(content["document"], file),
+            None if path is None else Path(path),
+            datetime.fromisoformat(content["time"]),
+            file,
+        )
+
+    def take(self, item: Recovered[T]) -> None:
+        """Open recovered work as unsaved; its file goes once this run has written its own."""
+        self._store.replace(item.value, item.path, clean=False)
+        self.write()
+        self.drop(item)
+
+    def drop(self, item: Recovered[T]) -> None:
+        """Give recovered work up."""
+        item.file.unlink(missing_ok=True)
+
+    def close(self, *, keep: bool) -> None:
+        """End this run's autosave: ``keep`` writes what is unsaved, otherwise the file is removed."""
+        self._timer.stop()
+        if keep:
+            self.write()
+        else:
+            self._file.unlink(missing_ok=True)
+        self._lock.unlock()
+
+
+def _lock(file: Path) -> QLockFile:
+    lock = QLockFile(str(file.with_suffix(".lock")))
+    # Never stale by age: only a lock whose process is gone is free.
+    lock.setStaleLockTime(0)
+    return lock
