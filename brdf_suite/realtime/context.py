@@ -53,7 +53,7 @@ def create_context() -> moderngl.Context:
                 reasons.append(reason)
             continue
         return _checked(context)
-    raise GraphicsError(f"No OpenGL context could be made ({'; '.join(reasons)}). {_hint()}.")
+    raise GraphicsError(f"No OpenGL 3.3 context could be made ({'; '.join(reasons)}). {_hint()}.")
 
 
 def adopt_context(load: Callable[[str], int] | None = None) -> moderngl.Context:
@@ -72,7 +72,8 @@ def adopt_context(load: Callable[[str], int] | None = None) -> moderngl.Context:
     """
     try:
         # With a loader, moderngl makes a new object; without, it may return one that it remembers.
-        context = moderngl.create_context(context=_Loader(load)) if load else moderngl.create_context()
+        given: dict[str, Any] = {"context": _Loader(load)} if load else {}
+        context = moderngl.create_context(**given)
     except Exception as error:
         raise GraphicsError(f"The window has no usable OpenGL context ({error}). {_hint()}.") from error
     return _checked(context)

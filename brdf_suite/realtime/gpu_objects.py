@@ -90,6 +90,9 @@ class GpuObjects:
     def release(self, made: Any) -> None:
         """Give one object back; nothing happens where it is gone already."""
         if self._live.pop(id(made), None) is not None:
+            if isinstance(made, moderngl.Framebuffer):
+                # moderngl goes back to the last used framebuffer by its number, even when it is gone.
+                self.context.detect_framebuffer(0).use()
             made.release()
             self.counters.released += 1
 

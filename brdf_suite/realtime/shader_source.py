@@ -1,7 +1,8 @@
 """Shaders are files: put together from includes, compiled, and their errors told by file and line.
 
-A line ``#include "name.glsl"`` is replaced by that file, once per shader. Each file has a number, given to
-the compiler by ``#line``, so that whatever the compiler complains about can be traced to the file and line.
+A line ``#include "name.glsl"`` is replaced by that file, once per shader. Each file has a number, and
+``#line`` tells the compiler lines as 10,000 times that number plus the line in the file, so that its complaints
+can be traced. (The directive's own file number is lost by some compilers, Mesa among them.)
 """
 
 from __future__ import annotations
@@ -16,18 +17,20 @@ from brdf_suite.errors import GraphicsError
 
 SHADERS = Path(__file__).resolve().parent / "shaders"
 
+_LINES_PER_FILE = 10_000
+
 _INCLUDE = re.compile(r'^\s*#include\s+"([\w.\-]+)"\s*$')
 # Mesa "1:23(4): error: ...", NVIDIA "1(23) : error C1008: ...", Intel, AMD and Apple "ERROR: 1:23: ...".
 _REPORTS = (
-    re.compile(r"^(?P<file>\d+):(?P<line>\d+)\(\d+\): (?:preprocessor )?error: (?P<what>.*)$"),
-    re.compile(r"^(?P<file>\d+)\((?P<line>\d+)\) : error (?P<what>.*)$"),
-    re.compile(r"^ERROR: (?P<file>\d+):(?P<line>\d+): (?P<what>.*)$"),
+    re.compile(r"^\d+:(?P<line>\d+)\(\d+\): (?:preprocessor )?error: (?P<what>.*)$"),
+    re.compile(r"^\d+\((?P<line>\d+)\) : error (?P<what>.*)$"),
+    re.compile(r"^ERROR: \d+:(?P<line>\d+): (?P<what>.*)$"),
 )
 
 
 @dataclass(frozen=True)
 class ShaderSource:
-    """The text for the compiler and the names of the files that its numbers stand for."""
+    """The text for the compiler and the names of the files that its line numbers stand for."""
 
     text: str
     files: tuple[str, ...]
@@ -54,12 +57,12 @@ def compose(
             raise GraphicsError(f"The shader file {name} is missing{asked_by}; install brdf-suite again.")
         number = len(files)
         files.append(name)
-        lines.append(f"#line 1 {number}")
+        lines.append(f"#line {number * _LINES_PER_FILE + 1}")
         for row, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             include = _INCLUDE.match(line)
             if include:
                 add(include.group(1), f", asked for by {name}, line {row}")
-                lines.append(f"#line {row + 1} {number}")
+                lines.append(f"#line {number * _LINES_PER_FILE + row + 1}")
             else:
                 # Compilers of OpenGL 3.3 read ASCII only.
                 lines.append(line.encode("ascii", "replace").decode("ascii"))
@@ -95,8 +98,8 @@ def _explain(message: str, source: ShaderSource, pair: str) -> str:
     for line in message.splitlines():
         for report in _REPORTS:
             found = report.match(line.strip())
-            if found and int(found["file"]) < len(source.files):
-                name = source.files[int(found["file"])]
-                return f"The shader {name}, line {found['line']}, does not compile: {found['what'].strip()}."
+            if found and int(found["line"]) < len(source.files) * _LINES_PER_FILE:
+                number, row = divmod(int(found["line"]), _LINES_PER_FILE)
+                return f"The shader {source.files[number]}, line {row}, does not compile: {found['what'].strip()}."
     words = "; ".join(line.strip() for line in message.splitlines() if line.strip(" ="))
     return f"The shaders {pair} do not compile or link: {words}."

@@ -1,0 +1,131 @@
+"""Parts take their materials; an edit writes one buffer and makes nothing."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from brdf_suite.documents.view import Camera, View
+from brdf_suite.errors import GraphicsError
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.realtime.material_buffer import block_size, pack
+from brdf_suite.realtime.stock_materials import lobe_mix, stock_materials
+from brdf_suite.realtime.values import MAX_LOBES
+
+FACTORIES = (
+    "buffer", "texture", "texture_cube", "texture_array", "framebuffer", "renderbuffer", "depth_renderbuffer",
+    "program", "vertex_array", "sampler", "detect_framebuffer",
+)  # fmt: skip
+
+
+def reflected(weights):
+    """Directional albedo of gloss and base for constant surroundings at θ_fit, as the shader sums it."""
+    solid = 2 * np.pi / (np.asarray(weights.exponents) + 1)
+    return (weights.kg * solid[:, None]).sum(0), np.pi * weights.kd + (weights.kdd * solid[:, None]).sum(0)
+
+
+def test_parts_have_their_materials(renderer, scenes):
+    parts = [scenes.sheet(m, 0.1, (0.2 * i, 0, 0)) for i, m in enumerate(("red", "paint", "blue"))]
+    renderer.set_environment(scenes.constant())
+    renderer.set_mesh(parts)
+    for name, channel in (("red", 0), ("blue", 2), ("paint", 1)):
+        weights = scenes.weights(kd=0.0, coat="none")
+        kd = np.zeros(3)
+        kd[channel] = 0.5 / np.pi
+        renderer.set_material(
+            name, type(weights)(weights.exponents, kd, weights.kdd, weights.kg, coat="none")
+        )
+    image = renderer.render_image(View(Camera(0, 0), tone_curve="linear"), (300, 120))
+    strongest = [int(image[60, column].argmax()) for column in (60, 150, 240)]
+    assert strongest == [0, 1, 2]
+
+
+def test_unknown_material_is_the_neutral_grey(renderer, scenes):
+    renderer.set_environment(scenes.constant())
+    pictures = []
+    for name in ("neutral", "a material of somebody else"):
+        renderer.set_mesh([scenes.sphere(name)])
+        pictures.append(renderer.render_image(View(), (64, 64)))
+    assert np.array_equal(*pictures)
+
+
+def test_weights_of_other_lobes_are_refused(renderer, scenes):
+    renderer.set_environment(scenes.constant(exponents=(4.0, 100.0)))
+    renderer.set_mesh([scenes.sphere()])
+    renderer.set_material("paint", scenes.weights(kd=0.5))
+    with pytest.raises(GraphicsError, match=r"paint was fitted to 3 lobes .* filtered for 2 lobes"):
+        renderer.render_image(View(), (16, 16))
+    renderer.set_environment(scenes.constant())
+    renderer.render_image(View(), (16, 16))
+
+
+def test_no_environment(renderer, scenes):
+    renderer.set_mesh([scenes.sphere()])
+    with pytest.raises(GraphicsError, match="choose one"):
+        renderer.render_image(View(), (16, 16))
+
+
+def test_edits_make_nothing(renderer, scenes, context, monkeypatch):
+    """100 edits, each drawn: no OpenGL object made, no texture written, one buffer write each, and all seen."""
+    renderer.set_environment(scenes.constant())
+    renderer.set_mesh([scenes.sphere()])
+    target = context.simple_framebuffer((32, 32))
+    renderer.set_material("paint", scenes.weights(kd=0.1))
+    renderer.render(View(), target, (32, 32))
+    made, uploads, writes = (
+        renderer.counters.total_created, renderer.counters.texture_uploads, renderer.counters.buffer_writes,
+    )  # fmt: skip
+    for name in FACTORIES:
+        monkeypatch.setattr(context, name, lambda *_, _name=name, **__: pytest.fail(f"{_name} was called"))
+    seen = set()
+    for i in range(100):
+        renderer.set_material("paint", scenes.weights(kd=0.05 + 0.009 * i))
+        renderer.render(View(), target, (32, 32))
+        seen.add(target.read(components=3)[3 * (16 * 32 + 16)])
+    monkeypatch.undo()
+    context.detect_framebuffer(0).use()
+    target.release()
+    assert renderer.counters.total_created == made
+    assert renderer.counters.texture_uploads == uploads
+    assert renderer.counters.buffer_writes == writes + 100
+    assert len(seen) > 60
+
+
+@pytest.mark.parametrize(
+    "exponents", [(5.0,), (1.0, 50000.0), (2.0, 9.0, 40.0, 300.0, 2000.0, 9000.0, 50000.0)]
+)
+def test_stock_materials(exponents):
+    stock = stock_materials(exponents)
+    assert set(stock) >= {"glass", "rubber", "chrome", "lamp", "trim", "neutral"}
+    for name, weights in stock.items():
+        gloss, base = reflected(weights)
+        assert (gloss + base < 1).all(), name
+    gloss, base = reflected(stock["glass"])
+    assert gloss == pytest.approx(np.full(3, float(fresnel_dielectric(np.cos(np.pi / 4), 1.52))))
+    assert reflected(stock["chrome"])[0] == pytest.approx([0.56, 0.57, 0.58])
+    assert stock["chrome"].coat == "metal"
+    assert reflected(stock["neutral"])[1] == pytest.approx(np.full(3, 0.18))
+
+
+def test_lobe_mix_keeps_the_albedo_and_lies_between_neighbours():
+    exponents = (5.0, 50.0, 500.0)
+    solid = 2 * np.pi / (np.asarray(exponents) + 1)
+    for exponent in (1.0, 5.0, 20.0, 50.0, 499.0, np.inf):
+        weights = lobe_mix(exponents, exponent, 0.3)
+        assert (weights * solid[:, None]).sum(0) == pytest.approx(np.full(3, 0.3))
+        assert (weights >= 0).all()
+    assert (lobe_mix(exponents, np.sqrt(5 * 50), 1.0) * solid[:, None])[:, 0] == pytest.approx([0.5, 0.5, 0])
+
+
+def test_block(scenes):
+    """Layout of the uniform block, as material.glsl declares it."""
+    weights = scenes.weights(kd=0.3, gloss=0.04, directional=0.2, ior=1.6)
+    block = np.frombuffer(pack(weights), np.float32).reshape(-1, 4)
+    assert block.nbytes == block_size(3) <= block_size(MAX_LOBES)
+    f = float(fresnel_dielectric(np.cos(np.pi / 4), 1.6))
+    assert block[0, :3] == pytest.approx(0.3)
+    assert block[1] == pytest.approx([1, 1.6, 1 / f, 1 / (1 - f) ** 2])
+    assert block[2] == pytest.approx([0.04, 0.04, 0.04, 25])
+    assert block[3:6, 0] == pytest.approx([0.2, 0, 0])
+    assert block[6:9, 0] == pytest.approx([0, 0, 0.04])
+    assert np.frombuffer(pack(scenes.weights(ior=1.0)), np.float32)[4] == 0
