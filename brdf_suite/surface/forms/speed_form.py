@@ -20,7 +20,7 @@ from brdf_suite.surface.mesh import Mesh, Part
 
 Float64 = NDArray[np.float64]
 
-ROWS, COLUMNS_ABOVE, COLUMNS_BELOW = 184, 48, 60
+ROWS, COLUMNS_ABOVE, COLUMNS_BELOW = 172, 48, 76
 
 # Millimetres and radians; t is +1 at the nose and -1 at the tail.
 _HALF_LENGTH = 180.0
@@ -109,21 +109,26 @@ def _elevations(t: Float64) -> Float64:
     return np.concatenate([down[:, :0:-1], up], axis=1)
 
 
+def speed_form_grid() -> tuple[Float64, Float64]:
+    """Return the angles ``polar`` and ``around`` of the mesh's vertices, (rows, columns) each."""
+    polar = np.linspace(0.0, np.pi, ROWS + 1)
+    right = _elevations(np.cos(polar))
+    around = np.concatenate([right, np.pi - right[:, -2::-1]], axis=1)
+    return np.broadcast_to(polar[:, None], around.shape), around
+
+
 def speed_form() -> Mesh:
     """Return the speed form, 0.36 m long, nose along +z, standing on y = 0, one painted part.
 
     Texture coordinates are lengths on the surface: ``u`` along the body from its middle, ``v`` around it from
     the crown, so that areas keep their size, as flakes need.
     """
-    polar = np.linspace(0.0, np.pi, ROWS + 1)
-    right = _elevations(np.cos(polar))
-    around = np.concatenate([right, np.pi - right[:, -2::-1]], axis=1)
-    polar_grid = np.broadcast_to(polar[:, None], around.shape)
-    points = speed_form_point(polar_grid, around)
+    polar, around = speed_form_grid()
+    points = speed_form_point(polar, around)
     normals = np.zeros_like(points)
-    normals[1:-1] = normals_of(speed_form_point, polar_grid[1:-1], around[1:-1])
+    normals[1:-1] = normals_of(speed_form_point, polar[1:-1], around[1:-1])
     normals[0], normals[-1] = [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]
-    crown = right.shape[1] - 1
+    crown = around.shape[1] // 2
     uvs = np.stack([lengths_along(points, 0, ROWS // 2), lengths_along(points, 1, crown)], axis=-1)
     points[..., 1] -= points[..., 1].min()
     flat = points.reshape(-1, 3)

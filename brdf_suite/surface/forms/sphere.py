@@ -14,6 +14,9 @@ from brdf_suite.surface.mesh import Mesh, Part
 RADIUS_MM = 100.0
 CELLS = 64
 
+# Equal angles make a patch a little large; scaled so that the whole has the sphere's area.
+_EQUAL_AREA = np.sqrt(8.0 / (3.0 * np.pi))
+
 # For each patch: the directions of its right, its up and its outward axis; right × up = outward.
 _FRAMES = (
     ((0, 0, -1), (0, 1, 0), (1, 0, 0)),
@@ -35,7 +38,8 @@ def sphere() -> Mesh:
     patch = grid_triangles(CELLS + 1, CELLS + 1)
     count = (CELLS + 1) ** 2
     triangles = np.concatenate([patch + index * count for index in range(len(_FRAMES))])
-    charts = [np.stack([right, up], axis=1) + [2.0 * index, 0.0] for index in range(len(_FRAMES))]
-    positions = (normals + [0.0, 1.0, 0.0]) * RADIUS_MM / 1000.0
-    part = Part("sphere", "paint", positions, normals, np.concatenate(charts) * RADIUS_MM, triangles)
+    charts = [np.stack([right + 2.0 * index, up], axis=1) for index in range(len(_FRAMES))]
+    positions = (normals + np.array([0.0, 1.0, 0.0])) * RADIUS_MM / 1000.0
+    uvs = np.concatenate(charts) * RADIUS_MM * _EQUAL_AREA
+    part = Part("sphere", "paint", positions, normals, uvs, triangles)
     return Mesh("sphere", (part,))
