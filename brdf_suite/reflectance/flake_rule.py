@@ -22,7 +22,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 
@@ -32,8 +31,8 @@ from brdf_suite.geometry.directions import Floats
 _LOW_U, _HIGH_U = 0.04, 1e4
 # A channel that varies by less than this share of its size is flat, and any bell of height 0 fits it.
 _FLAT = 1e-9
-
-_Spread: TypeAlias = float | None
+# Where even the first reading sees less than this share of the bell, its top is a guess, not a measurement.
+_FAINTEST = 0.01
 
 
 def squared_tilt(gamma: Floats, illumination: float, ior: float) -> Floats:
@@ -102,6 +101,8 @@ def _solve(x: list[float], rho: list[float]) -> tuple[float, float, float] | Non
     u = _root(x2 - x1, x3 - x2, first / second)
     if u is None:
         return None
+    if math.exp(-x1 * u) < _FAINTEST:
+        return None
     # From the two ends: e1 - e3 is the largest difference, so the best known.
     e1, e3 = math.exp(-x1 * u), math.exp(-x3 * u)
     height = (rho[0] - rho[2]) / (e1 - e3)
@@ -159,6 +160,6 @@ def _least_squares(x: list[float], rho: list[float]) -> tuple[float, float, floa
         k = int(np.argmin(error))
         low, high = float(grid[max(k - 1, 0)]), float(grid[min(k + 1, 32)])
     u = math.exp(float(grid[k]))
-    if not 1.5 * _LOW_U < u < 0.67 * _HIGH_U:
+    if not 1.5 * _LOW_U < u < 0.67 * _HIGH_U or math.exp(-x[0] * u) < _FAINTEST:
         return None
     return float(ground[k]), float(height[k]), u

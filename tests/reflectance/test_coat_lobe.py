@@ -34,6 +34,18 @@ def test_the_peak(roughness: float, theta: float) -> None:
     np.testing.assert_allclose(found, expected, rtol=1e-9)
 
 
+def test_facets_shade_each_other_as_smith_says() -> None:
+    """Λ = (erf a - 1)/2 + exp(-a²)/(2a√π), a = 1/(α tanθ), worked out here with the exact error function."""
+    alpha, theta = 0.5, math.radians(70.0)
+    a = 1.0 / (alpha * math.tan(theta))
+    shade = 0.5 * (math.erf(a) - 1.0) + math.exp(-a * a) / (2.0 * a * math.sqrt(math.pi))
+    wi = illumination(70.0)
+    found = CoatLobe(1.5, alpha).eval_grey(wi, mirror(wi))
+    plain = fresnel_at(70.0, 1.5) / (4.0 * math.pi * alpha**2 * math.cos(theta) ** 2)
+    assert float(found) == pytest.approx(plain / (1.0 + 2.0 * shade), rel=0.004)
+    assert float(found) < 0.9 * plain
+
+
 @pytest.mark.parametrize("roughness", [0.002, 0.01, 0.03])
 @pytest.mark.parametrize("theta", [0.0, 20.0, 45.0, 60.0])
 def test_a_narrow_lobe_reflects_fresnels_share(roughness: float, theta: float) -> None:

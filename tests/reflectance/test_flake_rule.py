@@ -95,6 +95,13 @@ def test_what_no_flakes_give_is_not_solved(values: tuple) -> None:
     assert FlakeRule.through(ANGLES, np.repeat(np.array(values)[:, None], 3, axis=1), LIGHT, 1.5) is None
 
 
+@pytest.mark.parametrize("degrees", [(60.0, 80.0, 100.0), (50.0, 60.0, 70.0, 80.0)])
+def test_readings_far_out_do_not_invent_a_mirror_direction(degrees: tuple) -> None:
+    """They see only the foot of a steep bell; its top would be thousands of times brighter."""
+    rho = np.repeat(10.0 ** -np.arange(0.0, 3.0 * len(degrees), 3.0)[:, None], 3, axis=1)
+    assert FlakeRule.through(np.radians(degrees), rho, LIGHT, 1.5) is None
+
+
 def test_a_flat_channel_has_no_spread() -> None:
     rule = FlakeRule.through(
         ANGLES, np.array([[0.5, 0.6, 0.0], [0.5, 0.3, 0.0], [0.5, 0.2, 0.0]]), LIGHT, 1.5
