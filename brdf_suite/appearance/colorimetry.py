@@ -32,7 +32,7 @@ CAT16 = np.array(
         [-0.002079, 0.048952, 0.953127],
     ]
 )
-"""XYZ to the cone-like responses of CAT16 (Li et al. 2017, Comprehensive color solutions, equation A.1)."""
+"""XYZ to the cone-like responses of CAT16 (Li et al. 2017, Comprehensive color solutions)."""
 
 
 def primaries_to_xyz(

@@ -20,8 +20,8 @@ class FlopIndex:
 def flop_index(l15: float, l45: float, l110: float) -> FlopIndex:
     """Return the flop index 2.69 (L15 - L110)^1.11 / L45^0.86 of L* at 15, 45 and 110°.
 
-    0 for a solid colour; about 15 to 17 for a very high flop. The formula is the one in general use, from
-    expert memory (A. B. J. Rodrigues, DuPont); it was not read in a standard.
+    0 for a solid colour; about 15 to 17 for a very high flop. The formula is the one in general use; it was
+    taken from expert memory, not read in a standard.
 
     >>> round(flop_index(108.6, 40.9, 8.7).value, 1)
     18.3
