@@ -1,0 +1,127 @@
+"""Merging of points that cuts left close together.
+
+Several parallel cuts each cross the diagonals that the one before left, so points crowd on the curves. Short edges
+are collapsed where neither a curve nor the shading would change: a point moves only along all the curves
+that it lies on, only over a small angle between normals, and no triangle may turn over.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.surface.car.blends import Floats
+from brdf_suite.surface.car.nets import Ints, edges_of
+
+_ROUNDS = 24
+
+
+def merged(
+    points: Floats,
+    normals: Floats,
+    triangles: Ints,
+    curves: NDArray[np.bool_],
+    shortest: float,
+    angle_deg: float,
+) -> Ints:
+    """Return the triangles (k', 3) after collapsing edges shorter than ``shortest`` (m).
+
+    Parameters
+    ----------
+    points, normals
+        (n, 3); points keep their places and numbers.
+    triangles
+        (k, 3) of a surface without branches.
+    curves
+        (n, m): point i lies on curve j.
+    shortest, angle_deg
+        Longer edges, and edges over which the normal turns more, stay.
+    """
+    limit = float(np.cos(np.radians(angle_deg)))
+    for _ in range(_ROUNDS):
+        target, rank = _candidates(points, normals, triangles, curves, shortest, limit)
+        if not (target >= 0).any():
+            break
+        target = _without_overlap(points, normals, triangles, target, rank)
+        if not (target >= 0).any():
+            break
+        moved = np.where(target >= 0, target, np.arange(len(points)))
+        triangles = moved[triangles]
+        a, b, c = triangles.T
+        triangles = triangles[(a != b) & (b != c) & (c != a)]
+    return triangles
+
+
+def _candidates(
+    points: Floats,
+    normals: Floats,
+    triangles: Ints,
+    curves: NDArray[np.bool_],
+    shortest: float,
+    limit: float,
+) -> tuple[Ints, Floats]:
+    """Return for each point the neighbour that it may move to (or -1), and the length of that move."""
+    edge, edge_of_side = edges_of(triangles)
+    length = np.linalg.norm(points[edge[:, 0]] - points[edge[:, 1]], axis=1)
+    flat = np.einsum("ij,ij->i", normals[edge[:, 0]], normals[edge[:, 1]]) > limit
+    short = (length < shortest) & flat
+    sides = np.bincount(edge_of_side.ravel(), minlength=len(edge))
+    rim = np.zeros(len(points), dtype=bool)
+    rim[edge[sides == 1].ravel()] = True
+    target = np.full(len(points), -1, dtype=np.int64)
+    best = np.full(len(points), np.inf)
+    for one, two in ((0, 1), (1, 0)):
+        u, v = edge[short, one], edge[short, two]
+        allowed = ~(curves[u] & ~curves[v]).any(axis=1)
+        # On a curve, the edge itself must be a piece of that curve; on the rim, an edge of the rim.
+        allowed &= ~rim[u] | (sides[short] == 1)
+        u, v, cost = u[allowed], v[allowed], length[short][allowed]
+        order = np.argsort(-cost, kind="stable")  # the shortest is written last
+        better = cost[order] < best[u[order]]
+        u, v, cost = u[order][better], v[order][better], cost[order][better]
+        target[u] = v
+        best[u] = cost
+    return target, best
+
+
+def _without_overlap(points: Floats, normals: Floats, triangles: Ints, target: Ints, rank: Floats) -> Ints:
+    """Return the targets left when moves that turn a triangle over or touch a shorter move are dropped."""
+    target = target.copy()
+    order = np.argsort(np.where(target >= 0, rank, np.inf), kind="stable")
+    place = np.empty(len(points), dtype=np.int64)
+    place[order] = np.arange(len(points))
+    bad = np.zeros(len(points), dtype=bool)
+    common = np.zeros(len(points), dtype=np.int64)
+    for corner in range(3):
+        u = triangles[:, corner]
+        p, q = triangles[:, (corner + 1) % 3], triangles[:, (corner + 2) % 3]
+        moving = target[u] >= 0
+        u, p, q = u[moving], p[moving], q[moving]
+        v = target[u]
+        gone = (p == v) | (q == v)
+        np.add.at(common, u[gone], 1)
+        facing = np.cross(points[p] - points[v], points[q] - points[v])
+        size = np.linalg.norm(facing, axis=1)
+        mean = normals[v] + normals[p] + normals[q]
+        agree = np.einsum("ij,ij->i", facing, mean) / np.maximum(size * np.linalg.norm(mean, axis=1), 1e-30)
+        one, two = (np.linalg.norm(points[end] - points[v], axis=1) for end in (p, q))
+        longest = np.maximum(one, two)
+        wrong = ~gone & ((agree < 0.8) | (size < 1e-7) | (size < 0.03 * longest**2))
+        bad[u[wrong]] = True
+    target[bad | (common > 2) | (common < 1)] = -1
+    # A move claims the ring round its point; the shortest move wins.
+    claim = np.full(len(points), len(points), dtype=np.int64)
+    for corner in range(3):
+        u = triangles[:, corner]
+        moving = target[u] >= 0
+        for other in range(3):
+            np.minimum.at(claim, triangles[moving, other], place[u[moving]])
+    lost = np.zeros(len(points), dtype=bool)
+    for corner in range(3):
+        u = triangles[:, corner]
+        moving = target[u] >= 0
+        for other in range(3):
+            beaten = claim[triangles[moving, other]] < place[u[moving]]
+            lost[u[moving][beaten]] = True
+    target[lost] = -1
+    return target
