@@ -114,8 +114,8 @@ def _relative_to_lab(relative: Floats) -> Floats:
 def lab_to_xyz(lab: npt.ArrayLike, white: npt.ArrayLike = WHITE_D65_10) -> Floats:
     """Return XYZ (..., 3), white's Y = 100, of CIE 1976 L*a*b* (CIE 15, section 8.2.1).
 
-    >>> lab_to_xyz([100.0, 0.0, 0.0]).round(3)
-    array([ 94.811, 100.   , 107.304])
+    >>> lab_to_xyz([100.0, 0.0, 0.0]).round(3).tolist()
+    [94.811, 100.0, 107.304]
     """
     xyz: Floats = _lab_to_relative(lab) * np.asarray(white, float)
     return xyz
@@ -131,8 +131,8 @@ def lab_to_working(lab: npt.ArrayLike) -> Floats:
 
     A channel below 0 says that the colour lies outside the working space.
 
-    >>> lab_to_working([100.0, 0.0, 0.0]).round(12)
-    array([1., 1., 1.])
+    >>> lab_to_working([100.0, 0.0, 0.0]).round(12).tolist()
+    [1.0, 1.0, 1.0]
     """
     rho: Floats = _lab_to_relative(lab) @ _RELATIVE_TO_WORKING
     return rho

@@ -45,8 +45,8 @@ def illumination(illumination_deg: npt.ArrayLike) -> Floats:
 def aspecular_view(illumination_deg: npt.ArrayLike, aspecular_deg: npt.ArrayLike) -> Floats:
     """Return ``wo`` (..., 3) at an aspecular angle, degrees, for the light of :func:`illumination`.
 
-    >>> aspecular_view(45.0, 45.0)
-    array([0., 0., 1.])
+    >>> aspecular_view(45.0, 45.0).tolist()
+    [0.0, 0.0, 1.0]
     """
     polar = np.radians(np.asarray(illumination_deg, float) - np.asarray(aspecular_deg, float))
     return np.stack((np.sin(polar), np.zeros_like(polar), np.cos(polar)), axis=-1)
