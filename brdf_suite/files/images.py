@@ -71,7 +71,8 @@ def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
             f"{2 * MIN_HEIGHT} × {MIN_HEIGHT}, is wanted",
         )
     pixels, repairs = repair_non_finite(pixels)
-    if chromaticities != REC2020:
+    # Files hold chromaticities as float32 or as text: four digits decide.
+    if not np.allclose(chromaticities, REC2020, atol=5e-5):
         try:
             matrix = rgb_to_working(chromaticities).astype(np.float32)
         except ValueError as error:

@@ -64,14 +64,14 @@ class LobeFilter:
             limit = self.largest_exponent
             raise ValueError(f"the exponent must be 0…{limit:.0f} for {self.rings} rings, not {exponent}")
         bandlimit = lobe_bandlimit(exponent)
-        self.analyse(bandlimit, part(progress, 0.0, 0.4))
+        self.analyse(bandlimit, part(progress, 0.0, 0.5))
         assert self._coefficients is not None
         degree = np.arange(bandlimit + 1)
         total = degree[:, None] + degree[None, :]
         gains = np.where(total <= bandlimit, lobe_coefficients(exponent, 2 * bandlimit)[total], 0.0)
         scaled = self._coefficients[: bandlimit + 1, : bandlimit + 1] * gains[:, :, None]
         cosines = np.cos(ring_angles(rings_for(bandlimit)))
-        faces = cube_from_rings(synthesise(scaled, cosines, part(progress, 0.4, 0.8)), size)
+        faces = cube_from_rings(synthesise(scaled, cosines, part(progress, 0.5, 0.9)), size)
         if bandlimit == BROAD_BANDLIMIT and exponent < BROAD_BANDLIMIT / 8.0:
             faces += self._bright_tail(exponent, bandlimit, size)
         return faces

@@ -105,8 +105,12 @@ def prefilter(
         # Two analyses at most: one for all broad lobes, so that they come soon, one for the rest.
         limits = [lobe_bandlimit(e) for e in smooth]
         broad = [limit for limit in limits if limit <= BROAD_BANDLIMIT]
-        lobe_filter.analyse(max(broad) if limits[index] <= BROAD_BANDLIMIT else max(limits), step)
-        maps[exponent] = pack_faces(lobe_filter.lobe(exponent, face_size(exponent, largest), step))
+        lobe_filter.analyse(
+            max(broad) if limits[index] <= BROAD_BANDLIMIT else max(limits), part(step, 0.0, 0.5)
+        )
+        maps[exponent] = pack_faces(
+            lobe_filter.lobe(exponent, face_size(exponent, largest), part(step, 0.5, 1.0))
+        )
         report(step, 1.0, f"lobe {exponent:g} is filtered")
         if ready is not None:
             ready(exponent, maps[exponent])

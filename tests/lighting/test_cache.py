@@ -1,0 +1,203 @@
+"""The cache saves time and never fails: damage, locks, full and read-only disks, two programs at once."""
+
+import logging
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from brdf_suite.errors import Cancelled
+from brdf_suite.lighting import cache as cache_module
+from brdf_suite.lighting.cache import MapCache, cache_key, default_root
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.prefilter import LobeMaps
+
+
+@pytest.fixture
+def environment() -> Environment:
+    pixels = np.random.default_rng(2).random((32, 64, 3)).astype(np.float32)
+    return Environment("noise", pixels)
+
+
+@pytest.fixture
+def count_work(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Count how often maps are really made."""
+    made: list[str] = []
+    real = cache_module.prefilter
+
+    def counted(environment: Environment, *rest: object) -> LobeMaps:
+        made.append(environment.name)
+        return real(environment, *rest)
+
+    monkeypatch.setattr(cache_module, "prefilter", counted)
+    return made
+
+
+def same(one: LobeMaps, other: LobeMaps) -> bool:
+    pairs = zip(
+        (one.diffuse, one.background, *one.lobes),
+        (other.diffuse, other.background, *other.lobes),
+        strict=True,
+    )
+    return one.exponents == other.exponents and all(
+        a.scale == b.scale and np.array_equal(a.faces, b.faces) for a, b in pairs
+    )
+
+
+def test_second_time_comes_from_disk_and_is_the_same(environment: Environment, count_work: list[str]) -> None:
+    first = MapCache().get_or_compute(environment, [3.0, 9e9])
+    again = MapCache().get_or_compute(Environment("other name", environment.radiance), [3.0, 9e9])
+    assert count_work == ["noise"]
+    assert same(first, again)
+    assert again.lobes[1] is again.background
+
+
+def test_another_lobe_set_or_another_pixel_is_another_entry(
+    environment: Environment, count_work: list[str]
+) -> None:
+    cache = MapCache()
+    cache.get_or_compute(environment, [3.0])
+    cache.get_or_compute(environment, [4.0])
+    pixels = environment.radiance.copy()
+    pixels[0, 0, 0] += np.float32(0.5)
+    cache.get_or_compute(Environment("changed", pixels), [3.0])
+    assert count_work == ["noise", "noise", "changed"]
+    assert len(cache.entries()) == 3
+
+
+@pytest.mark.parametrize("damage", ["truncate", "header", "payload", "empty", "text"])
+def test_a_damaged_entry_is_noticed_and_rebuilt(
+    environment: Environment, count_work: list[str], damage: str, caplog: pytest.LogCaptureFixture
+) -> None:
+    cache = MapCache()
+    good = cache.get_or_compute(environment, [3.0])
+    entry = cache.entries()[0]
+    data = bytearray(entry.read_bytes())
+    if damage == "truncate":
+        data = data[:-7]
+    elif damage == "header":
+        data[20] ^= 0xFF
+    elif damage == "payload":
+        data[-1000] ^= 0x01
+    else:
+        data = bytearray(b"" if damage == "empty" else b"not maps at all, but long enough to look")
+    entry.write_bytes(bytes(data))
+    with caplog.at_level(logging.WARNING):
+        assert same(cache.get_or_compute(environment, [3.0]), good)
+    assert "damaged" in caplog.text
+    assert len(count_work) == 2
+    cache.get_or_compute(environment, [3.0])
+    assert len(count_work) == 2
+
+
+def test_a_place_that_cannot_be_written_costs_only_time(
+    environment: Environment, tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    blocked = tmp_path / "file"
+    blocked.write_text("a file where the folder should be")
+    with caplog.at_level(logging.WARNING):
+        maps = MapCache(blocked).get_or_compute(environment, [3.0])
+    assert maps.lobes[0].faces.max() > 0
+    assert "not kept" in caplog.text
+
+
+def test_a_full_disk_costs_only_time_and_leaves_nothing(
+    environment: Environment, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def full(descriptor: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    cache = MapCache()
+    with caplog.at_level(logging.WARNING):
+        cache.get_or_compute(environment, [3.0])
+    assert "No space left" in caplog.text
+    assert cache.entries() == []
+    assert not list(cache.folder.glob(".*.part"))
+
+
+def test_the_entry_unused_for_longest_goes_first(environment: Environment) -> None:
+    cache = MapCache()
+    for index, exponent in enumerate((3.0, 4.0, 5.0)):
+        cache.get_or_compute(environment, [exponent])
+        entry = cache.folder / f"{cache_key(environment, [exponent])}.lobemaps"
+        os.utime(entry, (1000.0 + index, 1000.0 + index))
+    size = cache.entries()[0].stat().st_size
+    cache.get_or_compute(environment, [3.0])  # used: now the youngest
+    small = MapCache(limit_bytes=3 * size + size // 2)
+    small.get_or_compute(environment, [6.0])
+    left = {path.stem for path in small.entries()}
+    assert left == {cache_key(environment, [e]) for e in (3.0, 5.0, 6.0)}
+    small.clear()
+    assert small.entries() == []
+
+
+PROGRAM = """
+import sys, numpy as np
+from pathlib import Path
+from brdf_suite.lighting import cache
+from brdf_suite.lighting.environment import Environment
+real = cache.prefilter
+def counted(*rest):
+    Path(sys.argv[1], f"made-{sys.argv[2]}").touch()
+    return real(*rest)
+cache.prefilter = counted
+pixels = np.random.default_rng(7).random((256, 512, 3)).astype(np.float32)
+maps = cache.MapCache().get_or_compute(Environment("shared", pixels), [1500.0, 3000.0])
+print(int(maps.lobes[0].faces.astype(np.float64).sum()))
+"""
+
+
+def test_two_programs_do_the_work_once(tmp_path: Path) -> None:
+    programs = [
+        subprocess.Popen(
+            [sys.executable, "-c", PROGRAM, str(tmp_path), name], stdout=subprocess.PIPE, text=True
+        )
+        for name in "ab"
+    ]
+    answers = [program.communicate(timeout=60)[0] for program in programs]
+    assert [program.returncode for program in programs] == [0, 0]
+    assert answers[0] == answers[1] != ""
+    assert len(list(tmp_path.glob("made-*"))) == 1
+
+
+HOLDER = """
+import sys, time
+from filelock import FileLock
+lock = FileLock(sys.argv[1]); lock.acquire(); print("held", flush=True); time.sleep(60)
+"""
+
+
+def test_waiting_can_be_cancelled_and_a_killed_holder_frees_the_lock(environment: Environment) -> None:
+    cache = MapCache()
+    cache.folder.mkdir(parents=True)
+    lock = cache.folder / f".{cache_key(environment, [3.0])[:2]}.lock"
+    with subprocess.Popen(
+        [sys.executable, "-c", HOLDER, str(lock)], stdout=subprocess.PIPE, text=True
+    ) as holder:
+        assert holder.stdout is not None
+        assert holder.stdout.readline() == "held\n"
+        waits: list[str] = []
+
+        def cancel(fraction: float, what: str) -> None:
+            waits.append(what)
+            raise Cancelled
+
+        with pytest.raises(Cancelled):
+            cache.get_or_compute(environment, [3.0], cancel)
+        assert "waiting" in waits[0]
+        holder.kill()
+    start = time.monotonic()
+    assert cache.get_or_compute(environment, [3.0]).exponents == (3.0,)
+    assert time.monotonic() - start < 10.0
+
+
+def test_the_folder_can_be_chosen(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("BRDF_SUITE_CACHE", str(tmp_path / "here"))
+    assert MapCache().folder == tmp_path / "here" / "lobe_maps"
+    monkeypatch.delenv("BRDF_SUITE_CACHE")
+    assert default_root().name == "brdf-suite"
