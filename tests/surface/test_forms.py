@@ -148,7 +148,7 @@ def test_the_panel_has_a_painted_skin_and_a_back() -> None:
     skin, back = panel().parts
     assert (skin.material, back.material) == ("paint", "trim")
     low, high = skin.bounds()
-    np.testing.assert_allclose(high[:2] - low[:2], [0.6, 0.4], atol=0.01)
+    np.testing.assert_allclose(high[:2] - low[:2], [0.6, 0.4 * np.cos(np.radians(22.0))], atol=0.02)
     positions, triangles, normals = arrays(skin)
     assert normals[np.argmax(positions[:, 2])][2] > 0.9
     # One outline: as many open edges as corners on it, and they join.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.appearance.colorimetry import REC709_TO_WORKING
 from brdf_suite.lighting.procedural.panorama import edge, mix
 
 Float64 = NDArray[np.float64]
@@ -12,8 +13,9 @@ Float64 = NDArray[np.float64]
 _EYE_M = 1.0
 _YARD_M, _YARD_EDGE_M = 11.0, 0.8
 _SLAB_M = 3.0
-_PAVING = np.array([0.235, 0.230, 0.222])
-_GRASS = np.array([0.065, 0.090, 0.035])
+# Albedos, given in Rec. 709 as references have them.
+_PAVING = REC709_TO_WORKING @ [0.235, 0.230, 0.222]
+_GRASS = REC709_TO_WORKING @ [0.072, 0.090, 0.042]
 
 
 def ground_radiance(toward: Float64, light: Float64, haze: Float64) -> Float64:
@@ -38,7 +40,7 @@ def ground_radiance(toward: Float64, light: Float64, haze: Float64) -> Float64:
     paving = _PAVING * (tone * (1.0 - 0.35 * joint))[..., None]
     grass = _GRASS * (1.0 + 0.12 * np.sin(0.23 * x) * np.sin(0.31 * z))[..., None]
     albedo = mix(paving, grass, edge(distance - _YARD_M, _YARD_EDGE_M))
-    far = 0.35 * (1.0 - np.exp(-distance / 400.0))
+    far = 0.10 * (1.0 - np.exp(-distance / 400.0))
     return mix(albedo * light, haze, far)
 
 

@@ -12,15 +12,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.appearance.colorimetry import REC709_TO_WORKING
 from brdf_suite.lighting.procedural.panorama import edge, mix
 
 Float64 = NDArray[np.float64]
 
 _SOFT = np.radians(0.35)
 _TALLEST = np.radians(14.0)
-_HILL = np.array([0.060, 0.075, 0.055])
-_TREE_DARK = np.array([0.028, 0.040, 0.022])
-_TREE_LIGHT = np.array([0.085, 0.115, 0.050])
+# Albedos, given in Rec. 709 as references have them.
+_HILL = REC709_TO_WORKING @ [0.060, 0.075, 0.055]
+_TREE_DARK = REC709_TO_WORKING @ [0.030, 0.037, 0.022]
+_TREE_LIGHT = REC709_TO_WORKING @ [0.085, 0.108, 0.052]
 
 
 @dataclass(frozen=True, eq=False)

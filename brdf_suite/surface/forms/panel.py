@@ -21,7 +21,7 @@ _CORNER = 45.0
 _FLAT, _FOLD, _FLANGE = 33.0, 20.0, 14.0
 _BEND_X, _BEND_Y = 2400.0, 800.0
 _LINE_Y, _LINE_SLOPE, _LINE_RADIUS = 45.0, 0.075, 9.0
-_LEAN_DEG = 14.0
+_LEAN_DEG = 22.0
 _THICKNESS = 0.8
 _CELL = 4.0
 
@@ -64,7 +64,7 @@ def _bent(centre: Float64, direction: Float64, length: Float64) -> tuple[Float64
 
 
 def panel() -> Mesh:
-    """Return the panel, facing +z and leaning back by 14°, standing on y = 0: painted skin and plain back."""
+    """Return the panel, facing +z and leaning back by 22°, standing on y = 0: painted skin and plain back."""
     across, up = _HALF_WIDTH - _CORNER, _HALF_HEIGHT - _CORNER
     xs = np.linspace(-across, across, round(across / _CELL) + 1)
     # Rows crowd around the feature line, whose radius is small.
