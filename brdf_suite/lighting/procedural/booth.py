@@ -19,7 +19,7 @@ Float64 = NDArray[np.float64]
 
 _LOW = np.array([-4.5, -0.9, -7.0])
 _HIGH = np.array([4.5, 3.3, 7.0])
-_FLOOR_ALBEDO, _WALL_ALBEDO, _CEILING_ALBEDO = 0.20, 0.32, 0.28
+_FLOOR_ALBEDO, _WALL_ALBEDO, _CEILING_ALBEDO = 0.26, 0.43, 0.30  # walls: Munsell N7
 
 
 @dataclass(frozen=True)
@@ -83,11 +83,11 @@ BOXES = (
     SoftBox((2.3, 2.5, 0.0), (0.25, 0.08, 0.0), (0.0, 0.0, 5.0), 6.0),
     SoftBox((-2.3, 2.5, 0.0), (0.25, -0.08, 0.0), (0.0, 0.0, 5.0), 6.0),
     # Sides: tall banks, the right one larger, so that a form has a light side and a dark one.
-    SoftBox((4.1, 1.0, 2.2), (0.0, 0.0, 1.5), (0.0, 1.1, 0.0), 4.5, 0.12),
+    SoftBox((4.1, 0.95, 1.7), (0.0, 0.0, 2.0), (0.0, 1.25, 0.0), 4.5, 0.12),
     SoftBox((-4.1, 1.1, 1.6), (0.0, 0.0, 0.45), (0.0, 1.3, 0.0), 5.5),
     SoftBox((-4.1, 1.1, -2.6), (0.0, 0.0, 0.45), (0.0, 1.3, 0.0), 5.5),
     # In front and behind: low strips across the room.
-    SoftBox((0.0, 1.5, 6.6), (2.4, 0.0, 0.0), (0.0, 0.30, 0.0), 5.0),
+    SoftBox((0.0, 1.5, 6.6), (2.6, 0.0, 0.0), (0.0, 0.40, 0.0), 5.0),
     SoftBox((0.0, 1.7, -6.6), (1.6, 0.0, 0.0), (0.0, 0.22, 0.0), 4.0),
 )
 
