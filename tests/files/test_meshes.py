@@ -276,3 +276,27 @@ def test_a_gltf_with_its_buffer_beside_it(shared_data: Path, tmp_path: Path) -> 
 )
 def test_names_that_tell_the_material(material: str, part: str, word: str) -> None:
     assert material_word(material, part) == word
+
+
+@pytest.mark.parametrize("ending", ["glb", "obj", "stl", "ply"])
+def test_damaged_bytes_give_a_mesh_or_one_line(tmp_path: Path, ending: str) -> None:
+    """Whatever is changed in a file, the answer is a mesh that can be drawn or a named error."""
+    file = tmp_path / f"ball.{ending}"
+    ball_of_triangles().export(file)
+    sound = np.frombuffer(file.read_bytes(), np.uint8)
+    rng = np.random.default_rng(11)
+    outcomes = set()
+    for _ in range(40):
+        data = sound.copy()
+        places = rng.integers(0, len(data), rng.integers(1, 12))
+        data[places] = (
+            rng.integers(32, 127, len(places)) if ending == "obj" else rng.integers(0, 256, len(places))
+        )
+        file.write_bytes(data[: len(data) - int(rng.integers(0, 2) * rng.integers(0, len(data)))].tobytes())
+        try:
+            drawn = read_mesh(file).triangle_count
+            outcomes.add("mesh" if drawn > 0 else "nothing")
+        except FileError as error:
+            outcomes.add("lines" if "\n" in str(error) else "line")
+    assert "line" in outcomes
+    assert outcomes <= {"mesh", "line"}
