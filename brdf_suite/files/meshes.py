@@ -181,7 +181,10 @@ def _scale(raw: list[RawPart]) -> tuple[float, str | None]:
     size = float(np.ptp(points, axis=0).max())
     if size == 0.0 or _SMALLEST_M <= size <= _LARGEST_M:
         return 1.0, None
+    written = f"{size:.3g} m across as written, which no object is"
+    if _LARGEST_M < size <= _LARGEST_M * 1000.0:
+        return 0.001, f"{written}; taken as millimetres"
     factor = 10.0 ** -round(math.log10(size))
     if not 0.3 <= size * factor <= 3.2:
         factor = 1.0 / size
-    return factor, f"{size:.3g} m across as written, which no object is; scaled by {factor:g}"
+    return factor, f"{written}; scaled by {factor:g}"

@@ -99,15 +99,25 @@ def test_scene_transforms_apply_to_positions_and_normals(tmp_path: Path) -> None
     assert (np.einsum("ij,ij->i", np.cross(b - a, c - a), right.normals[right.triangles[:, 0]]) > 0).all()
 
 
-@pytest.mark.parametrize(("size", "expected"), [(4000.0, 4.0), (0.00001, 1.0), (3.0, 3.0)])
-def test_a_size_that_no_object_has_is_scaled_and_said(tmp_path: Path, size: float, expected: float) -> None:
+@pytest.mark.parametrize(
+    ("size", "expected", "said"),
+    [
+        (4000.0, 4.0, "millimetres"),
+        (60.0, 0.06, "millimetres"),
+        (2e7, 2.0, "scaled"),
+        (1e-5, 1.0, "scaled"),
+        (3.0, 3.0, ""),
+    ],
+)
+def test_a_size_that_no_object_has_is_scaled_and_said(
+    tmp_path: Path, size: float, expected: float, said: str
+) -> None:
     file = tmp_path / "ball.stl"
     trimesh.creation.icosphere(subdivisions=2, radius=size / 2).export(file)
     mesh = read_mesh(file)
     low, high = mesh.bounds()
-    assert np.max(high - low) == pytest.approx(expected, rel=0.05) or size == 4000.0
-    assert any("scaled" in note for note in mesh.notes) == (size != 3.0)
-    assert 0.3 <= np.max(high - low) <= 3.2
+    assert np.max(high - low) == pytest.approx(expected, rel=0.01)
+    assert any("as written" in note and said in note for note in mesh.notes) == bool(said)
 
 
 @pytest.mark.parametrize(
