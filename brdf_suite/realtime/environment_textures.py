@@ -14,8 +14,8 @@ from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps
 
 _SEAMLESS = 0x884F  # GL_TEXTURE_CUBE_MAP_SEAMLESS, core since OpenGL 3.2
 
-MIPMAPPED_FROM = 128
-"""Faces this large get mip levels, by derivatives: a curved surface squeezes the map into few pixels."""
+MIPMAPPED_FROM = 256
+"""Faces this large get mip levels: a tightly curved surface squeezes a sharp lobe's map into few pixels."""
 
 
 class EnvironmentTextures:
@@ -46,20 +46,18 @@ class EnvironmentTextures:
         for unit, texture in enumerate(self._textures):
             texture.use(unit)
 
-    def connect(self, program: moderngl.Program) -> None:
-        """Tell a program the units and scales, those that it uses."""
-        values: dict[str, object] = {
+    def uniforms(self) -> dict[str, object]:
+        """Return the units and scales by the names of environment.glsl and lobes.glsl."""
+        return {
             "diffuse_map": 0,
             "background_map": 1,
             "lobe_maps": tuple(range(2, len(self._textures))),
             "diffuse_scale": self._scales[0],
             "background_scale": self._scales[1],
             "lobe_scales": tuple(self._scales[2:]),
+            # A face of F texels is 2 wide at distance 1: F / 2 texels per radian in its middle.
+            "lobe_levels": tuple(float(np.log2(texture.size[0] / 2)) for texture in self._textures[2:]),
         }
-        for name, value in values.items():
-            if name in program:
-                # An array of one is a plain number to moderngl.
-                program[name] = value[0] if isinstance(value, tuple) and len(value) == 1 else value
 
     def release(self) -> None:
         """Give the textures back."""

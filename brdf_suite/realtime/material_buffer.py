@@ -34,4 +34,5 @@ def pack(weights: MaterialWeights) -> bytes:
     block[2, 3] = 1.0 / max(float(albedo.max()), 1e-6)
     block[3 : 3 + lobes, :3] = weights.kdd * solid_angle
     block[3 + lobes :, :3] = weights.kg * solid_angle
+    block[3:, 3] = block[3:, :3].max(axis=1)
     return block.tobytes()

@@ -2,35 +2,44 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from pathlib import Path
+
 import moderngl
 
-from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.gpu_objects import GpuObjects
-from brdf_suite.realtime.shader_source import compose, lobe_defines
+from brdf_suite.realtime.shader_source import SHADERS, compose, lobe_defines
 
 MATERIAL_BINDING = 0
 
 ScreenProgram = tuple[moderngl.Program, moderngl.VertexArray]
 
 
-class Programs:
-    """Programs of one context."""
+def assign(program: moderngl.Program, values: Mapping[str, object]) -> None:
+    """Set uniforms by name; those that the compiler found unused, and dropped, are passed over."""
+    for name, value in values.items():
+        if name in program:
+            # An array of one is a plain number to moderngl.
+            program[name] = value[0] if isinstance(value, tuple) and len(value) == 1 else value
 
-    def __init__(self, objects: GpuObjects) -> None:
+
+class Programs:
+    """Programs of one context; ``surface_shader`` takes the place of mesh.frag.glsl."""
+
+    def __init__(self, objects: GpuObjects, surface_shader: Path | None = None) -> None:
         self._objects = objects
+        self._surface = surface_shader or SHADERS / "mesh.frag.glsl"
         self._mesh: dict[int, moderngl.Program] = {}
         self._screen: dict[tuple[str, int], ScreenProgram] = {}
 
     def mesh(self, lobes: int) -> moderngl.Program:
         """Return the program that shades surfaces with so many lobes."""
         if lobes not in self._mesh:
-            program = self._objects.program(
-                compose("mesh.vert.glsl"), compose("mesh.frag.glsl", lobe_defines(lobes))
-            )
-            block = program["Material"]
-            if not isinstance(block, moderngl.UniformBlock):
-                raise GraphicsError("The shader material.glsl has lost its block Material.")
-            block.binding = MATERIAL_BINDING
+            fragment = compose(self._surface.name, lobe_defines(lobes), (self._surface.parent, SHADERS))
+            program = self._objects.program(compose("mesh.vert.glsl"), fragment)
+            block = program.get("Material", None)
+            if isinstance(block, moderngl.UniformBlock):
+                block.binding = MATERIAL_BINDING
             self._mesh[lobes] = program
         return self._mesh[lobes]
 

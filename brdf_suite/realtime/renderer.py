@@ -14,6 +14,7 @@ the samples, encodes for sRGB, dithers, and writes into the caller's framebuffer
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import moderngl
@@ -28,7 +29,7 @@ from brdf_suite.realtime.environment_textures import EnvironmentTextures
 from brdf_suite.realtime.gpu_objects import Counters, GpuObjects
 from brdf_suite.realtime.material_set import MaterialSet
 from brdf_suite.realtime.mesh_buffers import MeshBuffers
-from brdf_suite.realtime.programs import MATERIAL_BINDING, Programs
+from brdf_suite.realtime.programs import MATERIAL_BINDING, Programs, assign
 from brdf_suite.realtime.target import LightTarget, PictureTarget
 from brdf_suite.realtime.tone_curves import TONE_CURVE_NUMBERS, WORKING_TO_SRGB
 from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights, MeshPart
@@ -43,12 +44,15 @@ Corner = tuple[int, int]
 
 
 class Renderer:
-    """All state of one OpenGL context; every call must come with that context current, from one thread."""
+    """All state of one OpenGL context; every call must come with that context current, from one thread.
 
-    def __init__(self, context: moderngl.Context) -> None:
+    ``surface_shader`` is a fragment shader file to draw surfaces with instead of ours: for measurements.
+    """
+
+    def __init__(self, context: moderngl.Context, surface_shader: Path | None = None) -> None:
         self.context = context
         self._objects = GpuObjects(context)
-        self._programs = Programs(self._objects)
+        self._programs = Programs(self._objects, surface_shader)
         self._environment = EnvironmentTextures(self._objects)
         self._mesh = MeshBuffers(self._objects)
         self._materials = MaterialSet(self._objects)
@@ -156,8 +160,7 @@ class Renderer:
         self.context.viewport = (0, 0, *tile)
         self.context.enable_only(moderngl.NOTHING)
         finish, screen = self._programs.finish(samples)
-        finish["light"] = 0
-        finish["frame"] = (*corner, 0.0, 0.0)
+        assign(finish, {"light": 0, "frame": (*corner, 0.0, 0.0)})
         light.use(0)
         screen.render(moderngl.TRIANGLES, vertices=3)
 
@@ -165,24 +168,25 @@ class Renderer:
         if not self._mesh.materials:
             return
         program = self._programs.mesh(len(self._environment.exponents))
-        self._environment.connect(program)
-        _set_view(program, view)
-        world_to_clip = cropping @ camera.world_to_clip
-        program["world_to_clip"] = _columns(world_to_clip)
-        program["eye"] = tuple(camera.eye)
-        program["fresnel_on"] = view.fresnel
+        own = {
+            "world_to_clip": _columns(cropping @ camera.world_to_clip),
+            "eye": tuple(camera.eye),
+            "fresnel_on": view.fresnel,
+        }
+        assign(program, self._environment.uniforms() | _view_uniforms(view) | own)
         for array, material in zip(self._mesh.arrays(program), self._mesh.materials, strict=True):
             self._materials.buffer(material).bind_to_uniform_block(MATERIAL_BINDING)
             array.render(moderngl.TRIANGLES)
 
     def _draw_background(self, view: View, camera: CameraMatrices, size: Size, corner: Corner) -> None:
         program, screen = self._programs.background()
-        self._environment.connect(program)
-        _set_view(program, view)
-        program["view_to_world"] = _columns(camera.view_to_world)
-        program["half_tangents"] = camera.half_tangents
-        program["frame"] = (*corner, 1.0 / size[0], 1.0 / size[1])
-        program["grey_background"] = view.background == "grey"
+        own = {
+            "view_to_world": _columns(camera.view_to_world),
+            "half_tangents": camera.half_tangents,
+            "frame": (*corner, 1.0 / size[0], 1.0 / size[1]),
+            "grey_background": view.background == "grey",
+        }
+        assign(program, self._environment.uniforms() | _view_uniforms(view) | own)
         screen.render(moderngl.TRIANGLES, vertices=3)
 
 
@@ -194,12 +198,14 @@ def checked_size(size: Size) -> Size:
     return width, height
 
 
-def _set_view(program: moderngl.Program, view: View) -> None:
+def _view_uniforms(view: View) -> dict[str, object]:
     turn = np.radians(view.rotation_deg)
-    program["light_turn"] = (float(np.cos(turn)), float(np.sin(turn)))
-    program["exposure"] = 2.0**view.exposure_ev
-    program["tone_curve_kind"] = TONE_CURVE_NUMBERS[view.tone_curve]
-    program["working_to_display"] = _columns(WORKING_TO_SRGB)
+    return {
+        "light_turn": (float(np.cos(turn)), float(np.sin(turn))),
+        "exposure": 2.0**view.exposure_ev,
+        "tone_curve_kind": TONE_CURVE_NUMBERS[view.tone_curve],
+        "working_to_display": _columns(WORKING_TO_SRGB),
+    }
 
 
 def _columns(matrix: NDArray[np.float64]) -> tuple[float, ...]:

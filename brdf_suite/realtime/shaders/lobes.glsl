@@ -12,6 +12,7 @@
 
 uniform samplerCube lobe_maps[LOBES];
 uniform float lobe_scales[LOBES];
+uniform float lobe_levels[LOBES];    // log2(texels per radian)
 
 vec3 reflected_radiance(vec3 n, vec3 v)
 {
@@ -22,9 +23,15 @@ vec3 reflected_radiance(vec3 n, vec3 v)
     vec3 directional_gain = base_gain * cos_theta;     // N.R = N.V
 
     vec3 radiance = diffuse.rgb * base_gain * (texture(diffuse_map, to_environment(n)).rgb * diffuse_scale);
+    // How far the mirror direction turns from pixel to pixel, in radians; in texels of map i it is 2^lobe_levels[i]
+    // times as much, and the mip level follows. Taken once, not per map, and not fooled by the edges of faces.
+    vec3 across = dFdx(r), down = dFdy(r);
+    float turn = 0.5 * log2(max(max(dot(across, across), dot(down, down)), 1e-12));
+    // A fit leaves many weights at zero: their maps need not be read.
 #define ADD_LOBE(i) \
-    radiance += (directional[i].rgb * directional_gain + gloss[i].rgb * gloss_gain) \
-        * (texture(lobe_maps[i], r).rgb * lobe_scales[i]);
+    if (max(directional[i].a, gloss[i].a) > 0.0) \
+        radiance += (directional[i].rgb * directional_gain + gloss[i].rgb * gloss_gain) \
+            * (textureLod(lobe_maps[i], r, turn + lobe_levels[i]).rgb * lobe_scales[i]);
     FOR_EACH_LOBE(ADD_LOBE)
     return radiance;
 }

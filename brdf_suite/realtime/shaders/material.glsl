@@ -14,8 +14,8 @@ layout(std140) uniform Material
     vec4 diffuse;              // rgb: pi KD
     vec4 coat;                 // x: COAT_*, y: index of refraction, z: 1 / F(theta_fit), w: 1 / T(theta_fit)^2
     vec4 gloss_albedo;         // rgb: sum of the gloss weights; a: 1 / (largest of them), the limit of the gain
-    vec4 directional[LOBES];   // rgb: KDD_i 2 pi / (E_i + 1)
-    vec4 gloss[LOBES];         // rgb: KG_i 2 pi / (E_i + 1)
+    vec4 directional[LOBES];   // rgb: KDD_i 2 pi / (E_i + 1); a: the largest of the three
+    vec4 gloss[LOBES];         // rgb: KG_i 2 pi / (E_i + 1); a: the largest of the three
 };
 
 // Which share of base and gloss is seen at the view angle theta, relative to the incidence of the fit.
@@ -49,7 +49,8 @@ void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
     }
     else if (kind == COAT_METAL)
     {
-        float rise = pow(clamp(1.0 - cos_theta, 0.0, 1.0), 5.0);
+        float s = clamp(1.0 - cos_theta, 0.0, 1.0);
+        float rise = s * s * s * s * s;
         vec3 g = max(gloss_albedo.rgb, vec3(1e-4));
         gloss_gain = (g + max(1.0 - g, 0.0) * rise) / g;
     }

@@ -1,0 +1,22 @@
+// Provides: the yardstick of frame times: one reflection look-up and one diffuse look-up
+// Needs:    world_position, world_normal of mesh.vert.glsl; LOBES
+#include "environment.glsl"
+#include "display.glsl"
+
+uniform vec3 eye;
+uniform samplerCube lobe_maps[LOBES];
+uniform float lobe_scales[LOBES];
+
+in vec3 world_position;
+in vec3 world_normal;
+out vec4 fragment;
+
+void main()
+{
+    vec3 v = normalize(eye - world_position);
+    vec3 n = normalize(world_normal);
+    vec3 r = to_environment(reflect(-v, n));
+    vec3 radiance = 0.3 * texture(diffuse_map, to_environment(n)).rgb * diffuse_scale
+        + 0.05 * texture(lobe_maps[LOBES - 1], r).rgb * lobe_scales[LOBES - 1];
+    fragment = vec4(display_light(radiance), 1.0);
+}
