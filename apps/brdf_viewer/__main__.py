@@ -7,14 +7,18 @@ import dataclasses
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from brdf_qt.application import create_application, process_age_s, run
 from brdf_qt.settings import settings
 from brdf_qt.theme import THEMES
 from PySide6.QtCore import QTimer
 
+if TYPE_CHECKING:
+    from brdf_viewer.controller import ViewerController
+
 from brdf_suite.documents.view import View
-from brdf_suite.pipeline.scene import default_paint_name, environment_names, surface_names
+from brdf_suite.pipeline.scene import default_paint_name, environment_names, name_in_view, surface_names
 
 _SETTLE_MS = 400
 """Between the first complete picture and a screenshot: the status bar has its frame time then."""
@@ -56,27 +60,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.report_startup:
         window.first_painted.connect(lambda: print(f"window {process_age_s():.3f} s", flush=True))
         controller.picture_complete.connect(lambda: print(f"picture {process_age_s():.3f} s", flush=True))
-    if options.screenshot:
-        _screenshot(controller, Path(options.screenshot))
+    outcome = _screenshot(controller, Path(options.screenshot)) if options.screenshot else Outcome()
     if options.quit_after is not None:
         QTimer.singleShot(round(1000 * options.quit_after), window.close)
-    return run(app, window)
+    return run(app, window) or outcome.status
 
 
 def _first_view(options: argparse.Namespace) -> View:
     from brdf_viewer.remembered import recall
 
     wanted = {
-        "environment": _key(options.environment, environment_names()),
-        "surface": _key(options.surface, surface_names()),
+        "environment": options.environment and name_in_view(options.environment, environment_names()),
+        "surface": options.surface and name_in_view(options.surface, surface_names()),
     }
     return dataclasses.replace(recall(settings()), **{k: v for k, v in wanted.items() if v})
-
-
-def _key(name_or_file: str | None, names: list[str]) -> str | None:
-    return (
-        name_or_file if name_or_file is None or name_or_file in names else str(Path(name_or_file).absolute())
-    )
 
 
 def _size(text: str) -> tuple[int, int]:
@@ -84,27 +81,33 @@ def _size(text: str) -> tuple[int, int]:
     return int(width), int(height)
 
 
-def _screenshot(controller: object, path: Path) -> None:
-    """Save the window once its picture is complete; the exit status tells whether that came about."""
-    from PySide6.QtWidgets import QApplication
+@dataclasses.dataclass
+class Outcome:
+    """What a run without a user came to; ``status`` is the exit status."""
 
+    status: int = 0
+
+
+def _screenshot(controller: ViewerController, path: Path) -> Outcome:
+    """Save the window once its picture is complete, and close it; the outcome is 1 until that is done."""
     window = controller.window
+    outcome = Outcome(1)
 
     def save() -> None:
-        saved = window.grab().save(str(path))
-        if not saved:
+        if window.grab().save(str(path)):
+            outcome.status = 0
+        else:
             print(f"brdf-viewer: {path}: the picture could not be written.", file=sys.stderr)
         window.close()
-        QApplication.exit(0 if saved else 1)
 
-    def failed(_kind: str, text: str) -> None:
+    def failed(kind: str, text: str) -> None:
         print(f"brdf-viewer: {text}", file=sys.stderr)
-        if not controller.stage.is_complete:
+        if kind == "picture" or not controller.stage.is_complete:
             window.close()
-            QApplication.exit(1)
 
     controller.picture_complete.connect(lambda: QTimer.singleShot(_SETTLE_MS, save))
     controller.failed.connect(failed)
+    return outcome
 
 
 if __name__ == "__main__":

@@ -78,7 +78,7 @@ def run(options: argparse.Namespace) -> int:
     from dataclasses import asdict, replace
 
     from brdf_suite.pipeline.picture import render_to_file
-    from brdf_suite.pipeline.scene import default_view
+    from brdf_suite.pipeline.scene import default_view, environment_names, name_in_view, surface_names
 
     view = default_view()
     camera = replace(
@@ -89,8 +89,8 @@ def run(options: argparse.Namespace) -> int:
     view = replace(
         view,
         camera=camera,
-        environment=options.environment or view.environment,
-        surface=options.mesh or view.surface,
+        environment=name_in_view(options.environment or view.environment, environment_names()),
+        surface=name_in_view(options.mesh or view.surface, surface_names()),
         rotation_deg=options.rotation,
         exposure_ev=view.exposure_ev if options.exposure is None else options.exposure,
         tone_curve=options.tone,

@@ -37,6 +37,12 @@ def surface_names() -> list[str]:
     return resource_names("meshes", ".glb")
 
 
+def name_in_view(name_or_path: str | os.PathLike[str], shipped: list[str]) -> str:
+    """Return what a View holds for a shipped name or a file: the name as it is, the file by its absolute path."""
+    text = os.fspath(name_or_path)
+    return text if text in shipped else str(Path(text).absolute())
+
+
 def default_paint_name() -> str:
     """The paint that a new user sees first."""
     return "blue"

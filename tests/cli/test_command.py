@@ -130,6 +130,15 @@ def test_every_readable_shared_mesh_renders(command, shared_data: Path, tmp_path
     assert (pixels[..., 0] > 1.5 * pixels[..., 2] + 10).mean() > 0.02
 
 
+def test_files_are_found_from_the_working_folder(command, tmp_path: Path) -> None:
+    (tmp_path / "folder").mkdir()
+    triangle = tmp_path / "folder" / "triangle.obj"
+    triangle.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    done = command("render", "blue", "-o", "out.png", "--mesh", "folder/triangle.obj", "--size", "64x48")
+    assert done.returncode == 0, done.stderr
+    assert "note:" in done.stdout  # normals and texture coordinates were made, and that is told
+
+
 def test_the_unreadable_mesh_says_why(command, shared_data: Path) -> None:
     path = shared_data / "meshes" / "polyhaven_boombox_meshopt.glb"
     refused(command("render", "blue", "-o", "out.png", "--mesh", path), "boombox", "EXT_meshopt_compression")
@@ -186,7 +195,7 @@ def test_bad_environments_are_refused_in_one_line(command, shared_data: Path, tm
 def test_bad_meshes_are_refused_in_one_line(command, tmp_path: Path) -> None:
     points = tmp_path / "points.obj"
     points.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n")
-    refused(command("render", "blue", "-o", "out.png", "--mesh", points), "points.obj", "face")
+    refused(command("render", "blue", "-o", "out.png", "--mesh", points), "points.obj", "triangles")
     empty = tmp_path / "empty.glb"
     empty.write_bytes(b"")
     refused(command("render", "blue", "-o", "out.png", "--mesh", empty), "empty.glb")

@@ -1,0 +1,97 @@
+"""Make the pictures of the documents: the windows, for real, on an X server without a screen; and renders.
+
+Run ``.venv/bin/python packaging/screenshots.py [NAME …]``; they are written to docs/images/. Settings and cache are
+fresh ones, so that no user's choices show.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+IMAGES = ROOT / "docs" / "images"
+
+LARGE = ["--size", "1440x900"]
+
+PROGRAMS = {
+    "designer": ["brdf_designer", "blue", "--theme", "dark", *LARGE],
+    "designer_booth": ["brdf_designer", "fine_silver", "--theme", "booth", *LARGE],
+    "designer_light_small": ["brdf_designer", "copper", "--theme", "light", "--size", "900x600"],
+    "viewer": ["brdf_viewer", "blue", "--theme", "dark", *LARGE],
+    "viewer_car": ["brdf_viewer", "red", "--surface", "car", "--environment", "sunny", "--theme", "booth", *LARGE],
+    "viewer_light_small": ["brdf_viewer", "fine_silver", "--surface", "panel", "--theme", "light", "--size", "900x600"],
+}  # fmt: skip
+RENDERS = {
+    "render_speed_form": ["blue", "--environment", "booth", "--mesh", "speed_form"],
+    "render_car": ["champagne", "--environment", "sunny", "--mesh", "car"],
+    "render_overcast": ["red", "--environment", "overcast", "--mesh", "car", "--azimuth", "215"],
+}
+
+
+@contextmanager
+def virtual_screen() -> Iterator[str]:
+    """Run an X server of its own and yield its display."""
+    reading, writing = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1920x1200x24", "-nolisten", "tcp"],
+        pass_fds=[writing],
+        stderr=subprocess.DEVNULL,
+    )
+    os.close(writing)
+    try:
+        with os.fdopen(reading) as answer:
+            number = answer.readline().strip()
+        if not number:
+            raise SystemExit("Xvfb did not start; install it (on Debian: apt-get install xvfb).")
+        yield f":{number}"
+    finally:
+        server.terminate()
+        server.wait()
+
+
+def main() -> int:
+    """Make the pictures named in the arguments, or all."""
+    wanted = set(sys.argv[1:]) or {*PROGRAMS, *RENDERS}
+    unknown = wanted - {*PROGRAMS, *RENDERS}
+    if unknown:
+        raise SystemExit(
+            f"There is no picture {', '.join(sorted(unknown))}; there are {', '.join([*PROGRAMS, *RENDERS])}."
+        )
+    IMAGES.mkdir(parents=True, exist_ok=True)
+    with virtual_screen() as display, tempfile.TemporaryDirectory() as scratch:
+        environment = {
+            **os.environ,
+            "DISPLAY": display,
+            "QT_QPA_PLATFORM": "xcb",
+            "LIBGL_ALWAYS_SOFTWARE": "1",
+            "XDG_CONFIG_HOME": f"{scratch}/config",
+            "XDG_DATA_HOME": f"{scratch}/data",
+            "BRDF_SUITE_CACHE": f"{scratch}/cache",
+            "BRDF_SUITE_LINK": f"screenshots-{os.getpid()}",
+        }
+        for name, command in PROGRAMS.items():
+            if name in wanted:
+                run(
+                    [sys.executable, "-m", *command, "--screenshot", str(IMAGES / f"{name}.png")], environment
+                )
+        for name, command in RENDERS.items():
+            if name in wanted:
+                output = ["-o", str(IMAGES / f"{name}.png")]
+                run([sys.executable, "-m", "brdf_suite.cli.main", "render", *command, *output], environment)
+    return 0
+
+
+def run(command: list[str], environment: dict[str, str]) -> None:
+    """Run one program and say which picture came of it."""
+    subprocess.run(command, env=environment, check=True, timeout=300)
+    print(command[-1], flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
