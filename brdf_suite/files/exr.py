@@ -14,8 +14,6 @@ from brdf_suite.files.atomic import replacing
 from brdf_suite.files.exr_header import ExrChannel, ExrHeader, parse_header
 from brdf_suite.files.primaries import REC709, REC2020, Chromaticities
 
-_HEAD_BYTES = 2 * 1024 * 1024  # more than any header with its table of chunks for the largest image
-
 
 def read_exr(
     path: str | os.PathLike[str],
@@ -31,11 +29,9 @@ def read_exr(
     FileError
         The file is damaged or of a kind that is not read.
     """
-    file = Path(path)
     try:
-        size = file.stat().st_size
-        with file.open("rb") as stream:
-            header = parse_header(path, stream.read(_HEAD_BYTES), size)
+        with Path(path).open("rb") as stream:
+            header = parse_header(path, stream)
     except OSError as error:
         raise FileError(path, f"cannot be read ({error.strerror})") from error
     if header.is_cube:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import struct
 from dataclasses import dataclass
+from typing import BinaryIO
 
 from brdf_suite.errors import FileError
 from brdf_suite.files.primaries import Chromaticities
@@ -19,7 +20,7 @@ MAX_PIXELS = 16384 * 8192
 
 _MAGIC = b"\x76\x2f\x31\x01"
 _TILED, _NON_IMAGE, _MULTI_PART = 0x200, 0x800, 0x1000
-_HEADER_LIMIT = 16 * 1024 * 1024
+_HEADER_LIMIT = 2 * 1024 * 1024  # more than any header with its table of chunks for the largest image
 _REQUIRED = ("channels", "compression", "dataWindow", "displayWindow", "lineOrder")
 _LINES_PER_CHUNK = {0: 1, 1: 1, 2: 1, 3: 16, 4: 32, 5: 16, 6: 32, 7: 32, 8: 32, 9: 256, 10: 256, 11: 32}
 
@@ -48,15 +49,15 @@ class ExrHeader:
     is_cube: bool
 
 
-def parse_header(path: str | os.PathLike[str], data: bytes | memoryview, file_size: int) -> ExrHeader:
-    """Parse the header at the start of ``data`` (the first bytes of a file of ``file_size`` bytes).
+def parse_header(path: str | os.PathLike[str], stream: BinaryIO) -> ExrHeader:
+    """Parse the header of the open file ``stream``; ``path`` is for the messages.
 
     Raises
     ------
     FileError
         Not an EXR file, truncated, of a kind that is not read, or with impossible sizes.
     """
-    reader = _Reader(path, bytes(data[:_HEADER_LIMIT]))
+    reader = _Reader(path, stream.read(_HEADER_LIMIT))
     if reader.take(4) != _MAGIC:
         raise FileError(
             path, "is not an OpenEXR file (its first four bytes are not the magic number)", "byte 0"
@@ -79,7 +80,7 @@ def parse_header(path: str | os.PathLike[str], data: bytes | memoryview, file_si
     if not compression or compression[0] not in _LINES_PER_CHUNK:
         raise FileError(path, "has a compression that is not known", f"byte {attributes['compression'][0]}")
     if not flags & _TILED:
-        _check_chunks(path, reader, window, _LINES_PER_CHUNK[compression[0]], file_size)
+        _check_chunks(path, reader, window, _LINES_PER_CHUNK[compression[0]], stream)
     elif "tiles" not in attributes or len(attributes["tiles"][1]) != 9:
         raise FileError(path, "is tiled but lacks a sound 'tiles' attribute", f"byte {reader.at}")
     chromaticities = attributes.get("chromaticities")
@@ -151,15 +152,19 @@ def _window(path: str | os.PathLike[str], name: str, place: int, value: bytes) -
 
 
 def _check_chunks(
-    path: str | os.PathLike[str], reader: _Reader, window: Window, lines: int, file_size: int
+    path: str | os.PathLike[str], reader: _Reader, window: Window, lines: int, stream: BinaryIO
 ) -> None:
-    """Check that the table of chunk offsets is whole and points into the file."""
+    """Check that the table of chunk offsets is whole, and that the last chunk lies within the file."""
     count = -(-(window[3] - window[1] + 1) // lines)
     place = reader.at
     offsets = struct.unpack(f"<{count}Q", reader.take(8 * count))
     if 0 in offsets:
         raise FileError(path, "is incomplete: its writer was stopped before the end", f"byte {place}")
-    if max(offsets) + 8 >= file_size:
-        raise FileError(
-            path, f"is cut off: pixel data is expected at byte {max(offsets):,}", f"byte {file_size:,}"
-        )
+    last = max(offsets)
+    end = stream.seek(0, os.SEEK_END)
+    packed = 0
+    if last + 8 < end:
+        stream.seek(last + 4)
+        (packed,) = struct.unpack("<i", stream.read(4))
+    if packed < 0 or last + 8 + packed > end or last + 8 >= end:
+        raise FileError(path, f"is cut off: pixel data is expected at byte {last:,}", f"byte {end:,}")

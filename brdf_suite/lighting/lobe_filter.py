@@ -18,7 +18,7 @@ from brdf_suite.lighting.zonal import (
 )
 from brdf_suite.progress import Progress, part
 
-_BRIGHT_TEXELS = 64
+_BRIGHT_TEXELS = 16
 _MIN_RINGS = 256
 
 
@@ -30,7 +30,7 @@ class LobeFilter:
     many.
 
     Lobes are cut off at the degree of :func:`brdf_suite.lighting.zonal.lobe_bandlimit`. Where that is cut
-    short (exponents below about 8, whose rim is a kink) the tail of the 64 strongest texels is added
+    short (exponents below about 8, whose rim is a kink) the tail of the 16 strongest texels is added
     directly.
     """
 

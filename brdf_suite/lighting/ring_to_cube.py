@@ -117,36 +117,37 @@ def _side_faces(grid: Complexes, period: int, size: int, faces: Floats) -> None:
     last_ring = int(np.ceil((np.pi - np.arctan(np.sqrt(0.5))) / step)) + _WIDTH
     span = last_ring - first_ring + 1
     rows = np.arange(first_ring, last_ring + 1) % period
-    values = np.zeros((span, channels, half, 4, 2))  # ring, channel, column, quarter turn, side (-, +)
+    near = grid[:, rows].reshape(channels * span, count)
+    # Real (and, for odd m, imaginary) parts of Σ F_m e^(∓imα) over m = r, r+4, … . Face f, a quarter turn from the
+    # face before, multiplies its terms by i^(r·f), so that all four are sums and differences of these.
+    real, imaginary = [], []
     for residue in range(4):
         m = np.arange(residue, count, 4)
-        if not m.size:
-            continue
-        part = grid[:, rows, residue::4].reshape(-1, m.size) * np.where(m == 0, 1.0, 2.0)
-        cosine, sine = np.cos(np.outer(m, alpha)), np.sin(np.outer(m, alpha))
-        a_cos, b_sin = part.real @ cosine, part.imag @ sine
-        # Σ F e^(im(φ_f ∓ α)); face f adds the factor i^(m·f), of which only the residue of m counts.
-        real_minus, real_plus = a_cos + b_sin, a_cos - b_sin
-        turned_minus = turned_plus = real_minus
+        twice = np.where(m == 0, 1.0, 2.0)[:, None]
+        cosine, sine = twice * np.cos(np.outer(m, alpha)), twice * np.sin(np.outer(m, alpha))
+        a, b = near.real[:, residue::4].copy(), near.imag[:, residue::4].copy()
+        a_cos, b_sin = a @ cosine, b @ sine
+        real.append((a_cos + b_sin, a_cos - b_sin))
         if residue % 2:
-            b_cos, a_sin = part.imag @ cosine, part.real @ sine
-            turned_minus, turned_plus = b_cos - a_sin, b_cos + a_sin
-        for turn in range(4):
-            power = (residue * turn) % 4
-            sign = (1.0, -1.0, -1.0, 1.0)[power]
-            minus, plus = (turned_minus, turned_plus) if power % 2 else (real_minus, real_plus)
-            shape = (channels, span, half)
-            values[:, :, :, turn, 0] += sign * minus.reshape(shape).transpose(1, 0, 2)
-            values[:, :, :, turn, 1] += sign * plus.reshape(shape).transpose(1, 0, 2)
+            b_cos, a_sin = b @ cosine, a @ sine
+            imaginary.append((b_cos - a_sin, b_cos + a_sin))
+    table = np.empty((span, half, 4, 2, channels))  # ring, column, quarter turn, side (-, +), channel
+    for side in (0, 1):
+        even, odd = real[0][side] + real[2][side], real[1][side] + real[3][side]
+        even_turned = real[0][side] - real[2][side]
+        odd_turned = imaginary[0][side] - imaginary[1][side]
+        turned = (even + odd, even_turned - odd_turned, even - odd, even_turned + odd_turned)
+        for turn, values in enumerate(turned):
+            table[:, :, turn, side] = values.reshape(channels, span, half).transpose(1, 2, 0)
     t = face_coordinates(size)
     theta = 0.5 * np.pi + np.arctan2(t[:, None], np.sqrt(1.0 + s[None, :] ** 2))
     first, weights = _taps(theta / step)
     ring = first[..., None] - first_ring + np.arange(_WIDTH)
-    source = ring * half + np.arange(half)[None, :, None]
-    pointers = np.arange(0, source.size + 1, _WIDTH)
+    source = (ring * half + np.arange(half)[None, :, None]).astype(np.int32)
+    pointers = np.arange(0, source.size + 1, _WIDTH, dtype=np.int32)
     matrix = csr_array((weights.ravel(), source.ravel(), pointers), shape=(size * half, span * half))
-    table = np.ascontiguousarray(values.transpose(0, 2, 3, 4, 1)).reshape(span * half, -1)
-    texels = (matrix @ table).reshape(size, half, 4, 2, channels)
+    product = np.asarray(matrix @ table.reshape(span * half, -1), dtype=np.float64)
+    texels = product.reshape(size, half, 4, 2, channels)
     for turn, face in enumerate((4, 1, 5, 0)):
         # φ = φ_f - atan(s): the side "-" is s > 0.
         faces[face, :, half:] = texels[:, :, turn, 0]
@@ -172,7 +173,8 @@ def _polar_faces(grid: Complexes, period: int, size: int, faces: Floats) -> None
     source = ((ring + _WIDTH)[:, None] + reach)[:, :, None] * columns.size
     source = source + ((column + _WIDTH)[:, None] + reach)[:, None, :]
     weights = ring_weights[:, :, None] * column_weights[:, None, :]
-    pointers = np.arange(0, source.size + 1, _WIDTH * _WIDTH)
+    source = source.astype(np.int32)
+    pointers = np.arange(0, source.size + 1, _WIDTH * _WIDTH, dtype=np.int32)
     matrix = csr_array((weights.ravel(), source.ravel(), pointers), shape=(p.size, rings.size * columns.size))
     divided = 1.0 / _kernel_transform(np.arange(count, dtype=np.float64), period)
     for face, rows in ((2, rings % period), (3, (period // 2 - rings) % period)):
