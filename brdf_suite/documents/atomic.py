@@ -1,6 +1,6 @@
 """Write a file whole or not at all.
 
-The bytes go to a temporary file in the same folder, are forced to the disk, and take the old file's place in
+The content goes to a temporary file in the same folder, is forced to the disk, and takes the old file's place in
 one step of the file system. Whatever happens before that step, the old file is as it was.
 """
 
@@ -10,27 +10,37 @@ import contextlib
 import os
 import secrets
 import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from brdf_suite.errors import FileError
 
 
-def write_atomically(path: str | os.PathLike[str], content: bytes) -> None:
-    """Replace the file at ``path`` by ``content``, or raise :class:`FileError` and leave it untouched.
+@contextmanager
+def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
+    """Yield the path of an empty temporary file that takes the place of ``path`` when the block ends well.
 
-    A symbolic link is followed; the mode of an existing file is kept.
+    For libraries that write to a name. The temporary file keeps the ending of ``path``. A symbolic link is
+    followed; the mode of an existing file is kept. Where the block, or anything after it, fails, the temporary
+    file is removed and the old one stays.
+
+    Raises
+    ------
+    FileError
+        The folder is missing or cannot be written, the target is no plain file, or the disk is full.
     """
     # A link to a file elsewhere must stay a link, so the file that it names is the one replaced.
     target = Path(os.path.realpath(path))
     temporary: Path | None = None
     try:
         mode = _mode_of(target)
-        unused = target.parent / f".{target.name[:80]}.{secrets.token_hex(8)}.tmp"
+        unused = target.parent / f".{target.stem[:80]}.{secrets.token_hex(8)}{target.suffix}"
         # "x" refuses a file that is already there; the user's umask applies as to any new file.
-        with unused.open("xb") as file:
+        with unused.open("xb"):
             temporary = unused
-            file.write(content)
-            file.flush()
+        yield temporary
+        with temporary.open("rb+") as file:
             os.fsync(file.fileno())
         if mode is not None:
             temporary.chmod(mode)
@@ -44,6 +54,12 @@ def write_atomically(path: str | os.PathLike[str], content: bytes) -> None:
             # Where even this fails, the first error is the one to tell.
             with contextlib.suppress(OSError):
                 temporary.unlink()
+
+
+def write_atomically(path: str | os.PathLike[str], content: bytes) -> None:
+    """Replace the file at ``path`` by ``content``, or raise :class:`FileError` and leave it untouched."""
+    with replacing(path) as temporary:
+        temporary.write_bytes(content)
 
 
 def _mode_of(target: Path) -> int | None:

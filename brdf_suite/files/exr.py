@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError
-from brdf_suite.files.atomic import replacing
 from brdf_suite.files.exr_header import ExrChannel, ExrHeader, parse_header
 from brdf_suite.files.primaries import REC709, REC2020, Chromaticities
 

@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError, ValueRangeError
-from brdf_suite.files.atomic import replacing
 from brdf_suite.surface.mesh import Mesh, Part
 
 _MARK = {"brdf_suite_mesh": 1, "uv_unit": "mm"}

@@ -10,8 +10,8 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError
-from brdf_suite.files.atomic import replacing
 
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
