@@ -27,7 +27,7 @@ _HEADER = struct.Struct("<4sII")
 _CHUNK = struct.Struct("<I4s")
 _JSON, _BIN = b"JSON", b"BIN\0"
 _ARRAY_BUFFER, _ELEMENT_ARRAY_BUFFER = 34962, 34963
-_NUMPY = {5123: np.dtype("<u2"), 5125: np.dtype("<u4"), 5126: np.dtype("<f4")}
+_NUMPY: dict[int, np.dtype[Any]] = {5123: np.dtype("<u2"), 5125: np.dtype("<u4"), 5126: np.dtype("<f4")}
 _CODES = {kind: code for code, kind in _NUMPY.items()}
 _LARGEST_UINT16_INDEX = 65534  # 65535 restarts a primitive
 
@@ -72,7 +72,8 @@ def _document(mesh: Mesh) -> tuple[dict[str, Any], bytes]:
         view = {"buffer": 0, "byteOffset": len(binary), "byteLength": array.nbytes, "target": target}
         binary.extend(array.tobytes())
         binary.extend(b"\0" * (-len(binary) % 4))
-        accessor = {"bufferView": len(views), "componentType": _CODES[array.dtype.newbyteorder("<")]}
+        code = _CODES[array.dtype.newbyteorder("<")]
+        accessor: dict[str, Any] = {"bufferView": len(views), "componentType": code}
         accessor |= {"count": len(array), "type": kind}
         if limits:
             accessor |= {"min": array.min(axis=0).tolist(), "max": array.max(axis=0).tolist()}
@@ -190,5 +191,5 @@ def _array(document: dict[str, Any], binary: memoryview, index: int, width: int)
     count = accessor["count"] * width
     if count * kind.itemsize != view["byteLength"]:
         raise ValueError(f"accessor {index} and its buffer view differ in length")
-    array = np.frombuffer(binary, dtype=kind, count=count, offset=view["byteOffset"])
+    array: NDArray[Any] = np.frombuffer(binary, dtype=kind, count=count, offset=view["byteOffset"])
     return array.reshape(-1, width) if width > 1 else array
