@@ -198,7 +198,9 @@ class _Canvas(QOpenGLWidget):
         start = time.perf_counter()
         size = self.device_size()
         try:
-            self.drawer.draw(self._target(self._context, size), size, self._surface._view)
+            target = self._target(self._context, size)
+            target.use()
+            self.drawer.draw(target, size, self._surface._view)
             self._context.finish()
             problem = self._context.error
         except Exception as error:  # noqa: BLE001 - as above
@@ -219,6 +221,7 @@ class _Canvas(QOpenGLWidget):
         self.doneCurrent()
 
     def _target(self, context: Context, size: tuple[int, int]) -> Any:
+        """Return Qt's frame buffer, which changes with the size; a number that is gone must not stay bound."""
         number = self.defaultFramebufferObject()
         known = self._framebuffer
         if known is None or known.glo != number or known.size != size:

@@ -65,6 +65,7 @@ class LiveLink(QObject):
         self._id = uuid.uuid4().hex
         self._address: LinkAddress | None = None
         self._server: QLocalServer | None = None
+        self._socket: QLocalSocket | None = None
         self._peers: list[Peer] = []
         self._roles: tuple[str, ...] = ()
         self._latest: dict[str, Message] = {}
@@ -103,6 +104,8 @@ class LiveLink(QObject):
         self._running = False
         self._retry.stop()
         self._delivery.stop()
+        if self._socket is not None:
+            self._socket.abort()
         for peer in tuple(self._peers):
             peer.close()
         self._stop_serving()
@@ -126,15 +129,15 @@ class LiveLink(QObject):
     # Joining: hub where the lock is free, otherwise a connection to whoever holds it.
 
     def _join(self) -> None:
-        if not self._running or self._peers or self._address is None:
+        if not self._running or self._peers or self._socket is not None or self._address is None:
             return
         if self._address.claim():
             self._serve(self._address)
             return
-        socket = QLocalSocket(self)
-        socket.connected.connect(lambda: self._connected(socket))
-        socket.errorOccurred.connect(lambda _error: self._not_connected(socket))
-        socket.connectToServer(self._address.socket_name)
+        self._socket = QLocalSocket(self)
+        self._socket.connected.connect(self._connected)
+        self._socket.errorOccurred.connect(self._not_connected)
+        self._socket.connectToServer(self._address.socket_name)
 
     def _serve(self, address: LinkAddress) -> None:
         QLocalServer.removeServer(address.socket_name)
@@ -158,19 +161,22 @@ class LiveLink(QObject):
             self._server = None
             self._address.give_up()
 
-    def _connected(self, socket: QLocalSocket) -> None:
-        if not self._running:
-            socket.abort()
+    def _connected(self) -> None:
+        socket, self._socket = self._socket, None
+        if socket is None or not self._running:
             return
         self._failures = 0
-        socket.errorOccurred.disconnect()
+        socket.connected.disconnect(self._connected)
+        socket.errorOccurred.disconnect(self._not_connected)
         peer = self._add(socket)
         peer.send(encode(HELLO, {"role": self._role}, self._id, 0))
         for message in self._latest.values():
             peer.send(message)
 
-    def _not_connected(self, socket: QLocalSocket) -> None:
-        socket.deleteLater()
+    def _not_connected(self) -> None:
+        if self._socket is not None:
+            self._socket.deleteLater()
+            self._socket = None
         self._failures += 1
         self._join_later()
 
@@ -194,8 +200,8 @@ class LiveLink(QObject):
 
     def _add(self, socket: QLocalSocket) -> Peer:
         peer = Peer(socket, self)
-        peer.arrived.connect(lambda message: self._arrived(peer, message))
-        peer.lost.connect(lambda: self._lost(peer))
+        peer.arrived.connect(self._arrived)
+        peer.lost.connect(self._lost)
         self._peers.append(peer)
         return peer
 

@@ -22,12 +22,12 @@ _READ_BYTES = 256 * 1024
 class Peer(QObject):
     """A connected socket that speaks the link's lines.
 
-    Signals: ``arrived(Message)`` for each well-formed line; ``lost()`` once, when the connection has ended
-    for whichever reason. After ``lost`` the object sends and emits nothing.
+    Signals: ``arrived(peer, Message)`` for each well-formed line; ``lost(peer)`` once, when the connection has
+    ended for whichever reason. After ``lost`` the object sends and emits nothing.
     """
 
-    arrived = Signal(object)
-    lost = Signal()
+    arrived = Signal(object, object)
+    lost = Signal(object)
 
     def __init__(self, socket: QLocalSocket, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -57,7 +57,7 @@ class Peer(QObject):
             self._open = False
             self._waiting.clear()
             self._socket.abort()
-            self.lost.emit()
+            self.lost.emit(self)
 
     def _write_waiting(self) -> None:
         while self._open and self._waiting and self._socket.bytesToWrite() == 0:
@@ -86,7 +86,7 @@ class Peer(QObject):
         except BadMessageError as error:
             self.complain(str(error))
             return
-        self.arrived.emit(message)
+        self.arrived.emit(self, message)
 
     def complain(self, reason: str) -> None:
         """Log a bad message; a connection that keeps sending them is closed."""
@@ -106,4 +106,4 @@ class Peer(QObject):
             return
         self._open = False
         self._waiting.clear()
-        self.lost.emit()
+        self.lost.emit(self)

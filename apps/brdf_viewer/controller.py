@@ -55,12 +55,12 @@ class ViewerController(QObject):
         paint: str,
         *,
         ask: AskFile = ask_file,
-        parent: QObject | None = None,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self.stage = Stage(view, self)
         self.drawer: StageDrawer | None = None
         self.window = ViewerWindow(self._make_drawer)
+        self.setParent(self.window)  # nothing of this outlives its widgets
         self.link = LiveLink("viewer", parent=self)
         self._runner = TaskRunner(self)
         self._ask = ask
@@ -94,7 +94,6 @@ class ViewerController(QObject):
         stage.contents_changed.connect(window.picture.redraw)
         self.scene.failed.connect(self.failed)
         picture = window.picture
-        picture.frame_drawn.connect(self._meter.add)
         picture.frame_drawn.connect(self._frame_drawn)
         picture.failed.connect(lambda text: self.failed.emit("picture", text))
         window.files_dropped.connect(lambda paths: [self.open_file(path) for path in paths])
@@ -140,8 +139,14 @@ class ViewerController(QObject):
     def _publish_view(self) -> None:
         self.link.publish("view", view_to_json(self.stage.view))
 
-    def _frame_drawn(self, _ms: float) -> None:
-        if not self._complete and self.stage.is_complete:
+    def _frame_drawn(self, milliseconds: float) -> None:
+        if not self.stage.is_complete:
+            return
+        if self.drawer is not None and self.drawer.has_uploaded:
+            self.window.picture.redraw()  # the next one is an ordinary frame, whose time can be shown
+        else:
+            self._meter.add(milliseconds)
+        if not self._complete:
             self._complete = True
             self.picture_complete.emit()
 

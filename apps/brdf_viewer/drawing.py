@@ -10,7 +10,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.picture import SceneRenderer
 from brdf_suite.realtime.context import Context
 from brdf_suite.realtime.gpu_objects import Counters
-from brdf_viewer.stage import Stage
+from brdf_viewer.stage import Prop, Stage
 
 Grey = tuple[float, float, float]
 
@@ -25,6 +25,8 @@ class StageDrawer:
     refused
         Called with the kind and the error where the graphics card does not take a new environment or surface;
         the old one is drawn on.
+
+    ``has_uploaded`` tells whether the last frame began with an upload: its time is not that of a frame then.
     """
 
     def __init__(
@@ -42,8 +44,9 @@ class StageDrawer:
             "environment": self._renderer.set_environment,
             "surface": self._renderer.set_surface,
         }
-        self._drawn: dict[str, object] = {}
+        self._drawn: dict[str, Prop[Any]] = {}
         self._fit: object = None
+        self.has_uploaded = False
 
     @property
     def counters(self) -> Counters:
@@ -52,6 +55,7 @@ class StageDrawer:
 
     def draw(self, framebuffer: Any, size: tuple[int, int], view: object) -> None:
         """Draw one frame; a new paint costs one buffer write, and only the newest since the last frame."""
+        self.has_uploaded = False
         for kind in self._uploads:
             self._bring(kind)
         fit = self._stage.fit
@@ -69,15 +73,17 @@ class StageDrawer:
         self._renderer.release()
 
     def _bring(self, kind: str) -> None:
+        """Upload the stage's environment or surface where it is another than the one that is drawn."""
         wanted, drawn = getattr(self._stage, kind), self._drawn.get(kind)
         if wanted is None or wanted is drawn:
             return
+        self.has_uploaded = True
         try:
-            self._uploads[kind](wanted)
+            self._uploads[kind](wanted.value)
         except SuiteError as error:
             if drawn is None:
                 raise
-            self._uploads[kind](drawn)
+            self._uploads[kind](drawn.value)
             setattr(self._stage, kind, drawn)
             self._refused(kind, error)
             return

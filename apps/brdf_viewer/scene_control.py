@@ -93,12 +93,12 @@ class SceneControl(QObject):
 
     def _loaded(self, kind: str, key: str, value: PreparedEnvironment | Mesh) -> None:
         if kind == ENVIRONMENT:
-            self._stage.set_environment(value)
+            self._stage.set_environment(key, value)
             self._stage.change_view(environment=key)
             set_note(self._window.environment.facts, _environment_facts(value))
         else:
             known = self._stage.surface is not None
-            self._stage.set_surface(value)
+            self._stage.set_surface(key, value)
             camera = self._stage.view.camera
             view = dataclasses.replace(self._stage.view, surface=key)
             self._stage.set_view(dataclasses.replace(view, camera=frame(camera)) if known else view)
@@ -136,7 +136,7 @@ class SceneControl(QObject):
 
     def _drawn_key(self, kind: str) -> str:
         present = self._stage.environment if kind == ENVIRONMENT else self._stage.surface
-        return "" if present is None else getattr(self._stage.view, kind)
+        return "" if present is None else present.key
 
     def _list(self, kind: str) -> None:
         shipped = [Source(name, title_of(name, SHIPPED_TITLES)) for name in self._names[kind]]
@@ -170,4 +170,4 @@ def _surface_facts(mesh: Mesh) -> str:
     low, high = mesh.bounds()
     size = " × ".join(f"{edge:.3g}" for edge in high - low)
     parts = "part" if len(mesh.parts) == 1 else "parts"
-    return "\n".join([f"{mesh.triangle_count:,} triangles, {len(mesh.parts)} {parts}, {size} m", *mesh.notes])
+    return "\n".join([f"{mesh.triangle_count:,} triangles, {len(mesh.parts)} {parts}", f"{size} m", *mesh.notes])

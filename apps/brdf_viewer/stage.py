@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
@@ -12,6 +12,16 @@ from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.surface.mesh import Mesh
+
+T = TypeVar("T")
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Prop(Generic[T]):
+    """Something that stands on the stage, and the shipped name or path that it came from."""
+
+    key: str
+    value: T
 
 
 class Stage(QObject):
@@ -32,8 +42,8 @@ class Stage(QObject):
         super().__init__(parent)
         self.view = view
         self.fit: PaintFit | None = None
-        self.environment: PreparedEnvironment | None = None
-        self.surface: Mesh | None = None
+        self.environment: Prop[PreparedEnvironment] | None = None
+        self.surface: Prop[Mesh] | None = None
 
     @property
     def is_complete(self) -> bool:
@@ -43,7 +53,7 @@ class Stage(QObject):
     @property
     def bounds(self) -> Bounds:
         """The surface's box in metres; a unit box while there is none."""
-        return Bounds.of([] if self.surface is None else [part.positions for part in self.surface.parts])
+        return Bounds.of([] if self.surface is None else [part.positions for part in self.surface.value.parts])
 
     def set_view(self, view: View) -> None:
         """Take ``view``; nothing is told where it is equal."""
@@ -64,12 +74,12 @@ class Stage(QObject):
         self.fit = fit
         self.contents_changed.emit()
 
-    def set_environment(self, environment: PreparedEnvironment) -> None:
+    def set_environment(self, key: str, environment: PreparedEnvironment) -> None:
         """Light with this environment from the next frame on."""
-        self.environment = environment
+        self.environment = Prop(key, environment)
         self.contents_changed.emit()
 
-    def set_surface(self, surface: Mesh) -> None:
+    def set_surface(self, key: str, surface: Mesh) -> None:
         """Draw this surface from the next frame on."""
-        self.surface = surface
+        self.surface = Prop(key, surface)
         self.contents_changed.emit()

@@ -1,0 +1,147 @@
+"""A running Viewer for each test: real window, real OpenGL on an X server, real files, settings of its own."""
+
+from __future__ import annotations
+
+import importlib.util
+import uuid
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+from shiboken6 import isValid
+
+_FILE = Path(__file__).parent.parent / "qt_gl" / "xvfb.py"
+_spec = importlib.util.spec_from_file_location("xvfb", _FILE)
+xvfb = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(xvfb)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def screen() -> None:
+    """The display on which this session's widgets are shown."""
+    xvfb.use_screen()
+
+
+@pytest.fixture(scope="session")
+def _cache_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("cache")
+
+
+@pytest.fixture(autouse=True)
+def own_cache(_cache_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One cache for the session: each environment is prefiltered once, and never into the user's cache."""
+    monkeypatch.setenv("BRDF_SUITE_CACHE", str(_cache_folder))
+
+
+@pytest.fixture(autouse=True)
+def own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No test touches a user's settings, or speaks with a program that is open."""
+    monkeypatch.setenv("BRDF_SUITE_SETTINGS", str(tmp_path / "settings"))
+    monkeypatch.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
+
+
+def write_light(path: Path, up: float, front: float, back: float) -> Path:
+    """Write a small environment: a bright sky, and another grey in front (+z) than behind."""
+    from brdf_suite.files.images import write_exr
+
+    rows, columns = 32, 64
+    pixels = np.empty((rows, columns, 3), np.float32)
+    azimuth = np.abs(np.linspace(-1, 1, columns))  # 0 in the centre column, which looks along +z
+    pixels[:] = np.where(azimuth < 0.5, front, back)[None, :, None]
+    pixels[: rows // 4] = up
+    write_exr(path, pixels)
+    return path
+
+
+@pytest.fixture(scope="session")
+def lights(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """Small environment files: ``dim`` and ``bright``."""
+    folder = tmp_path_factory.mktemp("lights")
+    return {
+        "dim": write_light(folder / "dim.exr", 1.0, 0.3, 0.1),
+        "bright": write_light(folder / "bright.exr", 6.0, 0.9, 0.2),
+    }
+
+
+class Viewer:
+    """A shown Viewer and what a test does with it."""
+
+    def __init__(self, controller, qtbot) -> None:
+        self.controller = controller
+        self.window = controller.window
+        self.stage = controller.stage
+        self.qtbot = qtbot
+
+    @property
+    def view(self):
+        return self.stage.view
+
+    @property
+    def canvas(self):
+        return self.window.picture.canvas
+
+    def pixels(self) -> np.ndarray:
+        """Return the picture as it would be drawn now, (h, w, 3) uint8."""
+        image = self.window.picture.grab_image()
+        assert not image.isNull(), self.window.picture.failure
+        flat = np.frombuffer(image.constBits(), np.uint8).reshape(
+            image.height(), image.bytesPerLine() // 4, 4
+        )
+        return flat[:, : image.width(), 2::-1].copy()
+
+    def close(self) -> None:
+        close(self.controller)
+
+    def wait_idle(self) -> None:
+        self.qtbot.waitUntil(lambda: not self.controller.scene.loading, timeout=60_000)
+
+    def messages(self) -> dict[str, str]:
+        """Return what the window says, by key: all lines in one."""
+        shown = self.window.messages.shown()
+        return {key: " | ".join((m.what, m.where, m.todo)) for key, m in shown.items()}
+
+
+@pytest.fixture
+def start(qtbot, lights) -> Iterator[Callable[..., Viewer]]:
+    """Make Viewers; without arguments: a blue sphere in the ``dim`` light."""
+    from brdf_viewer.controller import ViewerController
+
+    from brdf_suite.documents.view import View
+
+    controllers = []
+
+    def make(
+        *, paint: str = "blue", size: tuple[int, int] = (760, 480), wait: bool = True, **options
+    ) -> Viewer:
+        view = options.pop("view", None) or View(environment=str(lights["dim"]), surface="sphere")
+        controller = ViewerController(view, paint, **options)
+        controllers.append(controller)
+        controller.window.resize(*size)
+        if wait:
+            with qtbot.waitSignal(controller.picture_complete, timeout=60_000):
+                controller.window.show()
+            controller.window.activateWindow()
+        else:
+            controller.window.show()
+        return Viewer(controller, qtbot)
+
+    yield make
+    for controller in controllers:
+        close(controller)
+
+
+def close(controller) -> None:
+    """Close the window as the user does; a program's end must not end the event loops of later tests."""
+    if isValid(controller):
+        controller.window.close()
+        controller.window.deleteLater()
+        QTimer.singleShot(0, QApplication.quit)
+        QApplication.exec()
+
+
+@pytest.fixture
+def viewer(start) -> Viewer:
+    return start()

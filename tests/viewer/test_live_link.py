@@ -1,0 +1,187 @@
+"""Designer and Viewer as two processes: an edit there is a picture here."""
+
+from __future__ import annotations
+
+import gc
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from brdf_qt.link import LiveLink
+from brdf_viewer.paint_source import DESIGNER
+
+from brdf_suite.documents.paint import Gloss, solid_paint
+from brdf_suite.documents.store import paint_to_json, view_from_json
+
+PROGRAM = Path(__file__).with_name("designer_program.py")
+
+
+class Designer:
+    def __init__(self) -> None:
+        self.process = subprocess.Popen(
+            [sys.executable, str(PROGRAM)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        )
+        assert self.process.stdout.readline().strip() == "ready"
+
+    def tell(self, line: str) -> None:
+        self.process.stdin.write(line + "\n")
+        self.process.stdin.flush()
+
+    def end(self) -> None:
+        self.process.stdin.close()
+        self.process.wait(10)
+        self.process.stdout.close()
+
+
+@pytest.fixture
+def designer() -> Iterator[Callable[[], Designer]]:
+    opened: list[Designer] = []
+
+    def opener() -> Designer:
+        opened.append(Designer())
+        return opened[-1]
+
+    yield opener
+    for one in opened:
+        one.end()
+
+
+def colour(viewer) -> np.ndarray:
+    """Return the mean colour of the middle of the picture, where the sphere is."""
+    pixels = viewer.pixels()
+    h, w = pixels.shape[:2]
+    return pixels[h // 3 : 2 * h // 3, w // 2 - h // 6 : w // 2 + h // 6].reshape(-1, 3).mean(axis=0)
+
+
+def test_a_paint_of_another_process_is_drawn(viewer, designer, qtbot) -> None:
+    link_cell = viewer.window.status.cell("link")
+    assert link_cell.text() == "Designer not open"
+    other = designer()
+    qtbot.waitUntil(lambda: link_cell.text() == "linked: Designer", timeout=10_000)
+    other.tell("lab 45 60 40")
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint", timeout=10_000)
+    red = colour(viewer)
+    assert red[0] > red[2] + 30
+    other.tell("lab 45 -40 -30")
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[1] == -40.0, timeout=10_000)
+    blue = colour(viewer)
+    assert blue[2] > blue[0] + 30
+    assert viewer.window.paint.chooser.list.currentData() == DESIGNER
+    assert next(p.asked for p in viewer.window.paint.patches.patches) == (45.0, -40.0, -30.0)
+
+
+def test_a_viewer_that_comes_later_shows_the_present_paint(start, designer, qtbot) -> None:
+    other = designer()
+    other.tell("lab 45 60 40")
+    viewer = start()
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint", timeout=10_000)
+
+
+def test_a_drag_ends_with_the_last_paint(viewer, designer, qtbot) -> None:
+    other = designer()
+    other.tell("drag 400")
+    last = 20.0 + 60.0 * 399 / 400
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[0] == pytest.approx(last), timeout=20_000)
+
+
+def test_designer_ends_and_the_paint_stays(viewer, designer, qtbot) -> None:
+    other = designer()
+    other.tell("lab 45 60 40")
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint", timeout=10_000)
+    other.process.kill()
+    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Designer not open", timeout=10_000)
+    assert viewer.stage.fit.paint.name == "test paint"
+    assert "not open" in viewer.window.paint.follow.text()
+
+
+def test_another_paint_ends_following_and_following_brings_designer_back(viewer, designer, qtbot) -> None:
+    other = designer()
+    other.tell("lab 45 60 40")
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint", timeout=10_000)
+    viewer.controller.paint.open("solid_white")
+    assert not viewer.window.paint.follow.isChecked()
+    white = viewer.stage.fit
+    other.tell("lab 20 0 0")
+    qtbot.waitUntil(
+        lambda: viewer.controller.paint.source._of_designer.lab_at(45.0)[0] == 20.0, timeout=10_000
+    )
+    assert viewer.stage.fit is white
+    assert viewer.window.status.cell("link").text() == "linked: Designer, not followed"
+    viewer.window.paint.follow.click()
+    assert viewer.stage.fit.paint.lab_at(45.0)[0] == 20.0
+
+
+def test_a_paint_that_cannot_be_is_told_and_leaves_when_the_next_can(viewer, designer, qtbot) -> None:
+    other = designer()
+    other.tell("lab 45 60 40")
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint", timeout=10_000)
+    first = viewer.stage.fit
+    other.tell("gloss 195")
+    qtbot.waitUntil(lambda: "paint" in viewer.messages(), timeout=10_000)
+    assert "test paint" in viewer.messages()["paint"]
+    assert viewer.stage.fit is first
+    other.tell("gloss 85")
+    qtbot.waitUntil(lambda: "paint" not in viewer.messages(), timeout=10_000)
+    assert viewer.stage.fit.paint.gloss == Gloss(85.0)
+
+
+def test_the_view_is_published(viewer, qtbot) -> None:
+    listener = LiveLink("designer")
+    heard: list[object] = []
+    listener.received.connect(lambda topic, value: heard.append(value) if topic == "view" else None)
+    listener.start()
+    qtbot.waitUntil(lambda: bool(heard), timeout=10_000)
+    viewer.stage.change_view(exposure_ev=1.5)
+    qtbot.waitUntil(lambda: view_from_json(heard[-1], "test") == viewer.view, timeout=10_000)
+    listener.close()
+
+
+def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> None:
+    """300 paints as the link delivers them: no OpenGL object, no texture write, no memory, no new program."""
+    viewer = start(size=(640, 420))
+
+    def change(step: int) -> None:
+        paint = solid_paint("p", (30.0 + 40.0 * (step % 50) / 50, 5.0, -5.0))
+        viewer.controller.link.received.emit("paint", paint_to_json(paint))
+        with qtbot.waitSignal(viewer.window.picture.frame_drawn, timeout=5000):
+            pass
+
+    fitter = viewer.controller.paint._fitter._fitter
+    programs = [id(program) for program in fitter.programs]
+    for step in range(30):
+        change(step)
+    gc.collect()
+    counters = viewer.controller.drawer.counters
+    made, uploads, writes = counters.total_created, counters.texture_uploads, counters.buffer_writes
+    memory = resident()
+    for step in range(300):
+        change(step)
+    gc.collect()
+    assert counters.total_created == made
+    assert counters.texture_uploads == uploads
+    assert counters.buffer_writes - writes <= 300
+    assert [id(program) for program in fitter.programs] == programs
+    assert resident() - memory < 4e6
+
+
+def resident() -> int:
+    return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+def test_an_edit_costs_little_beside_the_draw(viewer, qtbot) -> None:
+    """From the link's delivery to the picture asked for: under 5 ms in the median."""
+    times = []
+    for step in range(40):
+        paint = solid_paint("p", (30.0 + step, 5.0, -5.0))
+        value = paint_to_json(paint)
+        before = time.perf_counter()
+        viewer.controller.link.received.emit("paint", value)
+        times.append(time.perf_counter() - before)
+        with qtbot.waitSignal(viewer.window.picture.frame_drawn, timeout=5000):
+            pass
+    assert float(np.median(times)) < 0.005
