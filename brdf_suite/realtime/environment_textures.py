@@ -5,6 +5,8 @@ A new environment of the same sizes is written into the textures that are there.
 
 from __future__ import annotations
 
+import math
+
 import moderngl
 import numpy as np
 
@@ -47,16 +49,22 @@ class EnvironmentTextures:
             texture.use(unit)
 
     def uniforms(self) -> dict[str, object]:
-        """Return the units and scales by the names of environment.glsl and lobes.glsl."""
+        """Return the units and scales of the two maps by the names of environment.glsl."""
         return {
             "diffuse_map": 0,
             "background_map": 1,
-            "lobe_maps": tuple(range(2, len(self._textures))),
             "diffuse_scale": self._scales[0],
             "background_scale": self._scales[1],
-            "lobe_scales": tuple(self._scales[2:]),
+        }
+
+    def lobe_uniforms(self, lobes: tuple[int, ...], look_ups: int) -> dict[str, object]:
+        """Return the maps of some lobes by the names of lobes.glsl, filled up with any map to ``look_ups``."""
+        places = [2 + lobe for lobe in lobes] + [2] * (look_ups - len(lobes))
+        return {
+            "lobe_maps": tuple(places),
+            "lobe_scales": tuple(self._scales[place] for place in places),
             # A face of F texels is 2 wide at distance 1: F / 2 texels per radian in its middle.
-            "lobe_levels": tuple(float(np.log2(texture.size[0] / 2)) for texture in self._textures[2:]),
+            "lobe_levels": tuple(math.log2(self._textures[place].size[0] / 2) for place in places),
         }
 
     def release(self) -> None:

@@ -7,9 +7,9 @@ import moderngl
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.gpu_objects import GpuObjects
-from brdf_suite.realtime.material_buffer import block_size, pack
+from brdf_suite.realtime.material_buffer import BLOCK_SIZE, pack
 from brdf_suite.realtime.stock_materials import stock_materials
-from brdf_suite.realtime.values import MAX_LOBES, MaterialWeights
+from brdf_suite.realtime.values import MaterialWeights
 
 
 class MaterialSet:
@@ -18,6 +18,7 @@ class MaterialSet:
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects
         self._buffers: dict[str, moderngl.Buffer] = {}
+        self._lobes: dict[str, tuple[int, ...]] = {}
         self._given: dict[str, tuple[float, ...]] = {}
         self._exponents: tuple[float, ...] = ()
 
@@ -35,21 +36,30 @@ class MaterialSet:
         self._given[name] = weights.exponents
         self._write(name, weights)
 
-    def buffer(self, name: str) -> moderngl.Buffer:
-        """Return a material's buffer; :class:`GraphicsError` where its lobes are not the environment's."""
+    def find(self, name: str) -> tuple[moderngl.Buffer, tuple[int, ...]]:
+        """Return a material's buffer and the lobes in it.
+
+        Raises
+        ------
+        GraphicsError
+            Its weights are for other lobes than the environment's.
+        """
         if self._given.get(name, self._exponents) != self._exponents:
             raise GraphicsError(
                 f"The material {name} was fitted to {_list(self._given[name])}, but the environment was "
                 f"filtered for {_list(self._exponents)}; fit it again."
             )
-        return self._buffers.get(name, self._buffers["neutral"])
+        known = name if name in self._buffers else "neutral"
+        return self._buffers[known], self._lobes[known]
 
     def _write(self, name: str, weights: MaterialWeights) -> None:
         # Room for any number of lobes, so that a change of the lobe set makes no buffer either.
         if name not in self._buffers:
-            self._buffers[name] = self._objects.buffer(reserve=block_size(MAX_LOBES), dynamic=True)
+            self._buffers[name] = self._objects.buffer(reserve=BLOCK_SIZE, dynamic=True)
+        packed = pack(weights)
         with graphics_errors(self._objects.context, f"writing the weights of {name}"):
-            self._buffers[name].write(pack(weights))
+            self._buffers[name].write(packed.block)
+        self._lobes[name] = packed.lobes
         self._objects.counters.buffer_writes += 1
 
 

@@ -13,20 +13,21 @@ from brdf_suite.realtime.values import MeshPart
 
 
 class MeshBuffers:
-    """Positions and normals interleaved, 32-bit indices; vertex arrays for one program at a time."""
+    """Positions and normals interleaved, 32-bit indices; a vertex array per part and program."""
 
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects
         self._buffers: list[tuple[moderngl.Buffer, moderngl.Buffer]] = []
-        self._arrays: list[moderngl.VertexArray] = []
-        self._program: moderngl.Program | None = None
+        self._arrays: dict[moderngl.Program, list[moderngl.VertexArray]] = {}
         self.materials: tuple[str, ...] = ()
         self.bounds = Bounds.of([])
         self.triangle_count = 0
+        self.generation = 0
 
     def load(self, parts: Sequence[MeshPart]) -> None:
         """Replace the mesh; an empty sequence draws the background only."""
         self.release()
+        self.generation += 1
         for part in parts:
             vertices = np.concatenate([part.positions, part.normals], axis=1)
             self._buffers.append(
@@ -37,27 +38,22 @@ class MeshBuffers:
         self.triangle_count = sum(len(part.triangles) for part in parts)
 
     def arrays(self, program: moderngl.Program) -> list[moderngl.VertexArray]:
-        """Return one vertex array per part for ``program``; made at the first call, kept after."""
-        if self._program is not program or len(self._arrays) != len(self._buffers):
-            self._release_arrays()
-            self._arrays = [
+        """Return one vertex array per part for ``program``; made at the first call, kept until the next mesh."""
+        if program not in self._arrays:
+            self._arrays[program] = [
                 self._objects.vertex_array(program, [(vertices, "3f 3f", "position", "normal")], indices)
                 for vertices, indices in self._buffers
             ]
-            self._program = program
-        return self._arrays
+        return self._arrays[program]
 
     def release(self) -> None:
         """Give buffers and vertex arrays back."""
-        self._release_arrays()
+        for arrays in self._arrays.values():
+            for array in arrays:
+                self._objects.release(array)
+        self._arrays = {}
         for pair in self._buffers:
             for buffer in pair:
                 self._objects.release(buffer)
         self._buffers = []
         self.materials = ()
-
-    def _release_arrays(self) -> None:
-        for array in self._arrays:
-            self._objects.release(array)
-        self._arrays = []
-        self._program = None

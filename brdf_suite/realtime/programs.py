@@ -1,4 +1,4 @@
-"""The shader programs, compiled at first use and kept: one per number of lobes or samples."""
+"""The shader programs, compiled at first use and kept: one per number of look-ups or samples."""
 
 from __future__ import annotations
 
@@ -23,25 +23,38 @@ def assign(program: moderngl.Program, values: Mapping[str, object]) -> None:
             program[name] = value[0] if isinstance(value, tuple) and len(value) == 1 else value
 
 
+def look_up_counts(lobes: int) -> tuple[int, ...]:
+    """Return the numbers of look-ups that there are programs for, ascending, the last being ``lobes``.
+
+    Fitted paints have weights on three or four lobes of ten, so most surfaces read less than half of the maps.
+
+    >>> look_up_counts(10), look_up_counts(3)
+    ((4, 7, 10), (3,))
+    """
+    return tuple(sorted({min(count, lobes) for count in (4, 7, lobes)}))
+
+
 class Programs:
     """Programs of one context; ``surface_shader`` takes the place of mesh.frag.glsl."""
 
     def __init__(self, objects: GpuObjects, surface_shader: Path | None = None) -> None:
         self._objects = objects
-        self._surface = surface_shader or SHADERS / "mesh.frag.glsl"
-        self._mesh: dict[int, moderngl.Program] = {}
+        self._surface_shader = surface_shader or SHADERS / "mesh.frag.glsl"
+        self._surfaces: dict[int, moderngl.Program] = {}
         self._screen: dict[tuple[str, int], ScreenProgram] = {}
 
-    def mesh(self, lobes: int) -> moderngl.Program:
-        """Return the program that shades surfaces with so many lobes."""
-        if lobes not in self._mesh:
-            fragment = compose(self._surface.name, lobe_defines(lobes), (self._surface.parent, SHADERS))
+    def surface(self, look_ups: int) -> moderngl.Program:
+        """Return the program that shades surfaces with so many look-ups of lobes."""
+        if look_ups not in self._surfaces:
+            fragment = compose(
+                self._surface_shader.name, lobe_defines(look_ups), (self._surface_shader.parent, SHADERS)
+            )
             program = self._objects.program(compose("mesh.vert.glsl"), fragment)
             block = program.get("Material", None)
             if isinstance(block, moderngl.UniformBlock):
                 block.binding = MATERIAL_BINDING
-            self._mesh[lobes] = program
-        return self._mesh[lobes]
+            self._surfaces[look_ups] = program
+        return self._surfaces[look_ups]
 
     def background(self) -> ScreenProgram:
         """Return the program of the background and the vertex array to draw it with."""

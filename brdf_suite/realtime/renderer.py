@@ -29,7 +29,7 @@ from brdf_suite.realtime.environment_textures import EnvironmentTextures
 from brdf_suite.realtime.gpu_objects import Counters, GpuObjects
 from brdf_suite.realtime.material_set import MaterialSet
 from brdf_suite.realtime.mesh_buffers import MeshBuffers
-from brdf_suite.realtime.programs import MATERIAL_BINDING, Programs, assign
+from brdf_suite.realtime.programs import MATERIAL_BINDING, Programs, assign, look_up_counts
 from brdf_suite.realtime.target import LightTarget, PictureTarget
 from brdf_suite.realtime.tone_curves import TONE_CURVE_NUMBERS, WORKING_TO_SRGB
 from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights, MeshPart
@@ -58,6 +58,7 @@ class Renderer:
         self._materials = MaterialSet(self._objects)
         self._light = LightTarget(self._objects)
         self._picture = PictureTarget(self._objects)
+        self._warm: tuple[tuple[int, ...], int, int] | None = None
 
     @property
     def counters(self) -> Counters:
@@ -151,8 +152,9 @@ class Renderer:
         self.context.scissor = None
         self.context.enable_only(moderngl.DEPTH_TEST)
         self.context.depth_func = "<="
-        light_framebuffer.clear(depth=1.0)
         self._environment.bind()
+        self._warm_up(samples)
+        light_framebuffer.clear(depth=1.0)
         self._draw_mesh(view, camera, crop(size, corner, tile))
         self._draw_background(view, camera, size, corner)
 
@@ -165,18 +167,43 @@ class Renderer:
         screen.render(moderngl.TRIANGLES, vertices=3)
 
     def _draw_mesh(self, view: View, camera: CameraMatrices, cropping: NDArray[np.float64]) -> None:
-        if not self._mesh.materials:
+        common = (
+            self._environment.uniforms()
+            | _view_uniforms(view)
+            | {
+                "world_to_clip": _columns(cropping @ camera.world_to_clip),
+                "eye": tuple(camera.eye),
+                "fresnel_on": view.fresnel,
+            }
+        )
+        ready: set[int] = set()
+        for part, material in enumerate(self._mesh.materials):
+            buffer, lobes = self._materials.find(material)
+            look_ups = next(count for count in self._look_up_counts if count >= len(lobes))
+            program = self._programs.surface(look_ups)
+            if look_ups not in ready:
+                assign(program, common)
+                ready.add(look_ups)
+            assign(program, self._environment.lobe_uniforms(lobes, look_ups))
+            buffer.bind_to_uniform_block(MATERIAL_BINDING)
+            self._mesh.arrays(program)[part].render(moderngl.TRIANGLES)
+
+    def _warm_up(self, samples: int) -> None:
+        """Draw one triangle with every program: drivers finish compiling at the first draw, not in an edit."""
+        key = (self._look_up_counts, samples, self._mesh.generation)
+        if self._warm == key or not self._mesh.materials:
             return
-        program = self._programs.mesh(len(self._environment.exponents))
-        own = {
-            "world_to_clip": _columns(cropping @ camera.world_to_clip),
-            "eye": tuple(camera.eye),
-            "fresnel_on": view.fresnel,
-        }
-        assign(program, self._environment.uniforms() | _view_uniforms(view) | own)
-        for array, material in zip(self._mesh.arrays(program), self._mesh.materials, strict=True):
-            self._materials.buffer(material).bind_to_uniform_block(MATERIAL_BINDING)
-            array.render(moderngl.TRIANGLES)
+        buffer, _ = self._materials.find("neutral")
+        buffer.bind_to_uniform_block(MATERIAL_BINDING)
+        for look_ups in self._look_up_counts:
+            program = self._programs.surface(look_ups)
+            assign(program, self._environment.uniforms() | self._environment.lobe_uniforms((), look_ups))
+            self._mesh.arrays(program)[0].render(moderngl.TRIANGLES, vertices=3)
+        self._warm = key
+
+    @property
+    def _look_up_counts(self) -> tuple[int, ...]:
+        return look_up_counts(len(self._environment.exponents))
 
     def _draw_background(self, view: View, camera: CameraMatrices, size: Size, corner: Corner) -> None:
         program, screen = self._programs.background()

@@ -8,9 +8,10 @@ import pytest
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import GraphicsError
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.realtime.material_buffer import block_size, pack
+from brdf_suite.realtime.material_buffer import BLOCK_SIZE, pack
+from brdf_suite.realtime.programs import look_up_counts
 from brdf_suite.realtime.stock_materials import lobe_mix, stock_materials
-from brdf_suite.realtime.values import MAX_LOBES
+from brdf_suite.realtime.values import MaterialWeights
 
 FACTORIES = (
     "buffer", "texture", "texture_cube", "texture_array", "framebuffer", "renderbuffer", "depth_renderbuffer",
@@ -118,14 +119,43 @@ def test_lobe_mix_keeps_the_albedo_and_lies_between_neighbours():
 
 
 def test_block(scenes):
-    """Layout of the uniform block, as material.glsl declares it."""
-    weights = scenes.weights(kd=0.3, gloss=0.04, directional=0.2, ior=1.6)
-    block = np.frombuffer(pack(weights), np.float32).reshape(-1, 4)
-    assert block.nbytes == block_size(3) <= block_size(MAX_LOBES)
+    """Layout of the uniform block, as material.glsl declares it: two places a lobe, lobes without weight left out."""
+    packed = pack(scenes.weights(kd=0.3, gloss=0.04, directional=0.2, ior=1.6))
+    block = np.frombuffer(packed.block, np.float32).reshape(-1, 4)
+    assert block.nbytes == BLOCK_SIZE
     f = float(fresnel_dielectric(np.cos(np.pi / 4), 1.6))
     assert block[0, :3] == pytest.approx(0.3)
     assert block[1] == pytest.approx([1, 1.6, 1 / f, 1 / (1 - f) ** 2])
     assert block[2] == pytest.approx([0.04, 0.04, 0.04, 25])
-    assert block[3:6, 0] == pytest.approx([0.2, 0, 0])
-    assert block[6:9, 0] == pytest.approx([0, 0, 0.04])
-    assert np.frombuffer(pack(scenes.weights(ior=1.0)), np.float32)[4] == 0
+    assert packed.lobes == (0, 2)
+    assert block[3:, 0] == pytest.approx([0.2, 0, 0, 0.04] + [0] * (len(block) - 7))
+    assert np.frombuffer(pack(scenes.weights(ior=1.0)).block, np.float32)[4] == 0
+
+
+def test_every_number_of_weighted_lobes(renderer, scenes):
+    """With k of ten lobes weighted, and each map another constant, the sum is right for every k and any lobes."""
+    exponents = tuple(2.0**i for i in range(1, 11))
+    levels = 0.2 + 0.08 * np.arange(10)
+    maps = [scenes.cube(np.full((6, 4, 4, 3), level), 0.3 + i) for i, level in enumerate(levels)]
+    constant = scenes.constant(1.0, exponents=exponents)
+    renderer.set_environment(type(constant)(exponents, tuple(maps), constant.diffuse, constant.background))
+    renderer.set_mesh([scenes.sheet()])
+    view = View(Camera(0, 0), tone_curve="linear")
+    renderer.set_material(
+        "paint", MaterialWeights(exponents, np.zeros(3), np.zeros((10, 3)), np.zeros((10, 3)))
+    )
+    renderer.render_image(view, (8, 8))
+    made = renderer.counters.total_created
+    rng = np.random.default_rng(1)
+    for k in range(11):
+        kg = np.zeros((10, 3))
+        chosen = rng.choice(10, k, replace=False)
+        kg[chosen] = (np.asarray(exponents)[chosen, None] + 1) / (2 * np.pi) * 0.09
+        renderer.set_material(
+            "paint", MaterialWeights(exponents, np.zeros(3), np.zeros((10, 3)), kg, coat="none")
+        )
+        image = renderer.render_image(view, (8, 8)) / 255.0
+        light = np.where(image <= 0.04045, image / 12.92, ((image + 0.055) / 1.055) ** 2.4)
+        assert light[4, 4] == pytest.approx(np.full(3, 0.09 * levels[chosen].sum()), abs=0.006)
+    assert renderer.counters.total_created == made
+    assert look_up_counts(10) == (4, 7, 10)

@@ -5,7 +5,8 @@
 //     Lo =  pi KD P_1(N)                                   equation 9: the diffuse map looked up at N
 //         + sum KDD_i 2 pi/(E_i+1) P_i(R) (N.R)            equation 7: the light direction is taken as R
 //         + sum KG_i  2 pi/(E_i+1) P_i(R)                  equation 8
-// One look-up serves equations 7 and 8. OpenGL 3.3 allows arrays of samplers to be indexed by constants only,
+// One look-up serves equations 7 and 8; lobes without a weight are not looked up at all, so the maps are bound
+// material by material and there is a program for a few numbers of look-ups. OpenGL 3.3 allows arrays of samplers to be indexed by constants only,
 // so the loop is written out by the preprocessor.
 #include "material.glsl"
 #include "environment.glsl"
@@ -23,15 +24,13 @@ vec3 reflected_radiance(vec3 n, vec3 v)
     vec3 directional_gain = base_gain * cos_theta;     // N.R = N.V
 
     vec3 radiance = diffuse.rgb * base_gain * (texture(diffuse_map, to_environment(n)).rgb * diffuse_scale);
-    // How far the mirror direction turns from pixel to pixel, in radians; in texels of map i it is 2^lobe_levels[i]
+    // How far the mirror direction turns from pixel to pixel, in radians; in texels of map k it is 2^lobe_levels[i]
     // times as much, and the mip level follows. Taken once, not per map, and not fooled by the edges of faces.
     vec3 across = dFdx(r), down = dFdy(r);
     float turn = 0.5 * log2(max(max(dot(across, across), dot(down, down)), 1e-12));
-    // A fit leaves many weights at zero: their maps need not be read.
-#define ADD_LOBE(i) \
-    if (max(directional[i].a, gloss[i].a) > 0.0) \
-        radiance += (directional[i].rgb * directional_gain + gloss[i].rgb * gloss_gain) \
-            * (textureLod(lobe_maps[i], r, turn + lobe_levels[i]).rgb * lobe_scales[i]);
+#define ADD_LOBE(k) \
+    radiance += (lobes[2 * k].rgb * directional_gain + lobes[2 * k + 1].rgb * gloss_gain) \
+        * (textureLod(lobe_maps[k], r, turn + lobe_levels[k]).rgb * lobe_scales[k]);
     FOR_EACH_LOBE(ADD_LOBE)
     return radiance;
 }

@@ -1,6 +1,6 @@
 // Provides: uniform block Material (one buffer per material), COAT_NONE, COAT_DIELECTRIC, COAT_METAL,
 //           void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
-// Needs:    LOBES (number of lobes), uniform bool fresnel_on
+// Needs:    LOBES (number of look-ups), uniform bool fresnel_on
 #include "fresnel.glsl"
 
 const int COAT_NONE = 0;
@@ -8,14 +8,14 @@ const int COAT_DIELECTRIC = 1;
 const int COAT_METAL = 2;
 
 // Written whole by material_buffer.py (std140). A lobe (R.V)^E holds 2 pi / (E + 1) of solid angle, and the
-// weights come here multiplied by it, so that they weigh the unit-gain maps directly.
+// weights come here multiplied by it, so that they weigh the unit-gain maps directly. Lobe i of the basis is in
+// place k: a fit leaves most weights at zero, and only lobes with a weight are given, the rest being zero.
 layout(std140) uniform Material
 {
     vec4 diffuse;              // rgb: pi KD
     vec4 coat;                 // x: COAT_*, y: index of refraction, z: 1 / F(theta_fit), w: 1 / T(theta_fit)^2
     vec4 gloss_albedo;         // rgb: sum of the gloss weights; a: 1 / (largest of them), the limit of the gain
-    vec4 directional[LOBES];   // rgb: KDD_i 2 pi / (E_i + 1); a: the largest of the three
-    vec4 gloss[LOBES];         // rgb: KG_i 2 pi / (E_i + 1); a: the largest of the three
+    vec4 lobes[2 * LOBES];     // rgb of 2 k: KDD_i 2 pi / (E_i + 1), of 2 k + 1: KG_i 2 pi / (E_i + 1)
 };
 
 // Which share of base and gloss is seen at the view angle theta, relative to the incidence of the fit.
