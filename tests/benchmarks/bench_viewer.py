@@ -87,12 +87,6 @@ def run(progress=None):
     figures = {
         "paper_ratio": median(a / b for a, b in zip(times[ours], times[baseline], strict=True)),
         "all_lobes_ratio": median(a / b for a, b in zip(times[every_lobe], times[baseline], strict=True)),
-        "all_lobes_ratio": (
-            "",
-            None,
-            "",
-            "the same with a weight on every lobe of the basis, which no fit has",
-        ),
         "weights_change_ms": median(extra),
         "baseline_frame_ms": median(times[baseline]),
     }
