@@ -64,7 +64,7 @@ class AnglePlot(QWidget):
         self._unmeasured = pg.LinearRegionItem((0.0, 15.0), movable=False)
         self._unmeasured.setZValue(-10)
         self._plot.addItem(self._unmeasured)
-        self._note = pg.TextItem("not measured", anchor=(0.5, 1.0), angle=0)
+        self._note = pg.TextItem("not measured", anchor=(0.0, 1.0))
         self._plot.addItem(self._note, ignoreBounds=True)
         self._box.addWidget(self._plot, 1)
         self._take_palette()
@@ -103,7 +103,7 @@ class AnglePlot(QWidget):
             top = max(curves.ceiling * _ROOM, 10.0)
             self._plot.setXRange(0.0, last + 4.0, padding=0)
             self._plot.setYRange(0.0, top, padding=0)
-            self._note.setPos(first / 2, 0.0)
+            self._note.setPos(0.2, 0.0)
 
     def mark_stale(self) -> None:
         """Say that the lines are of the last paint that could be."""

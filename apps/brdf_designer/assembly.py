@@ -115,14 +115,7 @@ class Designer:
         window.close_asked.connect(self._may_close)
         window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
         files.recent_changed.connect(lambda: window.show_recent(files.recent()))
-        stack = self.store.stack
-        for signal in (
-            stack.undoTextChanged,
-            stack.redoTextChanged,
-            stack.canUndoChanged,
-            stack.canRedoChanged,
-        ):
-            signal.connect(lambda *_: self._show_history())
+        self.store.history_changed.connect(self._show_history)
         self.link.peers_changed.connect(lambda _count: window.desk_status.show_peers(self.link.peers))
         app = QCoreApplication.instance()
         if app is not None:

@@ -108,13 +108,13 @@ class CoatSection(PaintSection):
 
     def show_fit(self, state: FitState) -> None:
         """Show the coat that was solved."""
-        self.ior.setText(f"{state.ior:.3f}  (computed)")
-        self.roughness.setText(f"{state.roughness:.4f}  (computed)")
+        self.ior.setText(f"{state.ior:.3f}, computed")
+        self.roughness.setText(f"{state.roughness:.4f}, computed")
 
     def mark_stale(self) -> None:
         """Say that no coat gives these readings."""
         for label in (self.ior, self.roughness):
-            label.setText("–  (no coat gives this gloss)")
+            label.setText("–, no such coat")
 
     def _switch_60(self, on: bool) -> None:
         value = self.panel.fields["gloss.gu_60"].value() if on else None
@@ -128,7 +128,7 @@ class FlakesSection(PaintSection):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.has_flakes = QCheckBox("The paint has flakes that can be seen")
+        self.has_flakes = QCheckBox("Flakes that can be seen")
         self.has_flakes.clicked.connect(self._switch)
         self.box.addWidget(self.has_flakes)
         self.panel = self.add_panel(*(f"flakes.{key}" for key in self._KEYS))

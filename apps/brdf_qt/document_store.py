@@ -12,6 +12,7 @@ from typing import Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
+from shiboken6 import isValid
 
 T = TypeVar("T")
 MOST_STEPS = 1000
@@ -45,13 +46,15 @@ class DocumentStore(QObject, Generic[T]):
     """The open document of a program.
 
     Signals: ``changed(old, new)`` after every change of the value; ``replaced()`` where another document took
-    its place; ``path_changed(path)`` with a Path or None; ``clean_changed(bool)``.
+    its place; ``path_changed(path)`` with a Path or None; ``clean_changed(bool)``; ``history_changed()`` where
+    Undo or Redo would do something else than before.
     """
 
     changed = Signal(object, object)
     replaced = Signal()
     path_changed = Signal(object)
     clean_changed = Signal(bool)
+    history_changed = Signal()
 
     def __init__(self, value: T, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -61,7 +64,15 @@ class DocumentStore(QObject, Generic[T]):
         self._gesture_name: str | None = None
         self.stack = QUndoStack(self)
         self.stack.setUndoLimit(MOST_STEPS)
-        self.stack.cleanChanged.connect(self.clean_changed)
+        stack = self.stack
+        stack.cleanChanged.connect(self._on_clean_changed)
+        for signal in (
+            stack.undoTextChanged,
+            stack.redoTextChanged,
+            stack.canUndoChanged,
+            stack.canRedoChanged,
+        ):
+            signal.connect(self._on_history_changed)
 
     @property
     def value(self) -> T:
@@ -123,7 +134,10 @@ class DocumentStore(QObject, Generic[T]):
         self.end_gesture()
         was_clean = self.is_clean
         self.stack.clear()
-        if not clean:
+        # Clearing an empty stack leaves its clean state as it was.
+        if clean:
+            self.stack.setClean()
+        else:
             self.stack.resetClean()
         self._take(value)
         self._set_path(path)
@@ -136,6 +150,18 @@ class DocumentStore(QObject, Generic[T]):
         self.end_gesture()
         self.stack.setClean()
         self._set_path(path)
+
+    def _is_alive(self) -> bool:
+        """Return false while Qt destroys the stack, which clears it with all its signals first."""
+        return isValid(self) and isValid(self.stack)
+
+    def _on_clean_changed(self, clean: bool) -> None:
+        if self._is_alive():
+            self.clean_changed.emit(clean)
+
+    def _on_history_changed(self, *_: object) -> None:
+        if self._is_alive():
+            self.history_changed.emit()
 
     def _set_path(self, path: Path | None) -> None:
         if path != self._path:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCloseEvent, QKeySequence, QPaintEvent, QShortcut
-from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QMenu, QToolBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar, QVBoxLayout, QWidget
 
 from brdf_qt.application import error_relay
 from brdf_qt.command_palette import CommandPalette
@@ -127,6 +127,9 @@ class SuiteWindow(QMainWindow):
     def restore_layout(self) -> None:
         """Take up the size, place and panels of the last time."""
         self._default_state = self.saveState(LAYOUT_VERSION)
+        # At first the inspector takes what its fields want, but never more than a good third of a small window.
+        wanted = min(self.inspector.sizeHint().width(), round(0.38 * self.width()))
+        self.resizeDocks([self.inspector_dock], [wanted], Qt.Orientation.Horizontal)
         store = settings()
         geometry, state = store.value("window/geometry"), store.value("window/state")
         if geometry is not None:
@@ -180,4 +183,3 @@ class SuiteWindow(QMainWindow):
         store.setValue("window/state", self.saveState(LAYOUT_VERSION))
         store.sync()
         event.accept()
-        QApplication.exit(0)

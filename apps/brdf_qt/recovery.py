@@ -1,4 +1,4 @@
-"""Unsaved work survives a kill: it is written beside the settings about once a second, and offered back.
+"""Unsaved work survives a kill: it is written beside the settings at least once a second, and offered back.
 
 Each run has a file of its own and holds a lock beside it; the system frees the lock of a process that dies.
 So the work of a program that still runs is never offered to another. A file goes once its work is saved or
@@ -23,7 +23,7 @@ from brdf_qt.settings import state_folder
 from brdf_suite.errors import FileError, SuiteError
 
 T = TypeVar("T")
-INTERVAL_MS = 900
+INTERVAL_MS = 700
 _ENDING = ".recovery.json"
 
 

@@ -1,0 +1,57 @@
+"""A real Designer with settings and a live link of its own, on Qt's offscreen platform unless told otherwise."""
+
+from __future__ import annotations
+
+import os
+import uuid
+from pathlib import Path
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+from brdf_designer.assembly import Designer
+from brdf_qt.dialogs import Answer
+
+
+class ScriptedDialogs:
+    """Answers as told, and notes what was asked."""
+
+    def __init__(self) -> None:
+        self.answer = Answer.CANCEL
+        self.path: Path | None = None
+        self.asked: list[str] = []
+
+    def unsaved(self, name: str) -> Answer:
+        self.asked.append(name)
+        return self.answer
+
+    def open_path(self, folder: Path, filters: str) -> Path | None:
+        return self.path
+
+    def save_path(self, suggested: Path, filters: str) -> Path | None:
+        return self.path
+
+
+@pytest.fixture(autouse=True)
+def own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """No test touches a user's settings, or speaks with a program that is open."""
+    monkeypatch.setenv("BRDF_SUITE_SETTINGS", str(tmp_path / "settings"))
+    monkeypatch.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
+    return tmp_path / "settings"
+
+
+@pytest.fixture
+def dialogs() -> ScriptedDialogs:
+    return ScriptedDialogs()
+
+
+@pytest.fixture
+def designer(qtbot, dialogs) -> Designer:
+    """Designer, shown, with its plot there."""
+    designer = Designer(dialogs=lambda _window: dialogs)
+    qtbot.addWidget(designer.window)
+    designer.window.show()
+    qtbot.waitUntil(lambda: designer.window.plot.is_built, timeout=10_000)
+    yield designer
+    designer.close()

@@ -1,0 +1,137 @@
+"""The controller with a real fitter and a window that only notes what it is told."""
+
+from __future__ import annotations
+
+from unittest.mock import create_autospec
+
+import pytest
+from brdf_designer.assembly import paint_format, shipped_paint
+from brdf_designer.controller import Controller, Parts, View
+from brdf_qt.document_files import DocumentFiles
+from brdf_qt.document_store import DocumentStore
+from brdf_qt.recovery import Recovery
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from brdf_suite.documents.store import paint_from_json
+from brdf_suite.pipeline.paint import PaintFitter
+
+
+@pytest.fixture(scope="module")
+def fitter() -> PaintFitter:
+    return PaintFitter()
+
+
+class Desk:
+    """A controller and all that it works with."""
+
+    def __init__(self, fitter, dialogs) -> None:
+        form = paint_format()
+        self.view = create_autospec(View, instance=True)
+        self.store = DocumentStore(shipped_paint("blue"))
+        self.files = DocumentFiles(self.store, form, dialogs)
+        self.recovery = Recovery(self.store, form, pytest.fail)
+        self.published = []
+        parts = Parts(
+            self.store, self.files, self.recovery, fitter, lambda *message: self.published.append(message)
+        )
+        self.controller = Controller(self.view, parts)
+
+
+@pytest.fixture
+def desk(qapp, fitter, dialogs) -> Desk:
+    desk = Desk(fitter, dialogs)
+    yield desk
+    desk.recovery.close(keep=False)
+
+
+def test_an_edit_reaches_document_view_and_link(desk, qtbot):
+    desk.controller.edit(("lab", 1, 0), 30.0)
+    assert desk.store.value.lab_at(45.0)[0] == 30.0
+    assert desk.view.show_colours.call_args.args[0].paint == desk.store.value
+    assert desk.view.show_fit.call_args.args[0].worst_delta_e < 0.5
+    qtbot.waitUntil(lambda: len(desk.published) == 1)
+    topic, value = desk.published[0]
+    assert (topic, paint_from_json(value)) == ("paint", desk.store.value)
+
+
+def test_many_changes_of_one_turn_are_published_once_the_newest(desk, qtbot):
+    for lightness in (30.0, 31.0, 32.0):
+        desk.controller.edit(("lab", 1, 0), lightness)
+    qtbot.wait(20)
+    assert len(desk.published) == 1
+    assert desk.published[0][1]["measurements"][1]["lab"][0] == 32.0
+
+
+def test_an_unreachable_gloss_is_told_and_the_last_state_stays(desk, qtbot):
+    desk.controller.refresh()
+    qtbot.waitUntil(lambda: len(desk.published) == 1)
+    fits = desk.view.show_fit.call_count
+    desk.controller.edit(("gloss", "gu_20"), 199.0)
+    message = desk.view.show_message.call_args.args[0]
+    assert message.key == "fit"
+    assert "199 GU" in message.what
+    assert desk.view.show_fit.call_count == fits
+    desk.view.mark_fit_stale.assert_called_once()
+    assert desk.store.value.gloss.gu_20 == 199.0
+    qtbot.wait(20)
+    assert len(desk.published) == 1
+    desk.controller.edit(("gloss", "gu_20"), 88.0)
+    desk.view.dismiss_message.assert_any_call("fit")
+    assert desk.view.show_fit.call_count == fits + 1
+
+
+def test_an_edit_of_another_field_ends_the_gesture(desk):
+    desk.controller.begin_gesture(("lab", 0, 0))
+    desk.controller.edit(("lab", 0, 0), 63.0)
+    desk.controller.edit(("gloss", "gu_20"), 85.0)
+    desk.controller.edit(("lab", 0, 0), 64.0)
+    assert [desk.store.stack.text(i) for i in range(desk.store.stack.count())] == [
+        "Change L* at 15°",
+        "Change Gloss 20°",
+        "Change L* at 15°",
+    ]
+
+
+def test_a_refused_value_is_told_and_the_field_shows_the_document_again(desk):
+    desk.controller.begin_gesture(("name",))
+    desk.controller.edit(("name",), "")
+    assert desk.store.value.name == "Blue"
+    assert "name" in desk.view.show_message.call_args.args[0].what
+    shown = desk.view.show_colours.call_count
+    desk.controller.end_gesture()
+    assert desk.view.show_colours.call_count == shown + 1
+    desk.view.dismiss_message.assert_any_call("edit")
+
+
+NUMBERS = st.floats(0, 120, allow_nan=False).map(lambda x: round(x, 2))
+EDITS = st.one_of(
+    st.tuples(st.tuples(st.just("lab"), st.integers(0, 2), st.integers(0, 2)), NUMBERS),
+    st.tuples(st.just(("gloss", "gu_20")), NUMBERS),
+    st.tuples(st.just(("gloss", "gu_60")), st.none() | NUMBERS),
+    st.tuples(st.just(("flakes", "density_per_mm2")), NUMBERS),
+    st.tuples(st.just(("flakes",)), st.none()),
+    st.tuples(st.just(("interpolation",)), st.sampled_from(["flake", "monotone", "polynomial"])),
+    st.tuples(st.just(("name",)), st.text("ab ", max_size=3)),
+    st.tuples(st.just(("solid",)), st.integers(0, 2)),
+)
+
+
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(edits=st.lists(st.tuples(EDITS, st.booleans()), max_size=12))
+def test_any_edits_and_as_many_undos_give_the_identical_paint(qapp, fitter, dialogs, edits):
+    desk = Desk(fitter, dialogs)
+    before = desk.store.value
+    for (key, value), in_gesture in edits:
+        if in_gesture:
+            desk.controller.begin_gesture(key)
+        desk.controller.edit(key, value)
+    after, steps = desk.store.value, desk.store.stack.count()
+    for _ in range(steps):
+        desk.controller.undo()
+    assert desk.store.value == before
+    assert desk.store.is_clean
+    for _ in range(steps):
+        desk.controller.redo()
+    assert desk.store.value == after
+    desk.recovery.close(keep=False)

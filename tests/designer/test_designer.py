@@ -1,0 +1,273 @@
+"""Designer driven through its real widgets."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from brdf_designer.assembly import shipped_paint
+from brdf_qt.command_palette import commands
+from brdf_qt.dialogs import Answer
+from brdf_qt.link import LiveLink
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from brdf_suite.documents.store import load_paint, paint_from_json, save_paint
+
+
+def action(designer, path: str):
+    return dict(commands(designer.window))[path]
+
+
+def slider(designer, index: int, component: int):
+    return designer.window.editors.editors[index].sliders[component]
+
+
+def field(designer, index: int, component: int):
+    return designer.window.editors.editors[index].fields[component]
+
+
+def drag(widget, distances: list[int]) -> None:
+    start = QPoint(round(widget._x(widget.amount())), widget.height() // 2)
+    QTest.mousePress(widget, Qt.MouseButton.LeftButton, pos=start)
+    for dx in distances:
+        place = start + QPoint(dx, 0)
+        event = QMouseEvent(
+            QEvent.Type.MouseMove,
+            QPointF(place),
+            QPointF(widget.mapToGlobal(place)),
+            Qt.MouseButton.NoButton,
+            Qt.MouseButton.LeftButton,
+            Qt.KeyboardModifier.NoModifier,
+        )
+        QApplication.sendEvent(widget, event)
+    QTest.mouseRelease(widget, Qt.MouseButton.LeftButton, pos=start + QPoint(distances[-1], 0))
+
+
+def type_in(number, text: str) -> None:
+    number.setFocus()
+    number.selectAll()
+    QTest.keyClicks(number, text)
+    QTest.keyClick(number, Qt.Key.Key_Return)
+
+
+def test_a_drag_on_a_slider_is_one_step_with_its_name(designer):
+    before = designer.store.value
+    drag(slider(designer, 0, 0), [5, 9, 14, 20])
+    assert designer.store.value.lab_at(15.0)[0] > before.lab_at(15.0)[0]
+    assert designer.store.stack.count() == 1
+    assert designer.window.undo_action.text() == "&Undo Change L* at 15°"
+    designer.window.undo_action.trigger()
+    assert designer.store.value == before
+    assert designer.window.redo_action.text() == "&Redo Change L* at 15°"
+    assert not designer.window.undo_action.isEnabled()
+
+
+def test_a_typed_number_moves_slider_patch_curve_and_readouts(designer):
+    window = designer.window
+    patch = window.patches._cells[1][0]
+    before = patch.grab().toImage().pixelColor(30, 30)
+    flop = window.status.cell("Flop index").text()
+    type_in(field(designer, 1, 0), "40")
+    assert designer.store.value.lab_at(45.0) == (40.0, 4.0, -38.0)
+    assert slider(designer, 1, 0).amount() == 40.0
+    after = patch.grab().toImage().pixelColor(30, 30)
+    assert after.lightness() > before.lightness()
+    assert window.status.cell("Flop index").text() != flop
+    assert window.plot._points[1].pos().y() == 40.0
+    assert "L* 40.0" in window.patches._cells[1][2].text()
+
+
+def test_undo_by_keyboard_reaches_the_document_from_a_number_field(designer, qtbot):
+    number = field(designer, 2, 1)
+    type_in(number, "12")
+    number.setFocus()
+    QTest.keySequence(number, "Ctrl+Z")
+    assert designer.store.value == shipped_paint("blue")
+    assert number.value() == 8.0
+
+
+def test_a_point_of_the_plot_is_dragged_as_one_step(designer):
+    point = designer.window.plot._points[1]
+
+    class Drag:
+        def __init__(self, y: float, start: bool = False, finish: bool = False) -> None:
+            self.y, self.start, self.finish = y, start, finish
+
+        def button(self):
+            return Qt.MouseButton.LeftButton
+
+        def accept(self) -> None:
+            pass
+
+        def pos(self):
+            return point.mapFromParent(QPointF(45.0, self.y))
+
+        # The names are those of pyqtgraph's event.
+        def buttonDownPos(self):  # noqa: N802
+            return point.mapFromParent(QPointF(45.0, 25.0))
+
+        def isStart(self) -> bool:  # noqa: N802
+            return self.start
+
+        def isFinish(self) -> bool:  # noqa: N802
+            return self.finish
+
+    point.mouseDragEvent(Drag(26.0, start=True))
+    point.mouseDragEvent(Drag(35.0))
+    point.mouseDragEvent(Drag(33.0, finish=True))
+    assert designer.store.value.lab_at(45.0)[0] == pytest.approx(33.0)
+    assert designer.store.stack.count() == 1
+
+
+def test_the_picker_is_one_step_and_does_not_stop_the_work(designer, qtbot):
+    designer.window.editors.editors[1].swatch.click()
+    dialog = designer.window._pickers[1]
+    assert not dialog.isModal()
+    for name in ("#808080", "#c02020"):
+        dialog.setCurrentColor(QColor(name))
+    patch = designer.window.patches._cells[1][0]
+    assert patch.grab().toImage().pixelColor(30, 30).name() == "#c02020"
+    dialog.close()
+    assert designer.window._pickers == {}
+    assert [designer.store.stack.text(i) for i in range(designer.store.stack.count())] == [
+        "Pick Colour at 45°"
+    ]
+
+
+def test_the_picker_shows_the_paint_and_changes_nothing_by_opening(designer):
+    designer.window.pick_colour(0)
+    shown = designer.window._pickers[0].currentColor()
+    patch = designer.window.patches._cells[0][0].grab().toImage().pixelColor(30, 30)
+    assert shown == patch
+    designer.window._pickers[0].close()
+    assert designer.store.is_clean
+
+
+def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer):
+    window = designer.window
+    strip = window.strip._band.grab().toImage()
+    gloss = window.coat.panel.fields["gloss.gu_20"]
+    type_in(gloss, "199")
+    assert designer.store.value.gloss.gu_20 == 199.0
+    assert "199 GU" in window.messages.shown()["fit"].what
+    assert "last paint" in window.strip.caption.text()
+    assert window.strip._band.grab().toImage() == strip
+    assert window.status.cell("Fit").text().startswith("(")
+    type_in(gloss, "88")
+    assert window.messages.shown() == {}
+    assert "last paint" not in window.strip.caption.text()
+
+
+def test_the_60_degree_reading_is_optional(designer, qtbot):
+    coat = designer.window.coat
+    assert not coat.panel.fields["gloss.gu_60"].isEnabled()
+    coat.has_60.click()
+    assert designer.store.value.gloss.gu_60 == 95.0
+    assert coat.panel.fields["gloss.gu_60"].isEnabled()
+    designer.controller.undo()
+    assert designer.store.value.gloss.gu_60 is None
+    assert not coat.has_60.isChecked()
+
+
+def test_flakes_and_model_are_edited(designer):
+    window = designer.window
+    type_in(window.flakes.panel.fields["flakes.size_um"], "33")
+    assert designer.store.value.flakes.size_um == 33.0
+    window.flakes.has_flakes.click()
+    assert designer.store.value.flakes is None
+    window.flakes.has_flakes.click()
+    assert designer.store.value.flakes.size_um == 33.0
+    window.model.rule.setCurrentIndex(1)
+    window.model.rule.activated.emit(1)
+    assert designer.store.value.interpolation == "monotone"
+
+
+def test_a_name_typed_is_one_step(designer):
+    line = designer.window.texts.name
+    line.setFocus()
+    line.selectAll()
+    QTest.keyClicks(line, "Midnight")
+    QTest.keyClick(line, Qt.Key.Key_Return)
+    assert designer.store.value.name == "Midnight"
+    assert designer.store.stack.count() == 1
+
+
+def test_save_and_reopen_give_the_identical_paint(designer, dialogs, tmp_path):
+    type_in(field(designer, 0, 2), "-40.25")
+    edited = designer.store.value
+    dialogs.path = tmp_path / "mine"
+    action(designer, "File ▸ Save").trigger()
+    assert load_paint(tmp_path / "mine.brdfpaint") == edited
+    assert not designer.window.isWindowModified()
+    action(designer, "File ▸ New").trigger()
+    assert designer.store.value.name == "Untitled"
+    action(designer, "File ▸ Open Recent ▸ 1 mine.brdfpaint").trigger()
+    assert designer.store.value == edited
+    assert designer.window.windowTitle().startswith("mine.brdfpaint")
+
+
+@pytest.mark.parametrize("answer", list(Answer))
+def test_closing_asks_about_unsaved_changes(designer, dialogs, tmp_path, answer):
+    type_in(field(designer, 0, 0), "70")
+    dialogs.answer, dialogs.path = answer, tmp_path / "saved"
+    closed = designer.window.close()
+    assert dialogs.asked == ["Blue"]
+    assert closed == (answer is not Answer.CANCEL)
+    assert (tmp_path / "saved.brdfpaint").exists() == (answer is Answer.SAVE)
+    left = list(designer.recovery._folder.glob("*.recovery.json"))
+    assert answer is Answer.CANCEL or left == []
+
+
+def test_a_bad_file_is_told_and_the_open_paint_stays(designer, dialogs, tmp_path):
+    bad = tmp_path / "bad.brdfpaint"
+    save_paint(shipped_paint("red"), bad)
+    content = json.loads(bad.read_text())
+    content["measurements"][1]["lab"][0] = "bright"
+    bad.write_text(json.dumps(content))
+    before = designer.store.value
+    dialogs.path = bad
+    action(designer, "File ▸ Open…").trigger()
+    message = designer.window.messages.shown()["open"]
+    assert "measurements[1].lab[0]" in message.where
+    assert designer.store.value == before
+
+
+def test_a_shipped_paint_opens_as_a_document_without_a_file(designer):
+    action(designer, "File ▸ Open Shipped Paint ▸ Fine silver").trigger()
+    assert designer.store.value == shipped_paint("fine_silver")
+    assert designer.store.path is None
+    assert "outside" in designer.window.status.cell("Gamut").text().lower()
+
+
+def test_make_solid(designer):
+    action(designer, "Paint ▸ Make Solid From ▸ 45°").trigger()
+    assert {m.lab for m in designer.store.value.measurements} == {(25.0, 4.0, -38.0)}
+    assert designer.window.status.cell("Flop index").text() == "Flop 0.0"
+
+
+def test_every_edit_reaches_the_other_programs(designer, qtbot):
+    other = LiveLink("viewer")
+    heard = []
+    other.received.connect(lambda topic, value: heard.append((topic, value)))
+    other.start()
+    qtbot.waitUntil(lambda: bool(heard), timeout=10_000)
+    assert paint_from_json(heard[-1][1]) == designer.store.value
+    assert designer.window.status.cell("Link").text() == "Linked: Viewer"
+    type_in(field(designer, 1, 0), "44")
+    qtbot.waitUntil(lambda: paint_from_json(heard[-1][1]).lab_at(45.0)[0] == 44.0, timeout=10_000)
+    other.close()
+    qtbot.waitUntil(lambda: designer.window.status.cell("Link").text() == "Not linked", timeout=10_000)
+
+
+def test_every_control_has_a_name_for_a_screen_reader(designer):
+    from brdf_qt.colour_slider import ColourSlider
+    from brdf_qt.number_field import NumberField
+
+    controls = [*designer.window.findChildren(ColourSlider), *designer.window.findChildren(NumberField)]
+    assert len(controls) >= 9 * 2 + 7
+    assert all(control.accessibleName() for control in controls)
+    names = [c.accessibleName() for c in controls]
+    assert len(set(names)) == len(names)

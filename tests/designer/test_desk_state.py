@@ -1,0 +1,67 @@
+"""What the desk shows is what the paint says: checked against the readings themselves."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from brdf_designer.assembly import new_paint, shipped_paint
+from brdf_designer.desk_state import colours_of, fit_state_of
+from brdf_designer.display import component_tracks, lab_to_codes
+
+from brdf_suite.documents.paint import solid_paint
+from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.resources import resource_names
+
+
+@pytest.fixture(scope="module")
+def fitter() -> PaintFitter:
+    return PaintFitter()
+
+
+def test_the_curve_passes_through_the_readings(fitter):
+    for name in resource_names("paints", ".brdfpaint"):
+        paint = shipped_paint(name)
+        curves = fit_state_of(fitter.fit(paint)).curves
+        for m in paint.measurements:
+            model = np.interp(m.aspecular_deg, curves.gamma_deg, curves.model)
+            assert model == pytest.approx(m.lab[0], abs=0.01), (name, m.aspecular_deg)
+
+
+def test_the_strip_begins_and_ends_with_the_readings(fitter):
+    paint = shipped_paint("blue")
+    curves = fit_state_of(fitter.fit(paint)).curves
+    ends, _ = lab_to_codes([paint.lab_at(15.0), paint.lab_at(110.0)])
+    assert np.abs(curves.strip_rgb[[0, -1]].astype(int) - ends.astype(int)).max() <= 1
+    assert curves.measured_deg == (15.0, 110.0)
+
+
+def test_white_black_and_grey_have_their_codes():
+    codes, inside = lab_to_codes([[100, 0, 0], [0, 0, 0], [53.585, 0, 0], [128, 0, 0]])
+    assert codes.tolist() == [[255] * 3, [0] * 3, [128] * 3, [255] * 3]
+    assert inside.tolist() == [True, True, True, False]
+
+
+def test_a_track_at_its_own_value_is_the_colour_itself():
+    lab = (40.0, 20.0, -30.0)
+    own, _ = lab_to_codes(lab)
+    for component, (codes, _) in enumerate(component_tracks(lab, [np.array([lab[i]]) for i in range(3)])):
+        assert codes[0].tolist() == own.tolist(), component
+    (lightness, _), _, _ = component_tracks(lab, [np.array([0.0, 80.0])] * 3)
+    assert lightness[1].sum() > lightness[0].sum()
+
+
+def test_flop_of_a_solid_is_zero_and_needs_its_angles():
+    paint = new_paint()
+    assert colours_of(paint).flop.value == 0.0
+    items = tuple(
+        dataclasses.replace(m, aspecular_deg=25.0) if m.aspecular_deg == 15.0 else m
+        for m in paint.measurements
+    )
+    assert colours_of(dataclasses.replace(paint, measurements=items)).flop is None
+
+
+def test_gamut_is_told_per_reading():
+    paint = solid_paint("x", (60.0, 0.0, 0.0)).with_lab(110.0, (30.0, 0.0, -90.0))
+    assert [angle.in_gamut for angle in colours_of(paint).angles] == [True, True, False]

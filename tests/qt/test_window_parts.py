@@ -1,0 +1,182 @@
+"""Theme, messages, sections, command search, icons."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+from brdf_qt import theme
+from brdf_qt.application import error_relay
+from brdf_qt.command_palette import commands, score
+from brdf_qt.icons import icon
+from brdf_qt.main_window import SuiteWindow
+from brdf_qt.message_bar import Message, message_of
+from brdf_qt.section import Section
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QPalette
+from PySide6.QtTest import QTest
+
+from brdf_suite.errors import DocumentError
+
+ACCENT = {
+    QPalette.ColorRole.Highlight,
+    QPalette.ColorRole.Accent,
+    QPalette.ColorRole.Link,
+    QPalette.ColorRole.LinkVisited,
+}
+
+
+@pytest.fixture
+def window(qtbot) -> SuiteWindow:
+    window = SuiteWindow("Trial")
+    qtbot.addWidget(window)
+    window.restore_layout()
+    window.show()
+    qtbot.waitExposed(window)
+    return window
+
+
+@pytest.mark.parametrize("name", ["dark", "booth", "light"])
+def test_every_grey_is_neutral_and_text_can_be_read(qapp, name):
+    palette = theme.palette(name)
+    for role in QPalette.ColorRole:
+        if role in ACCENT or role in (QPalette.ColorRole.NColorRoles, QPalette.ColorRole.NoRole):
+            continue
+        colour = palette.color(role)
+        assert colour.red() == colour.green() == colour.blue(), role
+    for text, ground in (("WindowText", "Window"), ("Text", "Base"), ("ButtonText", "Button")):
+        pair = [luminance(palette.color(getattr(QPalette.ColorRole, role))) for role in (text, ground)]
+        assert (max(pair) + 0.05) / (min(pair) + 0.05) >= 4.5, (text, ground)
+
+
+def luminance(colour) -> float:
+    code = colour.redF()
+    return code / 12.92 if code <= 0.04045 else ((code + 0.055) / 1.055) ** 2.4
+
+
+@pytest.mark.parametrize(("lightness", "level"), [(0, 0), (20, 48), (50, 119), (85, 212), (100, 255)])
+def test_grey_has_its_lightness(lightness, level):
+    assert theme.grey(lightness).red() == level
+
+
+def test_a_theme_is_remembered(qapp):
+    theme.apply(qapp, "booth")
+    assert theme.current() == "booth"
+    assert qapp.palette().color(QPalette.ColorRole.Window) == theme.grey(50)
+
+
+def test_the_theme_menu_changes_the_palette(window, qapp):
+    actions = dict(commands(window))
+    actions["View ▸ Theme ▸ Light (L* 85)"].trigger()
+    assert qapp.palette().color(QPalette.ColorRole.Window) == theme.grey(85)
+
+
+def test_an_unhandled_error_is_shown_in_the_window(window):
+    error_relay().report(ValueError("boom"))
+    assert "boom" in window.messages.shown()["fault"].what
+    assert window.messages.isVisible()
+
+
+def test_a_message_replaces_the_one_with_its_key_and_goes(window):
+    window.messages.show_message(Message("k", "one"))
+    window.messages.show_message(Message("k", "two"))
+    assert [m.what for m in window.messages.shown().values()] == ["two"]
+    window.messages.dismiss("k")
+    assert not window.messages.isVisible()
+
+
+def test_an_action_of_a_message_runs_and_the_message_goes(window, qtbot):
+    done = []
+    window.messages.show_message(Message("k", "Found", actions=(("Recover", lambda: done.append(1)),)))
+    button = window.messages.findChild(object, "message_action_Recover")
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert done == [1]
+    assert window.messages.shown() == {}
+
+
+def test_a_file_error_tells_what_where_and_what_to_do():
+    message = message_of(
+        DocumentError("a.brdfpaint", "a number is wanted", "gloss.gu_20"), "k", todo="Mend it."
+    )
+    assert (message.what, message.where, message.todo) == (
+        "A number is wanted.",
+        "a.brdfpaint, at gloss.gu_20",
+        "Mend it.",
+    )
+
+
+def test_a_section_remembers_that_it_is_closed(qtbot):
+    section = Section("Coat")
+    qtbot.addWidget(section)
+    section.set_open(False)
+    again = Section("Coat")
+    qtbot.addWidget(again)
+    assert not again.is_open
+
+
+def test_panels_are_hidden_and_shown(window):
+    window.toggle_panels()
+    assert window.inspector_dock.isHidden()
+    window.toggle_panels()
+    assert not window.inspector_dock.isHidden()
+
+
+def test_the_layout_is_remembered(window, qtbot):
+    window.toggle_panels()
+    window.resize(700, 500)
+    window.close()
+    again = SuiteWindow("Trial")
+    qtbot.addWidget(again)
+    again.restore_layout()
+    assert again.inspector_dock.isHidden()
+    assert (again.width(), again.height()) == (700, 500)
+
+
+def test_ctrl_k_finds_a_command_and_runs_it(window, qtbot):
+    ran = []
+    window.add_action(window.paint_menu, "Make &Everything Blue", lambda: ran.append(1))
+    window.palette_window.open()
+    QTest.keyClicks(window.palette_window.query, "evblu")
+    assert window.palette_window.found.item(0).text() == "Paint ▸ Make Everything Blue"
+    QTest.keyClick(window.palette_window.query, Qt.Key.Key_Return)
+    assert ran == [1]
+    assert not window.palette_window.isVisible()
+
+
+def test_score_prefers_starts_of_words():
+    assert score("op", "File ▸ Open…") < score("op", "Help ▸ Stop")
+    assert score("xyz", "File ▸ Open…") is None
+
+
+def test_an_icon_has_ink_and_follows_the_theme(qapp):
+    theme.apply(qapp, "dark")
+    dark = icon("floppy-disk").pixmap(24, 24).toImage()
+    theme.apply(qapp, "light")
+    light = icon("floppy-disk").pixmap(24, 24).toImage()
+    assert darkest(light) < 60 < lightest(dark)
+
+
+def inked(image) -> list[int]:
+    colours = [image.pixelColor(x, y) for x in range(24) for y in range(24)]
+    return [c.red() for c in colours if c.alpha() > 200]
+
+
+def darkest(image) -> int:
+    return min(inked(image))
+
+
+def lightest(image) -> int:
+    return max(inked(image))
+
+
+def test_the_shared_room_imports_no_program_and_nothing_slow():
+    code = (
+        "import sys, brdf_qt.main_window, brdf_qt.document_files, brdf_qt.recovery, brdf_qt.parameters;"
+        "bad = {'pyqtgraph','scipy','trimesh','moderngl','OpenImageIO','colour','qtawesome','superqt',"
+        "'brdf_designer','brdf_viewer'} & set(sys.modules); print(sorted(bad))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert done.stdout.strip() == "[]"
