@@ -31,8 +31,12 @@ _NO_CONTEXT = (
 class Drawer(Protocol):
     """What draws the picture; every call is made with its context current."""
 
-    def draw(self, framebuffer: Any, size: tuple[int, int], view: object) -> None:
-        """Draw ``view`` into ``framebuffer`` of ``size`` (width, height) device pixels."""
+    def draw(self, framebuffer: Any, size: tuple[int, int], view: object) -> bool:
+        """Draw ``view`` into ``framebuffer`` of ``size`` (width, height) device pixels.
+
+        Return whether the time that it took is that of a frame; False where it began with an upload, or drew
+        nothing yet.
+        """
 
     def release(self) -> None:
         """Free what was made in the context."""
@@ -50,14 +54,14 @@ class GlSurface(QWidget):
     samples
         Samples per pixel of the frame buffer; 0 for a drawer that averages samples by itself.
 
-    Signals: ``frame_drawn(ms)`` after each frame, with the time that it took until the GPU was done;
-    ``failed(text)`` when the picture had to give way to a message.
+    Signals: ``frame_drawn(ms, typical)`` after each frame, with the time that it took until the GPU was done and
+    what :meth:`Drawer.draw` returned; ``failed(text)`` when the picture had to give way to a message.
     """
 
-    frame_drawn = Signal(float)
+    frame_drawn = Signal(float, bool)
     failed = Signal(str)
     canvas_changed = Signal(QWidget)
-    _finished = Signal(float)
+    _finished = Signal(float, bool)
 
     def __init__(
         self,
@@ -200,7 +204,7 @@ class _Canvas(QOpenGLWidget):
         try:
             target = self._target(self._context, size)
             target.use()
-            self.drawer.draw(target, size, self._surface._view)
+            typical = self.drawer.draw(target, size, self._surface._view)
             self._context.finish()
             problem = self._context.error
         except Exception as error:  # noqa: BLE001 - as above
@@ -209,7 +213,7 @@ class _Canvas(QOpenGLWidget):
         if problem != "GL_NO_ERROR":
             self._defer_failure(f"The graphics driver reported {problem} while drawing.")
             return
-        self._surface._finished.emit((time.perf_counter() - start) * 1000.0)
+        self._surface._finished.emit((time.perf_counter() - start) * 1000.0, typical)
 
     def release(self) -> None:
         if self.drawer is None:

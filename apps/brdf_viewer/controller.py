@@ -139,14 +139,14 @@ class ViewerController(QObject):
     def _publish_view(self) -> None:
         self.link.publish("view", view_to_json(self.stage.view))
 
-    def _frame_drawn(self, milliseconds: float) -> None:
+    def _frame_drawn(self, milliseconds: float, typical: bool) -> None:
         if not self.stage.is_complete:
             return
-        if self.drawer is not None and self.drawer.has_uploaded:
-            self.window.picture.redraw()  # the next one is an ordinary frame, whose time can be shown
-        else:
+        if typical:
             self._meter.add(milliseconds)
-        if not self._complete:
+        else:
+            self.window.picture.redraw()  # the next one is an ordinary frame, whose time can be shown
+        if not self._complete and self.drawer is not None and self.drawer.is_complete:
             self._complete = True
             self.picture_complete.emit()
 

@@ -25,8 +25,6 @@ class StageDrawer:
     refused
         Called with the kind and the error where the graphics card does not take a new environment or surface;
         the old one is drawn on.
-
-    ``has_uploaded`` tells whether the last frame began with an upload: its time is not that of a frame then.
     """
 
     def __init__(
@@ -46,38 +44,42 @@ class StageDrawer:
         }
         self._drawn: dict[str, Prop[Any]] = {}
         self._fit: object = None
-        self.has_uploaded = False
 
     @property
     def counters(self) -> Counters:
         """OpenGL objects made and written since the start."""
         return self._renderer.counters
 
-    def draw(self, framebuffer: Any, size: tuple[int, int], view: object) -> None:
-        """Draw one frame; a new paint costs one buffer write, and only the newest since the last frame."""
-        self.has_uploaded = False
-        for kind in self._uploads:
-            self._bring(kind)
+    @property
+    def is_complete(self) -> bool:
+        """Whether a paint has been drawn on a surface in an environment."""
+        return self._fit is not None
+
+    def draw(self, framebuffer: Any, size: tuple[int, int], view: object) -> bool:
+        """Draw one frame; a new paint costs one buffer write, and only the newest since the last frame.
+
+        Return whether it was an ordinary one, without an upload.
+        """
+        uploads = [self._bring(kind) for kind in self._uploads]
         fit = self._stage.fit
         if fit is None or len(self._drawn) < len(self._uploads) or not isinstance(view, View):
-            framebuffer.use()
             framebuffer.clear(*self._surround(), 1.0)
-            return
+            return False
         if fit is not self._fit:
             self._renderer.set_paint_fit(fit)
             self._fit = fit
         self._renderer.draw(view, framebuffer, size)
+        return not any(uploads)
 
     def release(self) -> None:
         """Give every OpenGL object back."""
         self._renderer.release()
 
-    def _bring(self, kind: str) -> None:
-        """Upload the stage's environment or surface where it is another than the one that is drawn."""
+    def _bring(self, kind: str) -> bool:
+        """Upload the stage's environment or surface where it is another than the one drawn; tell whether."""
         wanted, drawn = getattr(self._stage, kind), self._drawn.get(kind)
         if wanted is None or wanted is drawn:
-            return
-        self.has_uploaded = True
+            return False
         try:
             self._uploads[kind](wanted.value)
         except SuiteError as error:
@@ -86,5 +88,6 @@ class StageDrawer:
             self._uploads[kind](drawn.value)
             setattr(self._stage, kind, drawn)
             self._refused(kind, error)
-            return
-        self._drawn[kind] = wanted
+        else:
+            self._drawn[kind] = wanted
+        return True

@@ -7,7 +7,7 @@ from typing import Any
 
 from brdf_qt.link import LiveLink
 from brdf_qt.message_bar import message_of
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
@@ -22,6 +22,8 @@ from brdf_viewer.stage import Stage
 from brdf_viewer.window import ViewerWindow
 
 _KEY = "paint"
+_AGAIN_MS = 120
+_MOST_AGAIN = 3
 
 
 class PaintControl(QObject):
@@ -42,6 +44,9 @@ class PaintControl(QObject):
         self._fitter = fitter
         self._recent = RecentFiles(_KEY)
         self._names = paint_names()
+        self._again = QTimer(self, singleShot=True, interval=_AGAIN_MS, timeout=self._fit_again)
+        self._tries = 0
+        self._shown_key = ""
         self.source = PaintSource(self)
         self.source.changed.connect(self._take)
         self.source.following_changed.connect(self._show_following)
@@ -84,6 +89,10 @@ class PaintControl(QObject):
 
     def _take(self, paint: Paint, key: str) -> None:
         """The edit path: fit and draw; no file, no texture, no import."""
+        self._tries = 0
+        self._fit(paint, key)
+
+    def _fit(self, paint: Paint, key: str) -> None:
         try:
             fit = self._fitter.fit(paint)
         except SuiteError as error:
@@ -91,7 +100,18 @@ class PaintControl(QObject):
             return
         self._window.messages.dismiss(_KEY)
         self._stage.set_fit(fit)
+        self._shown_key = key
         self._show_fit(fit, key)
+        if fit.time_limited and self._tries < _MOST_AGAIN:
+            self._again.start()
+        else:
+            self._again.stop()
+
+    def _fit_again(self) -> None:
+        """In a quiet moment, get the optimum where the time limit came first (a drag needs no such thing)."""
+        if self._stage.fit is not None:
+            self._tries += 1
+            self._fit(self._stage.fit.paint, self._shown_key)
 
     def _tell(self, error: SuiteError) -> None:
         shown = "" if self._stage.fit is None else f"The picture still shows {self._stage.fit.paint.name}."

@@ -170,4 +170,6 @@ def _surface_facts(mesh: Mesh) -> str:
     low, high = mesh.bounds()
     size = " × ".join(f"{edge:.3g}" for edge in high - low)
     parts = "part" if len(mesh.parts) == 1 else "parts"
-    return "\n".join([f"{mesh.triangle_count:,} triangles, {len(mesh.parts)} {parts}", f"{size} m", *mesh.notes])
+    return "\n".join(
+        [f"{mesh.triangle_count:,} triangles, {len(mesh.parts)} {parts}", f"{size} m", *mesh.notes]
+    )

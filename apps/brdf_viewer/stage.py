@@ -53,7 +53,9 @@ class Stage(QObject):
     @property
     def bounds(self) -> Bounds:
         """The surface's box in metres; a unit box while there is none."""
-        return Bounds.of([] if self.surface is None else [part.positions for part in self.surface.value.parts])
+        return Bounds.of(
+            [] if self.surface is None else [part.positions for part in self.surface.value.parts]
+        )
 
     def set_view(self, view: View) -> None:
         """Take ``view``; nothing is told where it is equal."""

@@ -32,7 +32,7 @@ class Triangle:
         self.error: Exception | None = None
         self.released = False
 
-    def draw(self, framebuffer, size, view) -> None:
+    def draw(self, framebuffer, size, view) -> bool:
         if self.error is not None:
             raise self.error
         framebuffer.use()
@@ -40,6 +40,7 @@ class Triangle:
         self.program["colour"] = view
         self.array.render(moderngl.TRIANGLES, vertices=3)
         self.sizes.append(size)
+        return True
 
     def release(self) -> None:
         self.array.release()
@@ -78,6 +79,7 @@ def test_it_shows_what_the_drawer_draws(surface, drawers, qtbot) -> None:
     with qtbot.waitSignal(surface.frame_drawn) as drawn:
         surface.set_view((0.0, 0.0, 1.0))
     assert 0 < drawn.args[0] < 5000
+    assert drawn.args[1] is True
     assert surface.grab_image().pixelColor(20, 220) == QColor(0, 0, 255)
 
 
@@ -112,8 +114,9 @@ def test_an_error_while_drawing_gives_a_message_and_a_way_on(surface, drawers, q
 
 
 def test_an_opengl_error_is_not_a_black_picture(surface, drawers, qtbot, monkeypatch) -> None:
-    def draw(framebuffer, size, view) -> None:
+    def draw(framebuffer, size, view) -> bool:
         drawers[0].context.enable_direct(0xFFFF)  # an enumeration that OpenGL does not know
+        return True
 
     drawers[0].draw = draw
     with qtbot.waitSignal(surface.failed) as failed:
@@ -174,11 +177,12 @@ def test_twice_the_pixels_at_twice_the_scale() -> None:
             def draw(self, framebuffer, size, view):
                 framebuffer.use(); framebuffer.clear(1.0)
                 print(size, framebuffer.viewport[2:], flush=True)
+                return True
             def release(self): pass
         app = QApplication([])
         surface = GlSurface(lambda context: Clear())
         surface.resize(200, 150); surface.set_view(1)
-        surface.frame_drawn.connect(lambda ms: (print(surface.grab_image().size().toTuple()), app.quit()))
+        surface.frame_drawn.connect(lambda ms, typical: (print(surface.grab_image().size().toTuple()), app.quit()))
         surface.show(); app.exec(); surface.release()
     """
     environment = {**os.environ, "QT_SCALE_FACTOR": "2"}
