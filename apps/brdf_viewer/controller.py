@@ -62,12 +62,12 @@ class ViewerController(QObject):
         self.window = ViewerWindow(self._make_drawer)
         self.setParent(self.window)  # nothing of this outlives its widgets
         self.link = LiveLink("viewer", parent=self)
-        self._runner = TaskRunner(self)
+        self._loader = SceneLoader(TaskRunner(self), self)
         self._ask = ask
         self._complete = False
         self._publish = QTimer(self, singleShot=True, interval=_PUBLISH_MS, timeout=self._publish_view)
         self.camera = CameraControl(self.stage, self.window, self)
-        self.scene = SceneControl(self.stage, self.window, SceneLoader(self._runner, self), self)
+        self.scene = SceneControl(self.stage, self.window, self._loader, self)
         self.paint = PaintControl(self.stage, self.window, self.link, PaintFitter(), self)
         self._meter = FrameMeter(self.window.status.cell("frame"), self)
         self._connect()
@@ -171,5 +171,5 @@ class ViewerController(QObject):
     def _close(self) -> None:
         remember(settings(), self.stage.view)
         self.link.close()
-        self._runner.stop()
+        self._loader.stop()
         self.window.picture.release()

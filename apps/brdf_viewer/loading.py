@@ -36,9 +36,12 @@ class SceneLoader(QObject):
     def __init__(self, runner: TaskRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._runner = runner
+        self._stopped = False
 
     def load(self, kind: str, key: str) -> None:
         """Begin to load ``key``; an older request of the kind is dropped."""
+        if self._stopped:
+            return
         self.moved.emit(kind, 0.0, f"Loading {key}")
         self._runner.submit(
             kind,
@@ -53,6 +56,11 @@ class SceneLoader(QObject):
         """Drop the request of the kind."""
         self._runner.cancel(kind)
         self.ended.emit(kind)
+
+    def stop(self) -> None:
+        """End all that runs, and begin no more."""
+        self._stopped = True
+        self._runner.stop()
 
     def _done(self, kind: str, key: str, value: object) -> None:
         self.ended.emit(kind)

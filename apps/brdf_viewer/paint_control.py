@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, QTimer
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.paint import PaintFit, PaintFitter
-from brdf_suite.pipeline.scene import paint_names
+from brdf_suite.pipeline.scene import default_paint_name, paint_names
 from brdf_viewer.paint_patches import Patch
 from brdf_viewer.paint_source import DESIGNER, PaintSource
 from brdf_viewer.recent_files import RecentFiles
@@ -61,8 +61,16 @@ class PaintControl(QObject):
         self._show_following()
 
     def start_with(self, name_or_path: str) -> None:
-        """Show this paint until Designer has another one; a paint that cannot be read is told."""
+        """Show this paint until Designer has another one.
+
+        A paint that cannot be read or fitted is told, and the default one shown.
+        """
         self._try(self.source.start_with, name_or_path)
+        if self._stage.fit is None:
+            told = self._window.messages.shown().get(_KEY)
+            self.source.start_with(default_paint_name())
+            if told is not None:
+                self._window.messages.show_message(told)
 
     def open(self, key: str) -> None:
         """Show a shipped paint or a file, and follow Designer no more."""
@@ -114,8 +122,10 @@ class PaintControl(QObject):
             self._fit(self._stage.fit.paint, self._shown_key)
 
     def _tell(self, error: SuiteError) -> None:
-        shown = "" if self._stage.fit is None else f"The picture still shows {self._stage.fit.paint.name}."
-        self._window.messages.show_message(message_of(error, _KEY, todo=shown))
+        fit = self._stage.fit
+        shown = default_paint_name().capitalize() if fit is None else fit.paint.name
+        todo = f"The picture shows {shown}. Choose another paint, or correct this one."
+        self._window.messages.show_message(message_of(error, _KEY, todo=todo))
 
     def _show_fit(self, fit: PaintFit, key: str) -> None:
         section = self._window.paint

@@ -9,7 +9,7 @@ from brdf_qt.message_bar import Message, message_of
 from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.documents.view import View
-from brdf_suite.pipeline.scene import PreparedEnvironment, environment_names, surface_names
+from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environment_names, surface_names
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.loading import ENVIRONMENT, SURFACE, SceneLoader
@@ -72,9 +72,12 @@ class SceneControl(QObject):
 
     def open(self, kind: str, key: str) -> None:
         """Load a shipped name or a file of a kind; the old picture stays until it is there."""
+        self._window.messages.dismiss(kind)
+        self._begin(kind, key)
+
+    def _begin(self, kind: str, key: str) -> None:
         if key not in self._names[kind]:
             key = str(Path(key).absolute())
-        self._window.messages.dismiss(kind)
         self._loading[kind] = key
         self._choosers[kind].show_source(key, title_of(key, SHIPPED_TITLES))
         self._show_environment_cell()
@@ -108,18 +111,19 @@ class SceneControl(QObject):
             self._list(kind)
         self._show(kind)
 
-    def _not_loaded(self, kind: str, _key: str, error: Exception) -> None:
+    def _not_loaded(self, kind: str, key: str, error: Exception) -> None:
         self._tell(kind, error)
         self._show(kind)
+        default = getattr(default_view(), kind)
+        if not self._drawn_key(kind) and key != default:
+            self._begin(kind, default)  # a picture with a message beats a message alone
 
     def _tell(self, kind: str, error: Exception) -> None:
-        shown = self._drawn_key(kind)
-        if shown:
-            todo = f"The picture still shows {title_of(shown, SHIPPED_TITLES)}. Choose or drop another file."
-        else:
-            todo = "Choose another one in the inspector, or drop a file on the picture."
-        message = message_of(error, kind, todo=todo)
-        self._window.messages.show_message(message)
+        shown = title_of(self._drawn_key(kind) or getattr(default_view(), kind), SHIPPED_TITLES)
+        todo = (
+            f"The picture shows {shown}. Choose another one in the inspector, or drop a file on the picture."
+        )
+        self._window.messages.show_message(message_of(error, kind, todo=todo))
         self.failed.emit(kind, str(error))
 
     def tell_unknown(self, path: str, known: str) -> None:

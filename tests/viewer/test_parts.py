@@ -1,0 +1,170 @@
+"""The parts that need no window."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+from brdf_viewer.camera_presets import PRESETS, look_from, signed_deg
+from brdf_viewer.file_kinds import kind_of
+from brdf_viewer.paint_patches import PaintPatches, Patch
+from brdf_viewer.paint_source import DESIGNER, PaintSource
+from brdf_viewer.recent_files import MOST, RecentFiles
+from brdf_viewer.slider_field import SliderField
+from brdf_viewer.source_chooser import Source, SourceChooser, title_of
+from brdf_viewer.stage import Stage
+from brdf_viewer.turntable import turn
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from brdf_suite.documents.paint import solid_paint
+from brdf_suite.documents.store import paint_to_json, save_paint
+from brdf_suite.documents.view import Camera, View
+from brdf_suite.errors import FileError
+
+RED, GREY = solid_paint("red", (45.0, 60.0, 40.0)), solid_paint("grey", (50.0, 0.0, 0.0))
+
+
+@given(st.floats(-1e6, 1e6))
+@settings(deadline=None, max_examples=50)
+def test_signed_deg_is_the_same_angle_within_half_a_turn(angle) -> None:
+    signed = signed_deg(angle)
+    assert -180.0 <= signed <= 180.0
+    assert (signed - angle + 180.0) % 360.0 == pytest.approx(180.0, abs=1e-6)
+
+
+@given(st.floats(-170, 170), st.floats(-400, 400))
+@settings(deadline=None, max_examples=30)
+def test_the_turntable_turns_camera_and_light_together(rotation, degrees) -> None:
+    view = View(camera=Camera(azimuth_deg=10.0, distance=2.0), rotation_deg=rotation)
+    turned = turn(view, degrees)
+    assert dataclasses.replace(turned, camera=view.camera, rotation_deg=rotation) == view
+    by_camera = turned.camera.azimuth_deg - view.camera.azimuth_deg
+    by_light = turned.rotation_deg - rotation
+    assert (by_camera - by_light + 180.0) % 360.0 == pytest.approx(180.0, abs=1e-6)
+    assert (by_camera + degrees + 180.0) % 360.0 == pytest.approx(180.0, abs=1e-6)
+
+
+def test_presets_frame_the_surface_and_keep_the_lens() -> None:
+    camera = Camera(distance=3.0, target=(1.0, 2.0, 3.0), focal_length_mm=85.0)
+    for preset in PRESETS:
+        seen = look_from(camera, preset)
+        assert (seen.distance, seen.target, seen.focal_length_mm) == (None, None, 85.0)
+
+
+@pytest.mark.parametrize(
+    ("path", "kind"),
+    [
+        ("a.EXR", "environment"),
+        ("b.hdr", "environment"),
+        ("c.glb", "surface"),
+        ("d.brdfpaint", "paint"),
+        ("e.txt", None),
+    ],
+)
+def test_a_files_kind(path, kind) -> None:
+    assert kind_of(path) == kind
+
+
+def test_the_stage_tells_only_of_changes(qtbot) -> None:
+    stage = Stage(View())
+    seen = []
+    stage.view_changed.connect(lambda old, new: seen.append((old.exposure_ev, new.exposure_ev)))
+    stage.change_view(exposure_ev=0.0)
+    stage.change_view(exposure_ev=1.0)
+    assert seen == [(0.0, 1.0)]
+
+
+class Heard(list):
+    def __init__(self, source: PaintSource) -> None:
+        super().__init__()
+        source.changed.connect(lambda paint, key: self.append((paint.name, key)))
+
+
+def test_designers_paint_is_shown_while_it_is_followed(qapp) -> None:
+    source = PaintSource()
+    heard = Heard(source)
+    source.received(paint_to_json(RED))
+    source.set_following(False)
+    source.received(paint_to_json(GREY))
+    assert heard == [("red", DESIGNER)]
+    source.set_following(True)
+    assert heard == [("red", DESIGNER), ("grey", DESIGNER)]
+
+
+def test_a_file_ends_following_and_a_bad_one_changes_nothing(qapp, tmp_path) -> None:
+    source = PaintSource()
+    heard = Heard(source)
+    with pytest.raises(FileError, match="nowhere"):
+        source.choose(str(tmp_path / "nowhere.brdfpaint"))
+    assert (source.following, heard) == (True, [])
+    file = tmp_path / "red.brdfpaint"
+    save_paint(RED, file)
+    source.choose(str(file))
+    assert (source.following, heard) == (False, [("red", str(file))])
+
+
+def test_recent_files_are_newest_first_once_and_present(qapp, tmp_path) -> None:
+    recent = RecentFiles("environment")
+    files = [tmp_path / f"{n}.exr" for n in range(MOST + 3)]
+    for file in files:
+        file.touch()
+        recent.add(str(file))
+    recent.add(str(files[5]))
+    files[7].unlink()
+    paths = recent.paths()
+    assert paths[0] == str(files[5])
+    assert len(paths) == len(set(paths)) == MOST - 1
+    assert str(files[7]) not in paths
+    recent.clear()
+    assert recent.paths() == []
+
+
+def test_a_chooser_keeps_its_choice_and_adds_what_it_does_not_know(qtbot) -> None:
+    chooser = SourceChooser("open")
+    qtbot.addWidget(chooser)
+    chosen = []
+    chooser.chosen.connect(chosen.append)
+    chooser.set_sources([Source("a", "A"), Source("b", "B")], [])
+    chooser.show_source("b", "B")
+    chooser.set_sources([Source("a", "A"), Source("b", "B")], [Source("/x/c.exr", "c.exr")])
+    assert chooser.list.currentData() == "b"
+    chooser.show_source("/y/d.exr", "d.exr")
+    assert chooser.list.currentText() == "d.exr"
+    assert chosen == []
+    chooser.list.activated.emit(0)
+    assert chosen == ["a"]
+
+
+def test_titles() -> None:
+    assert title_of("booth", {"booth": "Light booth"}) == "Light booth"
+    assert title_of("/a/b/studio.hdr", {}) == "studio.hdr"
+    assert title_of("blue_metallic", {}) == "blue metallic"
+
+
+def test_slider_and_number_are_one_value(qtbot) -> None:
+    field = SliderField("Exposure", "EV", -8.0, 8.0, 0.1, 2, 0.0)
+    qtbot.addWidget(field)
+    edits = []
+    field.edited.connect(edits.append)
+    field.set_value(1.5)
+    assert (field.slider.value(), edits) == (15, [])
+    field.slider.setValue(-20)
+    field.number.setValue(0.25)
+    assert edits == pytest.approx([-2.0, 0.25])
+    assert field.slider.value() in (2, 3)
+
+
+def test_patches_are_ordered_and_thinned_and_show_the_colours(qtbot) -> None:
+    patches = PaintPatches()
+    qtbot.addWidget(patches)
+    patches.resize(300, 90)
+    row = [Patch(angle, (50.0, 0.0, 0.0), (50.0, 0.0, 0.0), 0.0) for angle in (110.0, 15.0, 45.0)]
+    patches.set_patches(row)
+    assert [p.aspecular_deg for p in patches.patches] == [15.0, 45.0, 110.0]
+    colour = patches.grab().toImage().pixelColor(10, 10)
+    assert abs(colour.red() - 119) <= 1
+    assert colour.red() == colour.green() == colour.blue()
+    patches.set_patches([Patch(float(a), (50.0, 0.0, 0.0), (50.0, 0.0, 0.0), 0.0) for a in range(30)])
+    assert len(patches.patches) == 6
+    assert (patches.patches[0].aspecular_deg, patches.patches[-1].aspecular_deg) == (0.0, 29.0)

@@ -1,0 +1,158 @@
+"""The program as it is started: arguments, screenshot, start-up report, small windows, themes, what is remembered."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from brdf_qt import theme
+from brdf_qt.settings import settings
+from brdf_viewer.remembered import recall, remember
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication, QScrollArea
+
+from brdf_suite.documents.view import View
+
+
+def run(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "brdf_viewer", *arguments],
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        timeout=90,
+        check=False,
+    )
+
+
+def test_a_screenshot_of_a_complete_window(tmp_path, lights) -> None:
+    file = tmp_path / "window.png"
+    result = run(
+        "red",
+        "--environment",
+        str(lights["bright"]),
+        "--surface",
+        "sphere",
+        "--size",
+        "900x600",
+        "--theme",
+        "booth",
+        "--report-startup",
+        "--screenshot",
+        str(file),
+    )
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.startswith("window ")
+    assert "picture " in result.stdout
+    image = QImage(str(file))
+    assert (image.width(), image.height()) == (900, 600)
+    centre = image.pixelColor(280, 330)  # on the sphere
+    assert centre.red() > centre.blue() + 20
+    edge = image.pixelColor(895, 60)  # on the window
+    assert edge.red() == edge.green() == edge.blue() == theme.grey(50).red()
+
+
+def test_twice_the_pixels_at_twice_the_scale(tmp_path, lights) -> None:
+    file = tmp_path / "window.png"
+    arguments = ("--environment", str(lights["dim"]), "--surface", "sphere", "--size", "800x560")
+    result = run(*arguments, "--screenshot", str(file), QT_SCALE_FACTOR="2")
+    assert result.returncode == 0, result.stderr
+    image = QImage(str(file))
+    assert (image.width(), image.height()) == (1600, 1120)
+
+
+def test_a_file_that_cannot_be_read_ends_an_unattended_run(tmp_path) -> None:
+    bad = tmp_path / "bad.exr"
+    bad.write_bytes(b"\x76\x2f\x31\x01 and no more")
+    result = run("--environment", str(bad), "--surface", "sphere", "--screenshot", str(tmp_path / "w.png"))
+    assert result.returncode == 1
+    assert str(bad) in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_help_says_the_gestures_and_a_bad_theme_is_refused() -> None:
+    shown = run("--help")
+    assert shown.returncode == 0
+    assert "Alt drag turns the light" in " ".join(shown.stdout.split())
+    assert run("--theme", "pink").returncode == 2
+
+
+def test_an_unknown_start_falls_back_to_what_is_shipped(start, tmp_path) -> None:
+    view = View(environment=str(tmp_path / "gone.exr"), surface=str(tmp_path / "gone.glb"))
+    viewer = start(view=view, paint=str(tmp_path / "gone.brdfpaint"))
+    messages = viewer.messages()
+    assert all("gone" in messages[kind] for kind in ("environment", "surface", "paint"))
+    assert (viewer.view.environment, viewer.view.surface) == ("booth", "speed_form")
+    assert np.ptp(viewer.pixels()) > 50
+
+
+def test_a_small_window_keeps_its_picture_and_scrolls_its_inspector(start) -> None:
+    viewer = start(size=(1, 1))
+    smallest = viewer.window.minimumSize()
+    assert viewer.window.size() == smallest
+    assert smallest.width() <= 800
+    assert smallest.height() <= 600
+    assert viewer.canvas.width() > 250
+    assert viewer.canvas.height() > 250
+    inspector = viewer.window.inspector
+    assert isinstance(inspector, QScrollArea)
+    assert inspector.verticalScrollBar().maximum() > 0
+    assert inspector.widget().width() <= inspector.viewport().width()  # nothing is cut off sideways
+
+
+@pytest.mark.parametrize("name", ["dark", "booth", "light"])
+def test_every_theme_is_neutral(viewer, name, qapp) -> None:
+    theme.apply(qapp, name, remember=False)
+    QApplication.processEvents()
+    image = viewer.window.environment.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+    flat = np.frombuffer(image.constBits(), np.uint8).reshape(-1, 4)[:, :3].astype(int)
+    assert np.ptp(flat, axis=1).max() <= 2
+    grey = viewer.window.surround()
+    assert (
+        grey[0]
+        == grey[1]
+        == grey[2]
+        == pytest.approx(theme.grey({"dark": 20, "booth": 50, "light": 85}[name]).redF())
+    )
+
+
+def test_what_is_remembered_comes_back_and_what_is_gone_does_not(tmp_path, qapp) -> None:
+    file = tmp_path / "light.exr"
+    file.touch()
+    view = View(
+        environment=str(file), surface="sphere", tone_curve="linear", background="grey", fresnel=False
+    )
+    remember(settings(), view)
+    assert recall(settings()) == view
+    file.unlink()
+    assert recall(settings()) == View(surface="sphere", tone_curve="linear", background="grey", fresnel=False)
+    settings().setValue("view/tone_curve", "sepia")
+    settings().setValue("view/surface", "../../etc")
+    assert recall(settings()) == View(background="grey", fresnel=False)
+
+
+def test_closing_remembers_the_view(start, lights) -> None:
+    viewer = start()
+    viewer.stage.change_view(tone_curve="characteristic", exposure_ev=3.0)
+    viewer.close()
+    view = recall(settings())
+    assert view.tone_curve == "characteristic"
+    assert view.environment == str(lights["dim"])
+    assert view.exposure_ev == 0.0
+
+
+def test_every_command_has_a_name_and_a_key_only_once(viewer) -> None:
+    from brdf_qt.command_palette import commands
+
+    keys = [a.shortcut().toString() for _, a in commands(viewer.window) if not a.shortcut().isEmpty()]
+    assert len(keys) == len(set(keys))
+    assert {"1", "2", "3", "4", "F", "Space", "Ctrl+E", "Ctrl+M"} <= set(keys)
+
+
+def test_no_file_of_the_program_is_long(checkout) -> None:
+    for file in (checkout / "apps" / "brdf_viewer").glob("*.py"):
+        assert len(Path(file).read_text().splitlines()) <= 400, file
