@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
 from types import TracebackType
@@ -19,7 +19,7 @@ from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.pipeline.paint import PaintFit, PaintFitter
 from brdf_suite.pipeline.scene import PreparedEnvironment, find_paint, load_environment, load_surface
 from brdf_suite.progress import Progress, part, report
-from brdf_suite.realtime.camera import Bounds
+from brdf_suite.realtime.camera import Bounds, compose
 from brdf_suite.realtime.context import Context, create_context
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.renderer import Renderer
@@ -187,7 +187,7 @@ def render_to_file(
         scene.set_surface(mesh)
         scene.set_paint_fit(fit)
         start = perf_counter()
-        pixels = scene.image(view, size)
+        pixels = scene.image(replace(view, camera=compose(view.camera, scene.bounds, size)), size)
         draw_ms = (perf_counter() - start) * 1e3
         renderer = scene.renderer_name
     report(progress, 0.98, "writing")

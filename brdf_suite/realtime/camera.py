@@ -7,7 +7,7 @@ grows counter-clockwise seen from above, elevation upwards. Matrices are float64
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -17,29 +17,40 @@ from brdf_suite.documents.view import SENSOR_WIDTH_MM, Camera
 
 Floats = NDArray[np.float64]
 
-MARGIN = 1.08
-"""A framed object leaves 8 % of free space around it."""
+MARGIN = 1.18
+"""A framed object leaves this much space around it: its size times 1.18 fills the picture."""
+
+_CENTRING_STEPS = 6
+"""Each leaves a few percent of the shift that the step before left."""
 
 HIGHEST_ELEVATION_DEG = 89.0
 """Orbiting stops short of the pole, where "up" has no meaning."""
 
 
+OUTLINE_DIRECTIONS = 160
+"""In how many directions the farthest point of an object is known; between them at most 1 % is missed."""
+
+
 @dataclass(frozen=True)
 class Bounds:
-    """An axis-aligned box in metres."""
+    """An axis-aligned box in metres; ``outline`` (n, 3) holds the farthest points of what is in it.
+
+    A rounded object fills its box badly: framed by its own outline it fills the picture.
+    """
 
     minimum: tuple[float, float, float]
     maximum: tuple[float, float, float]
+    outline: Floats | None = field(default=None, compare=False, repr=False)
 
     @staticmethod
     def of(points: Iterable[NDArray[np.float32]]) -> Bounds:
-        """Return the box around all points, arrays (n, 3); a unit box where there are none."""
-        boxes = [(p.min(axis=0), p.max(axis=0)) for p in points if len(p)]
-        if not boxes:
+        """Return the bounds of all points, arrays (n, 3); a unit box where there are none."""
+        found = [_farthest(p) for p in points if len(p)]
+        if not found:
             return Bounds((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5))
-        low = np.min([b[0] for b in boxes], axis=0)
-        high = np.max([b[1] for b in boxes], axis=0)
-        return Bounds(_triple(low), _triple(high))
+        outline = _farthest(np.concatenate(found))
+        # The axes are among the directions, so the outline has the box's own extremes.
+        return Bounds(_triple(outline.min(axis=0)), _triple(outline.max(axis=0)), outline)
 
     @property
     def centre(self) -> tuple[float, float, float]:
@@ -51,6 +62,11 @@ class Bounds:
     def radius(self) -> float:
         """Half the diagonal, at least a tenth of a millimetre."""
         return max(float(np.linalg.norm(np.subtract(self.maximum, self.minimum))) / 2, 1e-4)
+
+    @property
+    def frame_points(self) -> Floats:
+        """(n, 3): the points that must be in a picture of the whole; the corners where no outline is known."""
+        return self.corners if self.outline is None else self.outline
 
     @property
     def corners(self) -> Floats:
@@ -96,7 +112,7 @@ def half_tangents(camera: Camera, size: tuple[int, int]) -> tuple[float, float]:
 
 
 def resolve(camera: Camera, bounds: Bounds, size: tuple[int, int]) -> Camera:
-    """Return the camera with distance and target filled in, such that the whole box is in the picture.
+    """Return the camera with distance and target filled in, such that the whole object is in the picture.
 
     A moving camera should be resolved once, at the start of the movement: then it keeps its distance while it
     turns, instead of framing the object anew from each side.
@@ -104,12 +120,37 @@ def resolve(camera: Camera, bounds: Bounds, size: tuple[int, int]) -> Camera:
     target = bounds.centre if camera.target is None else camera.target
     if camera.distance is not None:
         return replace(camera, target=target)
-    local = (bounds.corners - np.asarray(target)) @ axes(camera)
-    tangents = np.array(half_tangents(camera, size)) / MARGIN
-    # A corner at (x, y, z) is inside where |x| <= tan (d - z), and the same for y.
-    needed = local[:, 2:] + np.abs(local[:, :2]) / tangents
-    distance = max(float(needed.max()), float(local[:, 2].max()) + 0.02 * bounds.radius, 2e-4)
+    local = (bounds.frame_points - np.asarray(target)) @ axes(camera)
+    distance = _fitting_distance(local, half_tangents(camera, size), bounds.radius)
     return replace(camera, target=target, distance=distance)
+
+
+def compose(camera: Camera, bounds: Bounds, size: tuple[int, int]) -> Camera:
+    """Return the camera with the whole object in the middle of a still picture, and as large as it gets.
+
+    Perspective draws the near side larger, so an object whose middle is the target stands off the middle of the
+    picture; here the target moves sideways until it does not. A camera that then turns would swing the object,
+    so one that moves is resolved instead. A camera with a target or a distance of its own is left as it is.
+    """
+    if camera.target is not None or camera.distance is not None:
+        return resolve(camera, bounds, size)
+    basis, tangents = axes(camera), half_tangents(camera, size)
+    local = (bounds.frame_points - np.asarray(bounds.centre)) @ basis
+    shift = np.zeros(3)
+    for _ in range(_CENTRING_STEPS):
+        moved = local - shift
+        distance = _fitting_distance(moved, tangents, bounds.radius)
+        picture = moved[:, :2] / (distance - moved[:, 2:])
+        shift[:2] += 0.5 * (picture.max(axis=0) + picture.min(axis=0)) * distance
+    distance = _fitting_distance(local - shift, tangents, bounds.radius)
+    return replace(camera, target=_triple(np.asarray(bounds.centre) + basis @ shift), distance=distance)
+
+
+def _fitting_distance(local: Floats, tangents: tuple[float, float], radius: float) -> float:
+    """Return the distance from which all points, relative to the target in camera axes, are in the picture."""
+    # A point at (x, y, z) is inside where |x| <= tan (d - z), and the same for y.
+    needed = local[:, 2:] + np.abs(local[:, :2]) * (MARGIN / np.array(tangents))
+    return max(float(needed.max()), float(local[:, 2].max()) + 0.02 * radius, 2e-4)
 
 
 def matrices(camera: Camera, bounds: Bounds, size: tuple[int, int]) -> CameraMatrices:
@@ -181,6 +222,18 @@ def dolly(camera: Camera, bounds: Bounds, size: tuple[int, int], factor: float) 
 def frame(camera: Camera) -> Camera:
     """Return the camera that looks from the same side at the whole object."""
     return replace(camera, distance=None, target=None)
+
+
+def _farthest(points: NDArray[Any]) -> Floats:
+    """Return the points (n, 3) that lie farthest along the axes and along evenly spread directions."""
+    # A Fibonacci lattice: equal steps in height, golden-angle steps around.
+    k = np.arange(OUTLINE_DIRECTIONS) + 0.5
+    height, turn = 1.0 - 2.0 * k / OUTLINE_DIRECTIONS, np.pi * (1.0 + 5.0**0.5) * k
+    radius = np.sqrt(1.0 - height**2)
+    spread = np.stack([radius * np.cos(turn), height, radius * np.sin(turn)], axis=1)
+    directions = np.concatenate([np.eye(3), -np.eye(3), spread])
+    farthest = [int(np.argmax(points @ direction.astype(points.dtype))) for direction in directions]
+    return np.asarray(points[farthest], np.float64)
 
 
 def _triple(point: NDArray[Any]) -> tuple[float, float, float]:

@@ -32,7 +32,7 @@ def test_framed_object_is_wholly_seen_and_fills_the_picture(camera, size):
     m = cam.matrices(camera, BOX, size)
     seen = np.array([project(m.world_to_clip, c) for c in BOX.corners])
     assert np.abs(seen).max() <= 1.0
-    assert np.abs(seen[:, :2]).max() > 0.9
+    assert np.abs(seen[:, :2]).max() == pytest.approx(1 / cam.MARGIN)
 
 
 @given(cameras)
@@ -123,3 +123,36 @@ def test_bounds():
     assert cam.Bounds.of([]).radius > 0
     assert box.corners.min(0).tolist() == list(box.minimum)
     assert len({tuple(c) for c in box.corners}) == 8
+
+
+def test_bounds_know_the_outline_of_what_is_in_them() -> None:
+    turn = np.random.default_rng(5).normal(size=(4000, 3))
+    ball = (turn / np.linalg.norm(turn, axis=1, keepdims=True)).astype(np.float32)
+    bounds = cam.Bounds.of([ball[:2000], ball[2000:]])
+    assert bounds.minimum == tuple(ball.min(axis=0))
+    assert bounds.maximum == tuple(ball.max(axis=0))
+    resolved = cam.resolve(Camera(elevation_deg=30), bounds, (800, 800))
+    boxed = cam.resolve(Camera(elevation_deg=30), cam.Bounds(bounds.minimum, bounds.maximum), (800, 800))
+    assert resolved.distance is not None
+    assert boxed.distance is not None
+    # A ball is framed as a ball, nearer than its box: its rim keeps the margin.
+    assert resolved.distance < 0.75 * boxed.distance
+    clip = cam.matrices(resolved, bounds, (800, 800)).world_to_clip @ np.c_[ball, np.ones(len(ball))].T
+    extent = float(np.abs(clip[:2] / clip[3]).max())
+    assert 0.98 / cam.MARGIN < extent < 1.02 / cam.MARGIN
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (600, 900)])
+def test_a_composed_picture_has_the_object_in_its_middle(size: tuple[int, int]) -> None:
+    points = (
+        np.random.default_rng(6).uniform((-0.9, 0.0, -2.3), (0.9, 1.4, 2.2), (5000, 3)).astype(np.float32)
+    )
+    bounds = cam.Bounds.of([points])
+    composed = cam.compose(Camera(), bounds, size)
+    clip = cam.matrices(composed, bounds, size).world_to_clip @ np.c_[points, np.ones(len(points))].T
+    picture = clip[:2] / clip[3]
+    low, high = picture.min(axis=1), picture.max(axis=1)
+    assert np.abs(low + high).max() < 0.02
+    assert max(-low.min(), high.max()) == pytest.approx(1 / cam.MARGIN, abs=0.02)
+    own = Camera(distance=7.0, target=(0.1, 0.2, 0.3))
+    assert cam.compose(own, bounds, size) == own
