@@ -25,6 +25,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         designer.open(options.paint)
     if options.size is not None:
         designer.window.resize(*options.size)
+        designer.window.fit_inspector()
     _when_ready(app, designer, options)
     return run(app, designer.window)
 

@@ -5,19 +5,24 @@ pyqtgraph takes a quarter of a second to import, so the plot is built after the 
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from brdf_designer.desk_state import Colours, Curves
+from brdf_designer.line_key import LineKey
 
 if TYPE_CHECKING:
     import pyqtgraph
 
 _HIGHEST = 250.0
 _ROOM = 1.12
+MODEL_WIDTH, FIT_WIDTH = 4.0, 1.6
+_FRESH = "Lightness over the aspecular angle"
+_STALE = "Lightness: lines of the last paint that can be"
 
 
 class AnglePlot(QWidget):
@@ -33,13 +38,22 @@ class AnglePlot(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setMinimumHeight(120)
+        self.setMinimumHeight(90)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(4)
-        self.caption = QLabel("Lightness L* over the aspecular angle; drag a point to change a reading")
-        self._box.addWidget(self.caption)
+        self.caption = QLabel(_FRESH)
+        self.caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.caption.setToolTip("Points are readings; drag one up or down to change it.")
+        head = QHBoxLayout()
+        head.setSpacing(16)
+        head.addWidget(self.caption, 1)
+        head.addWidget(LineKey("model", QPalette.ColorRole.PlaceholderText, MODEL_WIDTH))
+        head.addWidget(
+            LineKey("fitted lobes", QPalette.ColorRole.WindowText, FIT_WIDTH, Qt.PenStyle.DashLine)
+        )
+        self._box.addLayout(head)
         self._plot: pyqtgraph.PlotWidget | None = None
         self._colours: Colours | None = None
         self._curves: Curves | None = None
@@ -59,8 +73,8 @@ class AnglePlot(QWidget):
 
         self._point_type = ReadingPoint
         self._plot = make_plot()
-        self._model = self._plot.plot(name="model")
-        self._fitted = self._plot.plot(name="fitted lobes")
+        self._model = self._plot.plot()
+        self._fitted = self._plot.plot()
         self._unmeasured = pg.LinearRegionItem((0.0, 15.0), movable=False)
         self._unmeasured.setZValue(-10)
         self._plot.addItem(self._unmeasured)
@@ -93,14 +107,15 @@ class AnglePlot(QWidget):
         self._curves, self._stale = curves, False
         if self._plot is None:
             return
-        self.caption.setText("Lightness L* over the aspecular angle; drag a point to change a reading")
+        self.caption.setText(_FRESH)
         self._model.setData(curves.gamma_deg, curves.model)
         self._fitted.setData(curves.gamma_deg, curves.fitted)
         first, last = curves.measured_deg
         self._unmeasured.setRegion((0.0, first))
         self._unmeasured.setVisible(first > 0.0)
         if not self._dragging():
-            top = max(curves.ceiling * _ROOM, 10.0)
+            # Steps of 10 keep the axes still during most of a drag; what does not change is not drawn anew.
+            top = 10.0 * max(1.0, math.ceil(curves.ceiling * _ROOM / 10.0))
             self._plot.setXRange(0.0, last + 4.0, padding=0)
             self._plot.setYRange(0.0, top, padding=0)
             self._note.setPos(0.2, 0.0)
@@ -142,8 +157,8 @@ class AnglePlot(QWidget):
         text = self.palette().color(role.WindowText)
         faint = self.palette().color(role.PlaceholderText)
         dress_plot(self._plot, text, self.palette().color(role.Base))
-        self._model.setPen(line(faint, 4.0))
-        self._fitted.setPen(line(text, 1.6, Qt.PenStyle.DashLine))
+        self._model.setPen(line(faint, MODEL_WIDTH))
+        self._fitted.setPen(line(text, FIT_WIDTH, Qt.PenStyle.DashLine))
         self._unmeasured.setBrush(hatch(faint))
         for edge in self._unmeasured.lines:
             edge.setPen(line(QColor(0, 0, 0, 0), 0.0))

@@ -152,9 +152,8 @@ class Controller(QObject):
             self._view.dismiss_message("open")
 
     def offer_recovery(self) -> None:
-        """Offer the unsaved work of runs that were ended; nothing is opened without being asked for."""
-        for number, item in enumerate(self._recovery.found()):
-            self._view.show_message(self._offer(item, f"recovery_{number}"))
+        """Offer the unsaved work of runs that were ended, one after the other; nothing is opened unasked."""
+        self._offer(self._recovery.found())
 
     def may_close(self) -> bool:
         """Ask about unsaved changes; True where the window may go, and the autosave with it."""
@@ -163,20 +162,31 @@ class Controller(QObject):
         self._recovery.close(keep=False)
         return True
 
-    def _offer(self, item: Recovered[Paint], key: str) -> Message:
+    def _offer(self, items: list[Recovered[Paint]]) -> None:
+        if not items:
+            return
+        item, rest = items[0], items[1:]
+
         def take() -> None:
             if self._files.may_discard():
                 self._recovery.take(item)
+                self._offer(rest)
             else:
-                self._view.show_message(self._offer(item, key))
+                self._offer(items)
+
+        def drop() -> None:
+            self._recovery.drop(item)
+            self._offer(rest)
 
         name = item.path.name if item.path else item.value.name
-        return Message(
-            key,
-            f"Unsaved work on “{name}” was found, from {item.when:%d %B, %H:%M}.",
+        more = f" ({len(rest)} more)" if rest else ""
+        message = Message(
+            "recovery",
+            f"Unsaved work on “{name}” was found, from {item.when:%d %B, %H:%M}{more}.",
             todo="An earlier run ended before it was saved. Recover opens it; the file on disk is unchanged.",
-            actions=(("Recover", take), ("Discard", lambda: self._recovery.drop(item))),
+            actions=(("Recover", take), ("Discard", drop)),
         )
+        self._view.show_message(message)
 
     def _replaced(self) -> None:
         self._gesture = None

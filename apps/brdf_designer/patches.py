@@ -36,7 +36,7 @@ class ColourField(QWidget):
         super().__init__(parent)
         self._rgb = QColor(0, 0, 0)
         self._in_gamut = True
-        self.setMinimumSize(72, 56)
+        self.setMinimumSize(72, 16)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def show_colour(self, colour: AngleColour) -> None:
@@ -56,6 +56,9 @@ class ColourField(QWidget):
         painter.fillRect(self.rect(), self._rgb)
         if not self._in_gamut:
             paint_corner(painter, QRectF(self.rect()), 2 * CORNER)
+        # A hairline, so that a colour like the surround is still seen as a field.
+        painter.setPen(self.palette().dark().color())
+        painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
 
 
 def lab_text(lab: tuple[float, float, float]) -> str:
@@ -170,6 +173,8 @@ class _Band(QWidget):
         painter.drawImage(band, self._image, QRectF(0.5, 0, self._image.width() - 1.0, 1))
         if self._outside:
             paint_corner(painter, band)
+        painter.setPen(self.palette().dark().color())
+        painter.drawRect(band.adjusted(0, 0, -1, -1))
         painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
         first, last = self._range
         for angle in self._marks:

@@ -22,22 +22,22 @@ _ACTION = Qt.ItemDataRole.UserRole
 _MOST_ROWS = 12
 
 
-def commands(window: QMainWindow) -> Iterator[tuple[str, QAction]]:
-    """Yield (path, action) for every enabled entry of the menus, as in ``("File ▸ Open…", action)``."""
+def commands(window: QMainWindow, *, also_disabled: bool = False) -> Iterator[tuple[str, QAction]]:
+    """Yield (path, action) for every entry of the menus that can be chosen now, as in ``("File ▸ Open…", action)``."""
     for top in window.menuBar().actions():
         menu = top.menu()
         if isinstance(menu, QMenu):
-            yield from _inside(menu, _plain(top.text()))
+            yield from _inside(menu, _plain(top.text()), also_disabled)
 
 
-def _inside(menu: QMenu, path: str) -> Iterator[tuple[str, QAction]]:
+def _inside(menu: QMenu, path: str, also_disabled: bool) -> Iterator[tuple[str, QAction]]:
     menu.aboutToShow.emit()
     for action in menu.actions():
         text = f"{path} ▸ {_plain(action.text())}"
         below = action.menu()
         if isinstance(below, QMenu):
-            yield from _inside(below, text)
-        elif not action.isSeparator() and action.isEnabled() and action.text():
+            yield from _inside(below, text, also_disabled)
+        elif not action.isSeparator() and action.text() and (also_disabled or action.isEnabled()):
             yield text, action
 
 
@@ -75,6 +75,7 @@ class CommandPalette(QFrame):
         self.query.setClearButtonEnabled(True)
         self.found = QListWidget()
         self.found.setUniformItemSizes(True)
+        self.found.setSpacing(3)
         self.found.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._empty = QLabel("No command has this name.")
         self._empty.setMargin(8)
@@ -96,7 +97,7 @@ class CommandPalette(QFrame):
         self._filter("")
         width = min(560, self._window.width() - 48)
         row = self.found.sizeHintForRow(0) if self.found.count() else 20
-        self.resize(width, 64 + row * _MOST_ROWS)
+        self.resize(width, 64 + (row + 6) * _MOST_ROWS)
         corner = self._window.mapToGlobal(self._window.rect().topLeft())
         self.move(corner.x() + (self._window.width() - width) // 2, corner.y() + 56)
         self.show()

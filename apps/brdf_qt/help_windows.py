@@ -50,7 +50,7 @@ class ShortcutsWindow(QDialog):
         rows.setRootIsDecorated(False)
         rows.setAlternatingRowColors(True)
         rows.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        for text, action in commands(window):
+        for text, action in commands(window, also_disabled=True):
             keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
             if keys:
                 rows.addTopLevelItem(QTreeWidgetItem([text, keys]))

@@ -34,8 +34,9 @@ class SuiteWindow(QMainWindow):
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName(f"{name}Window")
-        self.setMinimumSize(640, 420)
-        self.resize(1440, 900)
+        self.setMinimumSize(720, 520)
+        room = self.screen().availableSize()
+        self.resize(min(1440, round(0.9 * room.width())), min(900, round(0.9 * room.height())))
         self._program = name
         self._painted = False
         self.file_menu, self.edit_menu, self.view_menu, self.paint_menu, self.window_menu, self.help_menu = (
@@ -127,15 +128,18 @@ class SuiteWindow(QMainWindow):
     def restore_layout(self) -> None:
         """Take up the size, place and panels of the last time."""
         self._default_state = self.saveState(LAYOUT_VERSION)
-        # At first the inspector takes what its fields want, but never more than a good third of a small window.
-        wanted = min(self.inspector.sizeHint().width(), round(0.38 * self.width()))
-        self.resizeDocks([self.inspector_dock], [wanted], Qt.Orientation.Horizontal)
+        self.fit_inspector()
         store = settings()
         geometry, state = store.value("window/geometry"), store.value("window/state")
         if geometry is not None:
             self.restoreGeometry(geometry)
         if state is not None:
             self.restoreState(state, LAYOUT_VERSION)
+
+    def fit_inspector(self) -> None:
+        """Give the inspector what its fields want, but not more than a good third of a small window."""
+        wanted = min(self.inspector.sizeHint().width(), round(0.38 * self.width()))
+        self.resizeDocks([self.inspector_dock], [wanted], Qt.Orientation.Horizontal)
 
     def reset_layout(self) -> None:
         """Put the panels back where a first start has them."""
@@ -157,7 +161,7 @@ class SuiteWindow(QMainWindow):
     def add_quit(self) -> None:
         """End the File menu with Quit; call after the program's own File commands."""
         self.file_menu.addSeparator()
-        self.add_action(self.file_menu, "&Quit", self.close, QKeySequence.StandardKey.Quit, "sign-out")
+        self.add_action(self.file_menu, "&Quit", self.close, "Ctrl+Q", "sign-out")
 
     def _toggle_full_screen(self) -> None:
         self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)

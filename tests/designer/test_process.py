@@ -121,8 +121,8 @@ def test_a_kill_in_the_middle_of_a_drag_loses_at_most_a_second(qtbot, dialogs, m
     designer = Designer(dialogs=lambda _window: dialogs)
     qtbot.addWidget(designer.window)
     designer.window.show()
-    qtbot.waitUntil(lambda: "recovery_0" in designer.window.messages.shown(), timeout=10_000)
-    assert "Blue" in designer.window.messages.shown()["recovery_0"].what
+    qtbot.waitUntil(lambda: "recovery" in designer.window.messages.shown(), timeout=10_000)
+    assert "Blue" in designer.window.messages.shown()["recovery"].what
     button = designer.window.messages.findChild(object, "message_action_Recover")
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
     assert designer.store.value.lab_at(15.0)[0] == 77.5

@@ -124,13 +124,13 @@ def test_panels_are_hidden_and_shown(window):
 
 def test_the_layout_is_remembered(window, qtbot):
     window.toggle_panels()
-    window.resize(700, 500)
+    window.resize(740, 540)
     window.close()
     again = SuiteWindow("Trial")
     qtbot.addWidget(again)
     again.restore_layout()
     assert again.inspector_dock.isHidden()
-    assert (again.width(), again.height()) == (700, 500)
+    assert (again.width(), again.height()) == (740, 540)
 
 
 def test_ctrl_k_finds_a_command_and_runs_it(window, qtbot):
