@@ -116,6 +116,7 @@ class Designer:
         window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
         files.recent_changed.connect(lambda: window.show_recent(files.recent()))
         self.store.history_changed.connect(self._show_history)
+        self.store.replaced.connect(window.close_pickers)
         self.link.peers_changed.connect(lambda _count: window.desk_status.show_peers(self.link.peers))
         app = QCoreApplication.instance()
         if app is not None:

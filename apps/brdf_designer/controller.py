@@ -194,7 +194,14 @@ class Controller(QObject):
         self.refresh()
 
     def _publish_now(self) -> None:
-        self._publish("paint", paint_to_json(self._reachable))
+        try:
+            self._publish("paint", paint_to_json(self._reachable))
+        except SuiteError as error:
+            self._view.show_message(
+                message_of(error, "link", todo="The other programs keep the paint before.")
+            )
+        else:
+            self._view.dismiss_message("link")
 
     def _show_document(self) -> None:
         self._view.show_document(self._files.title(), self._store.path, self._store.is_clean)

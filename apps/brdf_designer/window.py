@@ -104,7 +104,7 @@ class DesignerWindow(SuiteWindow):
         """Fill File ▸ Open Recent."""
         self.recent_menu.clear()
         for number, path in enumerate(paths, 1):
-            text = f"&{number % 10} {path.name}".replace("_", "_")
+            text = f"&{number % 10} {path.name}"
             action = self.recent_menu.addAction(text)
             action.setToolTip(str(path))
             action.triggered.connect(lambda _=False, path=path: self.open_asked.emit(path))
@@ -198,6 +198,7 @@ class DesignerWindow(SuiteWindow):
         self.redo_action = self.add_action(
             self.edit_menu, "&Redo", self.redo_asked.emit, "Ctrl+Shift+Z", "arrow-clockwise"
         )
+        self.redo_action.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         self.pick_menu = self.paint_menu.addMenu("&Pick Colour")
         self.solid_menu = self.paint_menu.addMenu("Make &Solid From")
         viewer = self.add_action(self.window_menu, "Open &Viewer", self.viewer_asked.emit, icon="monitor")
@@ -250,6 +251,11 @@ class DesignerWindow(SuiteWindow):
         dialog.currentColorChanged.connect(picked)
         dialog.finished.connect(ended)
         dialog.show()
+
+    def close_pickers(self) -> None:
+        """Close every picker: another document has come, and its readings are others."""
+        for dialog in tuple(self._pickers.values()):
+            dialog.close()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if len(event.mimeData().urls()) == 1 and event.mimeData().urls()[0].isLocalFile():

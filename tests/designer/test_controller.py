@@ -9,6 +9,7 @@ from brdf_designer.assembly import paint_format, shipped_paint
 from brdf_designer.controller import Controller, Parts, View
 from brdf_qt.document_files import DocumentFiles
 from brdf_qt.document_store import DocumentStore
+from brdf_qt.link_messages import BadMessageError, encode
 from brdf_qt.recovery import Recovery
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -61,6 +62,21 @@ def test_many_changes_of_one_turn_are_published_once_the_newest(desk, qtbot):
     qtbot.wait(20)
     assert len(desk.published) == 1
     assert desk.published[0][1]["measurements"][1]["lab"][0] == 32.0
+
+
+def test_a_paint_that_the_link_refuses_is_told(desk, qtbot):
+    desk.controller._publish = lambda topic, value: encode(topic, value, "me", 1)
+    desk.controller.edit(("source",), "\u20ac" * 10_000)
+    qtbot.wait(20)
+    desk.view.show_message.assert_not_called()
+    desk.controller._publish = refuse
+    desk.controller.edit(("lab", 1, 0), 30.0)
+    qtbot.waitUntil(lambda: desk.view.show_message.called)
+    assert desk.view.show_message.call_args.args[0].key == "link"
+
+
+def refuse(topic, value) -> None:
+    raise BadMessageError("longer than a message may be")
 
 
 def test_an_unreachable_gloss_is_told_and_the_last_state_stays(desk, qtbot):

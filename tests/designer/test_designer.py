@@ -146,6 +146,13 @@ def test_the_picker_shows_the_paint_and_changes_nothing_by_opening(designer):
     assert designer.store.is_clean
 
 
+def test_a_picker_goes_with_its_document(designer):
+    designer.window.pick_colour(0)
+    designer.files.new()
+    assert designer.window._pickers == {}
+    assert designer.store.is_clean
+
+
 def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer):
     window = designer.window
     strip = window.strip._band.grab().toImage()
