@@ -9,6 +9,7 @@ from typing import Any, Protocol
 
 from brdf_qt.document_files import DocumentFiles
 from brdf_qt.document_store import DocumentStore
+from brdf_qt.link_messages import BadMessageError
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.recovery import Recovered, Recovery
 from PySide6.QtCore import QObject, QTimer
@@ -196,9 +197,10 @@ class Controller(QObject):
     def _publish_now(self) -> None:
         try:
             self._publish("paint", paint_to_json(self._reachable))
-        except SuiteError as error:
+        except BadMessageError as error:
+            what = f"The paint cannot be told to the other programs: {error}."
             self._view.show_message(
-                message_of(error, "link", todo="The other programs keep the paint before.")
+                Message("link", what, todo="They keep the paint before.", severity="warning")
             )
         else:
             self._view.dismiss_message("link")
