@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from brdf_suite.surface.car import outlines
-from brdf_suite.surface.car.blends import Floats, ramp
-from brdf_suite.surface.car.cutting import at_points
-from brdf_suite.surface.car.fittings import grille_bars, mirror
+from brdf_suite.surface.car.blends import Floats
+from brdf_suite.surface.car.fittings import exhaust, grille_bars, mirror
 from brdf_suite.surface.car.nets import Soup
 from brdf_suite.surface.car.pieces import LIP_DROP, Piece, joined, mirrored, turned_in, walls
 from brdf_suite.surface.car.proportions import AXLES, FRONT_AXLE_Z, FRONT_FACE_X, REAR_FACE_X, WHEEL_RADIUS
-from brdf_suite.surface.car.shell import AREAS, PANELS, Shell, build_shell, take
+from brdf_suite.surface.car.shell import AREAS, PANELS, Shell, build_shell, groove_depth, take
 from brdf_suite.surface.car.wells import floor, wells
 from brdf_suite.surface.car.wheel import wheel
 from brdf_suite.surface.mesh import Mesh
 
 _GROOVE_DEPTH = 0.009
-_BORDER_DEPTH = 0.0012
 _FLANGE_DEPTH = 0.022
+_DEEP = 0.03
 
 
 def car() -> Mesh:
@@ -26,7 +24,7 @@ def car() -> Mesh:
 
     Parts are named after what they are; materials are the words of :data:`brdf_suite.surface.mesh.MATERIALS`.
     """
-    half = [*body_pieces(build_shell()), floor(), *wells(), *mirror(), *grille_bars(), *wheels()]
+    half = [*body_pieces(build_shell()), *floor(), *wells(), *mirror(), *grille_bars(), *exhaust(), *wheels()]
     everything = [piece for one in half for piece in (one, mirrored(one))]
     groups: dict[str, list[Piece]] = {}
     for piece in everything:
@@ -42,43 +40,35 @@ def body_pieces(shell: Shell) -> list[Piece]:
         if len(at_arch):
             drops = (np.full(len(normals), drop) for drop in (LIP_DROP, _FLANGE_DEPTH))
             flange, facing = walls(soup, normals, at_arch[:, ::-1], *drops)
-            pieces.append(Piece("gap_walls", "trim", flange, facing))
+            pieces.append(Piece("arch_flanges", "trim", flange, facing))
         soup, normals = turned_in(soup, normals, np.concatenate([shared, at_arch]))
         pieces.append(Piece("body" if name == "paint" else name, "paint", soup, normals))
-    pieces += _sunk(shell, "groove", "shut_lines", "trim", LIP_DROP, _GROOVE_DEPTH)
+    soup, normals, _, _ = take(shell, shell.chosen("groove"))
+    down = LIP_DROP + groove_depth(soup.points, _GROOVE_DEPTH)
+    pieces.append(Piece("shut_lines", "trim", _lowered(soup, normals, down), normals))
     for area in AREAS:
-        top = _BORDER_DEPTH if area.border else LIP_DROP
-        inner = ("split",) if area.name == "side_window" else ()
-        pieces += _sunk(shell, area.name, area.name, area.material, top, area.depth, inner)
+        pieces += _area(shell, area.name, area.name, area.material, area.depth)
         if area.border:
-            frame = f"{area.name}_frame"
-            pieces += _sunk(shell, f"{area.name}_border", frame, area.border_material, LIP_DROP, top)
-        for name in inner:
-            pieces += _sunk(shell, name, f"{area.name}_{name}", "trim", area.depth, area.depth)
-    return pieces
+            pieces += _area(shell, f"{area.name}_border", f"{area.name}_frame", area.border_material, 0.0)
+    return pieces + _area(shell, "split", "side_window_split", "trim", 0.0)
 
 
-def _sunk(
-    shell: Shell, piece: str, name: str, material: str, top: float, depth: float, inner: tuple[str, ...] = ()
-) -> list[Piece]:
-    """Return an area moved inwards by ``depth``, and the dark walls round it from ``top`` down.
+def _lowered(soup: Soup, normals: Floats, down: Floats) -> Soup:
+    return Soup(soup.points - down[:, None] * normals, soup.triangles)
 
-    ``inner`` are pieces that lie in it at the same depth: no wall stands between.
-    """
 
-    def fade(points: Floats) -> Floats:
-        return ramp(at_points(outlines.floor)(points), 0.0, 0.03)  # meets the underbody without a step
-
-    soup, normals, _, _ = take(shell, shell.chosen(piece))
-    down = depth * fade(soup.points)
-    result = [Piece(name, material, Soup(soup.points - down[:, None] * normals, soup.triangles), normals)]
-    if depth > top:
-        whole = np.any([shell.chosen(each) for each in (piece, *inner)], axis=0)
-        soup, normals, edge, _ = take(shell, whole)
-        share = fade(soup.points)
-        wall, facing = walls(soup, normals, edge, top * share, depth * share)
-        result.append(Piece("gap_walls", "trim", wall, facing))
-    return result
+def _area(shell: Shell, piece: str, name: str, material: str, depth: float) -> list[Piece]:
+    """Return an area as deep as the edges of the panels round it, or an opening with its walls."""
+    soup, normals, edge, _ = take(shell, shell.chosen(piece))
+    lip = np.full(len(normals), LIP_DROP)
+    if not depth:
+        return [Piece(name, material, _lowered(soup, normals, lip), normals)]
+    # Deep openings go straight back, since lines along the normals would cross.
+    outwards = normals if depth < _DEEP else np.tile([0.0, 0.0, 1.0], (len(normals), 1))
+    down = np.full(len(lip), depth)
+    wall, facing = walls(soup, outwards, edge, lip, down)
+    floor = Piece(name, material, _lowered(soup, outwards, down), normals)
+    return [floor, Piece("opening_walls", "trim", wall, facing)]
 
 
 def wheels() -> list[Piece]:

@@ -1,4 +1,4 @@
-"""Parts bolted on: door mirrors, grille bars, exhaust tips, rear number plate. Half x ≥ 0."""
+"""Parts bolted on: door mirrors, grille bars, exhaust tips. Half x ≥ 0."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ import numpy as np
 from brdf_suite.surface.car.blends import Floats, smooth_max, smooth_min
 from brdf_suite.surface.car.body import body
 from brdf_suite.surface.car.cutting import at_points, cut
-from brdf_suite.surface.car.lathe import loft
+from brdf_suite.surface.car.lathe import lathe, loft
 from brdf_suite.surface.car.nets import Soup, extract, normals, project, refine
 from brdf_suite.surface.car.pieces import Piece
 
-_MIRROR = (0.965, 0.998, 0.43)
+_MIRROR = (0.962, 1.000, 0.43)
 
 
 def _housing(x: Floats, y: Floats, z: Floats) -> Floats:
@@ -24,7 +24,7 @@ def _housing(x: Floats, y: Floats, z: Floats) -> Floats:
 
 def _stalk(x: Floats, y: Floats, z: Floats) -> Floats:
     """Return the field of the foot that stands on the door's shoulder."""
-    u, v, w = x - 0.86, y - 0.925, z - 0.45
+    u, v, w = x - 0.88, y - 0.925, z - 0.45
     foot = np.sqrt((v - 0.45 * u) ** 2 + (0.45 * w) ** 2 + 1e-9) - 0.016
     return smooth_max(smooth_max(foot, u - 0.06, 0.01), -u - 0.09, 0.01)
 
@@ -35,11 +35,11 @@ def _mirror(x: Floats, y: Floats, z: Floats) -> Floats:
 
 def mirror() -> list[Piece]:
     """Return housing, foot and glass of the left mirror."""
-    step = 0.011
-    grid = [np.arange(low, high, step) for low, high in ((0.74, 1.13), (0.83, 1.11), (0.34, 0.58))]
+    step = 0.017
+    grid = [np.arange(low, high, step) for low, high in ((0.76, 1.15), (0.83, 1.11), (0.34, 0.58))]
     soup = extract(_mirror, *grid)
     soup = Soup(project(_mirror, soup.points), soup.triangles)
-    soup = refine(_mirror, soup, 14.0, 0.006)
+    soup = refine(_mirror, soup, 20.0, 0.010)
     lower = at_points(lambda x, y, z: y - 0.972 - 0.10 * (x - _MIRROR[0]) + 0.0 * z)
     flat = at_points(
         lambda x, y, z: smooth_max((z - _MIRROR[2]) + 0.0285 + 0.18 * (x - _MIRROR[0]), 0.0 * y - 1.0, 0.001)
@@ -72,18 +72,28 @@ def _on_nose(x: Floats, y: Floats) -> Floats:
 def grille_bars() -> list[Piece]:
     """Return horizontal bars that follow the nose, set back in the main intake."""
     pieces = []
-    x = np.linspace(0.0, 0.53, 28)
+    x = np.linspace(0.0, 0.53, 18)
+    section = [(0.0, 0.0), (0.0055, -0.008), (0.004, -0.030), (-0.004, -0.030), (-0.0055, -0.008)]
     for y in np.arange(0.262, 0.47, 0.030):
         z = _on_nose(x, np.full_like(x, y)) - 0.018
-        section = [(0.0, 0.0), (0.0055, -0.008), (0.004, -0.030), (-0.004, -0.030), (-0.0055, -0.008)]
-        strips = []
-        for (v0, w0), (v1, w1) in zip(section, section[1:] + section[:1], strict=True):
-            strips.append(
-                np.stack(
-                    [np.stack([x, y + v + 0 * x, z + w], axis=1) for v, w in ((v0, w0), (v1, w1))], axis=1
-                )
-            )
-        for strip in strips:
-            soup, facing = loft(strip[:, ::-1], closed=False)
+        lines = [np.stack([x, np.full_like(x, y + up), z + forward], axis=1) for up, forward in section]
+        for one, two in zip(lines, lines[1:] + lines[:1], strict=True):
+            soup, facing = loft(np.stack([two, one], axis=1), closed=False)
             pieces.append(Piece("grille_bars", "chrome", soup, facing))
+    return pieces
+
+
+def exhaust() -> list[Piece]:
+    """Return the left tail pipe: an oval chrome tip with a dark inside."""
+    place, oval = np.array([0.50, 0.318, -2.175]), np.array([1.0, 0.66, 1.0])
+    tip = [(-0.12, 0.056), (0.012, 0.056), (0.015, 0.0535), (0.012, 0.050), (-0.04, 0.050)]
+    inside = [(-0.04, 0.050), (-0.10, 0.048), (-0.10, 0.001)]
+    pieces = []
+    for name, material, profile in (("exhaust_tips", "chrome", tip), ("exhaust_pipes", "trim", inside)):
+        soup, facing = lathe(profile, 40)
+        # The lathe turns about +x; the pipe points backwards: x -> -z, z -> x, a rotation.
+        points = soup.points[:, [2, 1, 0]] * np.array([1.0, 1.0, -1.0])
+        facing = facing[:, [2, 1, 0]] * np.array([1.0, 1.0, -1.0]) / oval
+        facing /= np.linalg.norm(facing, axis=1, keepdims=True)
+        pieces.append(Piece(name, material, Soup(points * oval + place, soup.triangles), facing))
     return pieces

@@ -209,3 +209,27 @@ def refine_near(
         middles = project(field, 0.5 * (a + b)[chosen], steps=3)
         soup = split_edges(soup, chosen, middles, edge_of_side)
     return soup
+
+
+def refine_bends(field: Field, soup: Soup, region: Field, reach: float, shortest: float) -> Soup:
+    """Return the soup with edges halved, down to ``shortest`` (m), where a region's border turns a corner.
+
+    An edge near the border (within ``reach``, m) is too long if the region's gradient turns by more than
+    20° along it: a cut through its triangle would cut the corner off.
+    """
+    for _ in range(4):
+        edge, edge_of_side = edges_of(soup.triangles)
+        a, b = soup.points[edge[:, 0]], soup.points[edge[:, 1]]
+        value = np.abs(region(soup.points[:, 0], soup.points[:, 1], soup.points[:, 2]))[edge].min(axis=1)
+        length = np.linalg.norm(a - b, axis=1)
+        close = np.flatnonzero((value < np.maximum(reach, 0.7 * length)) & (length > shortest))
+        one, two = gradient(region, a[close]), gradient(region, b[close])
+        turn = np.einsum("ij,ij->i", one, two)
+        turn /= np.maximum(np.linalg.norm(one, axis=1) * np.linalg.norm(two, axis=1), 1e-12)
+        chosen = np.zeros(len(edge), dtype=bool)
+        chosen[close[turn < 0.94]] = True
+        if not chosen.any():
+            break
+        middles = project(field, 0.5 * (a + b)[chosen], steps=3)
+        soup = split_edges(soup, chosen, middles, edge_of_side)
+    return soup

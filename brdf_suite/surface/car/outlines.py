@@ -19,7 +19,7 @@ _BONNET_EDGE = SoftPolyline([(0.6, 0.715), (1.3, 0.675), (2.0, 0.545), (2.3, 0.4
 _HATCH_EDGE = SoftPolyline([(-0.6, 0.500), (-1.3, 0.520), (-1.9, 0.535), (-2.3, 0.58)], [0.3, 0.3])
 _LAMP_LOW = SoftPolyline([(0.4, 0.572), (0.9, 0.612), (1.3, 0.668)], 0.2)
 _LAMP_HIGH = SoftPolyline([(0.4, 0.628), (0.75, 0.668), (1.3, 0.705)], 0.2)
-_BUMPER = SoftPolyline([(0.0, 0.600), (0.5, 0.602), (1.0, 0.640), (1.9, 0.655)], [0.15, 0.2])
+_BUMPER = SoftPolyline([(0.0, 0.600), (0.5, 0.602), (1.22, 0.688), (1.9, 0.668)], [0.15, 0.1])
 
 FLOOR_EDGE = 0.012
 """How far above the floor's surface the skin of the body ends, m."""
@@ -73,7 +73,7 @@ def windscreen(x: Floats, y: Floats, z: Floats) -> Floats:
 def cowl(x: Floats, y: Floats, z: Floats) -> Floats:
     """Black panel with the wipers between bonnet and windscreen."""
     station = screen_station(x, z)
-    return rounded_max(0.012, x - 0.70, 0.84 - station, station - 0.945, y - 1.1)
+    return rounded_max(0.012, x - 0.70, 0.84 - station, station - 0.952, y - 1.1)
 
 
 def rear_screen(x: Floats, y: Floats, z: Floats) -> Floats:
@@ -136,7 +136,7 @@ def tail_band(x: Floats, y: Floats, z: Floats) -> Floats:
 def diffuser(x: Floats, y: Floats, z: Floats) -> Floats:
     """Black lower part of the rear bumper."""
     q = _round_tail(x, z)
-    return rounded_max(0.05, (q - 0.78 - 0.6 * (y - 0.3)) * 0.8, y - 0.375, z + 1.6)
+    return rounded_max(0.05, (q - 0.78 - 0.6 * (y - 0.3)) * 0.8, y - 0.392, z + 1.6)
 
 
 def plate_recess(x: Floats, y: Floats, z: Floats) -> Floats:

@@ -55,18 +55,15 @@ def walls(soup: Soup, normals: Floats, edge: Ints, top: Floats, depth: Floats) -
 
     They go from ``top`` to ``depth`` (m, one per point) below the surface.
     """
-    used, local = np.unique(edge, return_inverse=True)
-    a, b = local.reshape(-1, 2).T
-    p, n = soup.points[used], normals[used]
-    inwards = np.cross(p[b] - p[a], -(n[a] + n[b]))
-    facing = np.zeros_like(p)
-    for end in (a, b):
-        np.add.at(facing, end, inwards)
+    a, b = edge.T
+    p, q, m, n = soup.points[a], soup.points[b], normals[a], normals[b]
+    corners = [p - top[a, None] * m, q - top[b, None] * n, q - depth[b, None] * n, p - depth[a, None] * m]
+    facing = np.cross(q - p, -(m + n))
     facing /= np.maximum(np.linalg.norm(facing, axis=1, keepdims=True), 1e-12)
-    low = len(used)
-    triangles = np.concatenate([np.stack([a, b, a + low], 1), np.stack([b, b + low, a + low], 1)])
-    points = np.concatenate([p - top[used, None] * n, p - depth[used, None] * n])
-    return Soup(points, triangles), np.tile(facing, (2, 1))
+    first = 4 * np.arange(len(edge))
+    triangles = [np.stack([first, first + 1, first + 3], 1), np.stack([first + 1, first + 2, first + 3], 1)]
+    points = np.stack(corners, axis=1).reshape(-1, 3)
+    return Soup(points, np.concatenate(triangles)), np.repeat(facing, 4, axis=0)
 
 
 def mirrored(piece: Piece) -> Piece:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.surface.car import outlines
 from brdf_suite.surface.car.blends import Field, Floats
-from brdf_suite.surface.car.body import ARCH_LIP, LINE, body
+from brdf_suite.surface.car.body import ARCH_LIP, LINE, ROCKER, body, fillets
 from brdf_suite.surface.car.cutting import PointFunction, at_points, cut, cut_all, surface_distance
 from brdf_suite.surface.car.nets import (
     Ints,
@@ -23,6 +23,7 @@ from brdf_suite.surface.car.nets import (
     normals,
     project,
     refine,
+    refine_bends,
     refine_near,
 )
 from brdf_suite.surface.car.simplify import merged
@@ -31,40 +32,42 @@ GAP = 0.005
 """Width of a shut line, m."""
 _LIP = 0.0022
 _REACH = 0.045
+MERGE = 0.026
 
 
 @dataclass(frozen=True)
 class Area:
-    """An area that is not paint: its material, how deep it lies below the surface (m), its border.
+    """An area that is not paint: its material, its border, and whether it is an opening.
 
-    ``border`` is a ring of that width (m) round the area, of material ``border_material``.
+    ``border`` is a ring of that width (m) round the area, of material ``border_material``. Areas lie flush;
+    an opening lies ``depth`` (m) below the surface instead, with dark walls.
     """
 
     name: str
     region: Field
     material: str
-    depth: float = 0.0
     border: float = 0.0
     border_material: str = "trim"
+    depth: float = 0.0
 
 
 # Earlier entries win where areas overlap.
 AREAS: tuple[Area, ...] = (
-    Area("daylight", outlines.daylight, "lamp", 0.0015),
-    Area("headlamp", outlines.headlamp, "glass", 0.0025, 0.004),
-    Area("badge", outlines.badge, "chrome", 0.001),
-    Area("grille", outlines.grille, "trim", 0.09, 0.010, "chrome"),
-    Area("intake", outlines.intake, "trim", 0.06),
-    Area("splitter", outlines.splitter, "trim", 0.004),
-    Area("tail_band", outlines.tail_band, "lamp", 0.0015),
-    Area("tail_panel", outlines.tail_panel, "glass", 0.0025, 0.004),
-    Area("plate_recess", outlines.plate_recess, "trim", 0.018),
-    Area("diffuser", outlines.diffuser, "trim", 0.012),
-    Area("sill", outlines.sill, "trim", 0.004),
-    Area("windscreen", outlines.windscreen, "glass", 0.0025, 0.010),
-    Area("cowl", outlines.cowl, "trim", 0.012),
-    Area("rear_screen", outlines.rear_screen, "glass", 0.0025, 0.010),
-    Area("side_window", outlines.side_window, "glass", 0.004, 0.013, "chrome"),
+    Area("daylight", outlines.daylight, "lamp"),
+    Area("headlamp", outlines.headlamp, "glass", 0.004),
+    Area("badge", outlines.badge, "chrome"),
+    Area("grille", outlines.grille, "trim", 0.010, "chrome", depth=0.09),
+    Area("intake", outlines.intake, "trim", depth=0.06),
+    Area("splitter", outlines.splitter, "trim"),
+    Area("tail_band", outlines.tail_band, "lamp"),
+    Area("tail_panel", outlines.tail_panel, "glass", 0.004),
+    Area("plate_recess", outlines.plate_recess, "trim", depth=0.018),
+    Area("diffuser", outlines.diffuser, "trim"),
+    Area("sill", outlines.sill, "trim"),
+    Area("windscreen", outlines.windscreen, "glass", 0.012),
+    Area("cowl", outlines.cowl, "trim", depth=0.012),
+    Area("rear_screen", outlines.rear_screen, "glass", 0.012),
+    Area("side_window", outlines.side_window, "glass", 0.013, "chrome"),
 )
 PANELS: tuple[tuple[str, Field], ...] = (
     ("handle", outlines.handle),
@@ -108,32 +111,39 @@ class Shell:
 
 
 def _grid() -> tuple[Floats, Floats, Floats]:
-    step = 0.032
-    return np.arange(-step * 1.5, 1.02, step), np.arange(0.06, 1.45, 0.028), np.arange(-2.45, 2.40, 0.040)
+    """Return the coordinates of the first grid, m: long cells, since the body bends least along its length."""
+    return np.arange(-0.045, 1.02, 0.032), np.arange(0.06, 1.45, 0.026), np.arange(-2.48, 2.40, 0.080)
 
 
-def creases() -> list[PointFunction]:
-    """Return the lines along which the surface bends sharply; edges of the mesh must follow them."""
-    line = _on_side(lambda p: p[:, 1] - LINE(p[:, 2]))
-    lips = [_offset(at_points(outlines.arch), at) for at in ARCH_LIP]
-    return [line, _offset(line, 0.008), _offset(line, -0.008), *lips]
+def creases() -> list[tuple[PointFunction, float]]:
+    """Return the lines along which the surface bends sharply, with how near (in the value) is on them.
+
+    Edges of the mesh must follow them, or highlights along them would be ragged.
+    """
+    line = _within(lambda p: p[:, 1] - LINE(p[:, 2]), 0.5, -2.15, 1.9)
+    lines = [_offset(line, at) for at in (0.0, 0.005, -0.005, 0.016, -0.016)]
+    rocker = _within(lambda p: p[:, 1] - ROCKER(p[:, 2]), 0.2, -1.2, 1.1)
+    lines += [_offset(rocker, at) for at in (0.0, 0.005, -0.005, 0.02, 0.045, 0.07, 0.10, 0.14, 0.19)]
+    lines += [_offset(at_points(outlines.arch), at) for at in ARCH_LIP]
+    across = [_offset(at_points(field), at) for field in fillets() for at in (0.25, -0.25, 0.75, -0.75)]
+    return [(function, 3e-4) for function in lines] + [(function, 0.012) for function in across]
 
 
 def smooth_surface() -> Soup:
-    """Return the half body down to the floor, fine where it bends, with edges along its creases."""
+    """Return the half body down to a little below the floor, fine where it bends, with edges along its creases."""
     soup = extract(body, *_grid())
     soup = Soup(project(body, soup.points), soup.triangles)
     soup = cut(soup, lambda p: p[:, 0].copy(), snap=True)
     soup = soup.keep(soup.points[soup.triangles].mean(axis=1)[:, 0] > 0.0)
-    first, *others = creases()
-    soup = cut(soup, first, snap=True)
+    lines = [function for function, _ in creases()]
+    soup = cut(soup, lines[0], snap=True)
     soup = Soup(_on_centre(project(body, soup.points)), soup.triangles)
-    under = at_points(outlines.floor)
-    soup = cut(soup, under)
-    soup = soup.keep(under(soup.points[soup.triangles].mean(axis=1)) > 0.0)
-    for function in others:
+    under = at_points(outlines.floor)(soup.points[soup.triangles].mean(axis=1))
+    soup = soup.keep(under > -0.03)
+    for function in lines[1:]:
         soup = cut(soup, function)
-    for angle, shortest in ((9.0, 0.016), (8.0, 0.010), (9.0, 0.006)):
+    soup = Soup(_on_centre(project(body, soup.points, steps=2)), soup.triangles)
+    for angle, shortest in ((10.0, 0.024), (9.0, 0.014), (9.0, 0.008)):
         soup = refine(body, soup, angle, shortest)
     return Soup(_on_centre(soup.points), soup.triangles)
 
@@ -143,22 +153,26 @@ def _on_centre(points: Floats) -> Floats:
     return points
 
 
-def _on_side(function: PointFunction) -> PointFunction:
-    """Return the function where a point is on the body side, elsewhere a value that does not change sign."""
-    return lambda p: np.where((p[:, 0] > 0.6) & (np.abs(p[:, 2]) < 2.3), function(p), 1.0)
+def _within(function: PointFunction, low_y: float, low_z: float, high_z: float) -> PointFunction:
+    """Return the function on the body side between those bounds; elsewhere not a number, which is never cut."""
+
+    def bounded(p: Floats) -> Floats:
+        inside = (p[:, 0] > 0.5) & (p[:, 1] > low_y) & (p[:, 2] > low_z) & (p[:, 2] < high_z)
+        return np.where(inside, function(p), np.nan)
+
+    return bounded
 
 
 def _curves() -> tuple[list[PointFunction], dict[str, PointFunction]]:
     """Return what to cut along, and the distance function of each region by name."""
     distances = {name: surface_distance(region, body, _REACH) for name, region in REGIONS.items()}
-    curves = [_offset(distances["arch"], 0.0), _offset(distances["arch"], _LIP)]
+    curves = [at_points(outlines.floor), _offset(distances["arch"], 0.0), _offset(distances["arch"], _LIP)]
     for area in AREAS:
         distance = distances[area.name]
         curves.append(at_points(area.region))
         if area.border:
             curves.append(_offset(distance, area.border))
-        if area.depth:
-            curves.append(_offset(distance, area.border + _LIP))
+        curves.append(_offset(distance, area.border + _LIP))
     for name, _ in PANELS:
         curves += [
             _offset(distances[name], at) for at in (GAP / 2, -GAP / 2, GAP / 2 + _LIP, -GAP / 2 - _LIP)
@@ -170,12 +184,12 @@ def _curves() -> tuple[list[PointFunction], dict[str, PointFunction]]:
 def _fine() -> list[tuple[Field, float, float]]:
     """Return near which borders (within how many metres) edges must be how short for the cuts to be exact."""
     narrow: list[tuple[Field, float, float]] = [
-        (outlines.daylight, 0.010, 0.010),
-        (outlines.tail_band, 0.013, 0.014),
+        (outlines.daylight, 0.009, 0.014),
+        (outlines.tail_band, 0.013, 0.022),
         (outlines.handle, 0.015, 0.012),
         (outlines.badge, 0.015, 0.012),
     ]
-    return narrow + [(region, 0.008, 0.022) for region in REGIONS.values()]
+    return narrow + [(region, 0.008, 0.040) for region in REGIONS.values()]
 
 
 def build_shell() -> Shell:
@@ -183,14 +197,20 @@ def build_shell() -> Shell:
     soup = smooth_surface()
     for field, reach, longest in _fine():
         soup = refine_near(body, soup, at_points(field), reach, longest)
+    for region in (*(area.region for area in AREAS), *(region for _, region in PANELS)):
+        soup = refine_bends(body, soup, region, 0.010, 0.007)
     soup = Soup(_on_centre(soup.points), soup.triangles)
-    fixed = [lambda p: p[:, 0], at_points(outlines.floor), *creases()]
-    marks = np.stack([np.abs(function(soup.points)) < 3e-4 for function in fixed], axis=1)
+    fixed: list[tuple[PointFunction, float]] = [(lambda p: p[:, 0], 1e-6)]
+    fixed += creases()
+    marks = np.stack([np.abs(function(soup.points)) < near for function, near in fixed], axis=1)
     curves, distances = _curves()
     soup, marks = cut_all(soup, curves, marks)
+    soup = Soup(_on_centre(project(body, soup.points, steps=1)), soup.triangles)
     normal = normals(body, soup.points)
-    soup = Soup(soup.points, merged(soup.points, normal, soup.triangles, marks, 0.009, 5.0))
-    return Shell(soup, normal, _pieces(soup, distances), NAMES)
+    # Told apart before merging: afterwards a triangle in a narrow bend may have its middle on the other side.
+    piece = _pieces(soup, distances)
+    triangles, kept = merged(soup.points, normal, soup.triangles, marks, MERGE, 6.0)
+    return Shell(Soup(soup.points, triangles), normal, piece[kept], NAMES)
 
 
 def _pieces(soup: Soup, distances: dict[str, PointFunction]) -> Ints:
@@ -208,12 +228,21 @@ def _pieces(soup: Soup, distances: dict[str, PointFunction]) -> Ints:
         piece[value[area.name] < 0.0] = NAMES.index(area.name)
     on_split = (np.abs(value["split"]) < 0.006) & (piece == NAMES.index("side_window"))
     piece[on_split] = NAMES.index("split")
-    piece[value["arch"] < 0.0] = NAMES.index("gone")
+    under = at_points(outlines.floor)(middle) < 0.0
+    piece[(value["arch"] < 0.0) | under] = NAMES.index("gone")
     return piece
 
 
 def _offset(distance: PointFunction, at: float) -> PointFunction:
     return lambda points: distance(points) - at
+
+
+def groove_depth(points: Floats, depth: float) -> Floats:
+    """Return how deep points (n, 3) of the shut lines lie, m: ``depth`` in the middle, 0 at both edges."""
+    nearest = np.full(len(points), GAP / 2)
+    for _, region in PANELS:
+        nearest = np.minimum(nearest, np.abs(surface_distance(region, body, _REACH)(points)))
+    return depth * (1.0 - nearest / (GAP / 2))
 
 
 def take(shell: Shell, chosen: NDArray[np.bool_]) -> tuple[Soup, Floats, Ints, Ints]:

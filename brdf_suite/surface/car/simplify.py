@@ -14,6 +14,8 @@ from brdf_suite.surface.car.blends import Floats
 from brdf_suite.surface.car.nets import Ints, edges_of
 
 _ROUNDS = 24
+_TIGHT_RADIUS = 0.15
+_TIGHT_EDGE = 0.004
 
 
 def merged(
@@ -23,8 +25,8 @@ def merged(
     curves: NDArray[np.bool_],
     shortest: float,
     angle_deg: float,
-) -> Ints:
-    """Return the triangles (k', 3) after collapsing edges shorter than ``shortest`` (m).
+) -> tuple[Ints, Ints]:
+    """Return the triangles (m, 3) after collapsing edges shorter than ``shortest`` (m), and which they were.
 
     Parameters
     ----------
@@ -33,13 +35,16 @@ def merged(
     triangles
         (k, 3) of a surface without branches.
     curves
-        (n, m): point i lies on curve j.
+        (n, c): point i lies on curve j.
     shortest, angle_deg
         Longer edges, and edges over which the normal turns more, stay.
     """
     limit = float(np.cos(np.radians(angle_deg)))
+    reach = np.full(len(points), shortest)
+    reach[in_tight_bends(points, triangles, curves)] = _TIGHT_EDGE
+    kept = np.arange(len(triangles))
     for _ in range(_ROUNDS):
-        target, rank = _candidates(points, normals, triangles, curves, shortest, limit)
+        target, rank = _candidates(points, normals, triangles, curves, reach, limit)
         if not (target >= 0).any():
             break
         target = _without_overlap(points, normals, triangles, target, rank)
@@ -48,8 +53,32 @@ def merged(
         moved = np.where(target >= 0, target, np.arange(len(points)))
         triangles = moved[triangles]
         a, b, c = triangles.T
-        triangles = triangles[(a != b) & (b != c) & (c != a)]
-    return triangles
+        alive = (a != b) & (b != c) & (c != a)
+        triangles, kept = triangles[alive], kept[alive]
+    return triangles, kept
+
+
+def in_tight_bends(points: Floats, triangles: Ints, curves: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return which points (n,) lie where a curve bends with a radius below 150 mm."""
+    edge, _ = edges_of(triangles)
+    tight = np.zeros(len(points), dtype=bool)
+    for column in range(curves.shape[1]):
+        own = edge[curves[edge, column].all(axis=1)]
+        both = np.concatenate([own, own[:, ::-1]])
+        both = both[np.argsort(both[:, 0], kind="stable")]
+        at, first, count = np.unique(both[:, 0], return_index=True, return_counts=True)
+        two = count == 2
+        before, after = both[first[two], 1], both[first[two] + 1, 1]
+        one, other = points[at[two]] - points[before], points[after] - points[at[two]]
+        lengths = np.linalg.norm(one, axis=1), np.linalg.norm(other, axis=1)
+        sine = np.linalg.norm(np.cross(one, other), axis=1) / np.maximum(lengths[0] * lengths[1], 1e-30)
+        radius = 0.5 * (lengths[0] + lengths[1]) / np.maximum(sine, 1e-9)
+        # Two points almost on top of each other say nothing about the bend; their neighbours do.
+        bent = np.zeros(len(points), dtype=bool)
+        bent[at[two]] = (radius < _TIGHT_RADIUS) & (np.minimum(*lengths) > 2e-4)
+        tight |= bent
+        tight[own[bent[own].any(axis=1)]] = True
+    return tight
 
 
 def _candidates(
@@ -57,14 +86,14 @@ def _candidates(
     normals: Floats,
     triangles: Ints,
     curves: NDArray[np.bool_],
-    shortest: float,
+    reach: Floats,
     limit: float,
 ) -> tuple[Ints, Floats]:
     """Return for each point the neighbour that it may move to (or -1), and the length of that move."""
     edge, edge_of_side = edges_of(triangles)
     length = np.linalg.norm(points[edge[:, 0]] - points[edge[:, 1]], axis=1)
     flat = np.einsum("ij,ij->i", normals[edge[:, 0]], normals[edge[:, 1]]) > limit
-    short = (length < shortest) & flat
+    short = (length < reach[edge].min(axis=1)) & flat
     sides = np.bincount(edge_of_side.ravel(), minlength=len(edge))
     rim = np.zeros(len(points), dtype=bool)
     rim[edge[sides == 1].ravel()] = True

@@ -13,16 +13,16 @@ from brdf_suite.surface.car.outlines import FLOOR_EDGE, arch
 from brdf_suite.surface.car.pieces import Piece
 from brdf_suite.surface.car.proportions import ARCH_DEPTH_X, ARCH_RADIUS, AXLES, WHEEL_RADIUS
 
-_SEGMENTS = 144
+_SEGMENTS = 72
 
 
 def wells() -> list[Piece]:
     """Return the liners of the half x ≥ 0: a cylinder and its end, as far as they lie inside the body."""
     pieces = []
     for axle in AXLES:
-        across = np.array([ARCH_DEPTH_X, 0.70, 0.80, 0.88, 0.92, 0.96, 1.02])
+        across = np.array([ARCH_DEPTH_X, 0.70, 0.86, 1.02])
         tube = _rings(across, np.full(len(across), ARCH_RADIUS), axle)
-        radii = np.linspace(1e-3, ARCH_RADIUS, 5)
+        radii = np.linspace(1e-3, ARCH_RADIUS, 3)
         end = _rings(np.full(len(radii), ARCH_DEPTH_X), radii, axle)
         for soup, is_end in ((tube, False), (end, True)):
             soup = cut(soup, lambda p: at_points(body)(p) + 0.008)
@@ -51,13 +51,17 @@ def _to_axle(points: Floats, axle: float) -> Floats:
     return result
 
 
-def floor() -> Piece:
-    """Return the underbody of the half x ≥ 0: a sheet at the height where the body's skin ends."""
+def floor() -> list[Piece]:
+    """Return the underbody of the half x ≥ 0, a sheet at the height where the body's skin ends.
+
+    It has two sides, since its upper one shows through the wheel openings.
+    """
     x, z = np.meshgrid(np.linspace(0.0, 1.0, 11), np.arange(-2.5, 2.5, 0.09), indexing="ij")
     points = np.stack([x, FLOOR(z) + FLOOR_EDGE, z], axis=2).reshape(-1, 3)
     soup = Soup(points, grid_triangles(x.shape[0], x.shape[1], False)[:, ::-1])
-    soup = cut(cut(soup, lambda p: at_points(body)(p) + 0.003), at_points(arch))
+    soup = cut(cut(soup, lambda p: at_points(body)(p) + 0.007), at_points(arch))
     middle = soup.points[soup.triangles].mean(axis=1)
-    soup = soup.keep((at_points(body)(middle) < -0.003) & (at_points(arch)(middle) > 0.0))
+    soup = soup.keep((at_points(body)(middle) < -0.007) & (at_points(arch)(middle) > 0.0))
     down = normals(lambda x, y, z: FLOOR(z) - y + 0.0 * x, soup.points)
-    return Piece("underbody", "trim", soup, down)
+    upper = Soup(soup.points + np.array([0.0, 0.004, 0.0]), soup.triangles[:, ::-1])
+    return [Piece("underbody", "trim", soup, down), Piece("underbody", "trim", upper, -down)]

@@ -10,7 +10,7 @@ from brdf_suite.surface.car.nets import Soup
 from brdf_suite.surface.car.pieces import Piece
 from brdf_suite.surface.car.proportions import TYRE_WIDTH, WHEEL_RADIUS
 
-_SEGMENTS = 80
+_SEGMENTS = 64
 _SPOKES = 5
 _RIM = 0.247
 
@@ -30,15 +30,15 @@ def _tyre() -> list[tuple[float, float]]:
         (-0.055, r - 0.0005),
     ]
     tread = []
-    for centre in (0.33, 0.5, 0.67):
+    for centre in (0.35, 0.65):
         x = -w * centre
-        tread += [(x + 0.005, r), (x + 0.004, r - 0.007), (x - 0.004, r - 0.007), (x - 0.005, r)]
-    return half + tread + [(-w - x, y) for x, y in reversed(half)]
+        tread += [(x + 0.006, r), (x, r - 0.007), (x - 0.006, r)]
+    return half + tread + [(-w - x, y) for x, y in reversed(half[::2])]
 
 
 def _spoke(angle: float, lean: float) -> tuple[Soup, Floats]:
     """Return one spoke, from the hub to the rim at ``angle`` (rad), its outer end ``lean`` further."""
-    t = np.linspace(0.0, 1.0, 9)
+    t = np.linspace(0.0, 1.0, 6)
     radius = 0.045 + (_RIM - 0.008 - 0.045) * t
     turn = angle + lean * (0.35 + 0.65 * t)
     half = 0.0195 - 0.0050 * t + 0.006 * (1.0 - t) ** 2 + 0.006 * np.clip(t - 0.8, 0, None) / 0.2
@@ -111,6 +111,8 @@ def wheel() -> list[Piece]:
         (-0.020, 0.2300),
         (-0.060, 0.226),
         (-0.235, 0.226),
+        (-0.240, 0.230),
+        (-0.241, 0.2475),
     ]
     cap = [
         (-0.055, 0.062),
@@ -139,9 +141,9 @@ def wheel() -> list[Piece]:
         ("tyres", "rubber", lathe(_tyre()[::-1], _SEGMENTS)),
         ("rims", "chrome", lathe(rim[:6], _SEGMENTS)),
         ("rim_barrels", "trim", lathe(rim[5:], 48)),
-        ("rims", "chrome", lathe(cap, 40)),
+        ("rims", "chrome", lathe(cap, 32)),
         ("rims", "chrome", _merged(spokes)),
-        ("discs", "chrome", lathe(disc, 64)),
+        ("discs", "chrome", lathe(disc, 48)),
         ("calipers", "trim", _caliper()),
     ]
     return [Piece(name, material, soup, normals) for name, material, (soup, normals) in pieces]
