@@ -23,7 +23,8 @@ from brdf_viewer.frame_meter import FrameMeter
 from brdf_viewer.loading import SceneLoader
 from brdf_viewer.paint_control import PaintControl
 from brdf_viewer.remembered import remember
-from brdf_viewer.scene_control import SceneControl
+from brdf_viewer.scene_control import SHIPPED_TITLES, SceneControl
+from brdf_viewer.source_chooser import title_of
 from brdf_viewer.stage import Stage
 from brdf_viewer.window import ViewerWindow
 
@@ -92,10 +93,11 @@ class ViewerController(QObject):
         window, stage = self.window, self.stage
         stage.view_changed.connect(self._show_view)
         stage.contents_changed.connect(window.picture.redraw)
+        stage.contents_changed.connect(self._show_title)
         self.scene.failed.connect(self.failed)
         picture = window.picture
         picture.frame_drawn.connect(self._frame_drawn)
-        picture.failed.connect(lambda text: self.failed.emit("picture", text))
+        picture.failed.connect(self._picture_failed)
         window.files_dropped.connect(lambda paths: [self.open_file(path) for path in paths])
         window.closing.connect(self._close)
         environment, commands = window.environment, window.commands
@@ -136,6 +138,16 @@ class ViewerController(QObject):
         if not self._publish.isActive():
             self._publish.start()
 
+    def _show_title(self) -> None:
+        """Name what is on show, for the task bar and for a screenshot."""
+        stage = self.stage
+        names = [] if stage.fit is None else [stage.fit.paint.name]
+        props = (stage.surface, stage.environment)
+        names += [title_of(prop.key, SHIPPED_TITLES) for prop in props if prop is not None]
+        title = ", ".join(names)
+        if title != self.window.windowTitle():
+            self.window.setWindowTitle(title)
+
     def _publish_view(self) -> None:
         self.link.publish("view", view_to_json(self.stage.view))
 
@@ -149,6 +161,10 @@ class ViewerController(QObject):
         if not self._complete and self.drawer is not None and self.drawer.is_complete:
             self._complete = True
             self.picture_complete.emit()
+
+    def _picture_failed(self, text: str) -> None:
+        self._meter.clear()
+        self.failed.emit("picture", text)
 
     def _browse(self, kind: str) -> None:
         path = self._ask(self.window, kind)

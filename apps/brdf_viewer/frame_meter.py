@@ -27,6 +27,12 @@ class FrameMeter(QObject):
         if not self._timer.isActive():
             self._timer.start()
 
+    def clear(self) -> None:
+        """There is no picture: show no time."""
+        self._frames.clear()
+        self._timer.stop()
+        self._cell.set("")
+
     def _show(self) -> None:
         typical, slowest = median(self._frames), max(self._frames)
         tip = f"Time to draw a frame: median of the last {len(self._frames)}; slowest {slowest:.1f} ms"

@@ -42,7 +42,7 @@ class SceneLoader(QObject):
         """Begin to load ``key``; an older request of the kind is dropped."""
         if self._stopped:
             return
-        self.moved.emit(kind, 0.0, f"Loading {key}")
+        self.moved.emit(kind, 0.0, "waiting")
         self._runner.submit(
             kind,
             _environment if kind == ENVIRONMENT else _surface,

@@ -55,7 +55,7 @@ class SceneControl(QObject):
             self._show(kind)
         loader.loaded.connect(self._loaded)
         loader.failed.connect(self._not_loaded)
-        loader.moved.connect(window.set_busy)
+        loader.moved.connect(self._moved)
         loader.ended.connect(self._ended)
         window.busy_cancelled.connect(self.cancel)
         stage.view_changed.connect(self._view_changed)
@@ -132,6 +132,10 @@ class SceneControl(QObject):
         self._window.messages.show_message(
             Message("dropped", what, where=path, todo="Drop one of these.", severity="error")
         )
+
+    def _moved(self, kind: str, fraction: float, what: str) -> None:
+        title = title_of(self._loading.get(kind, ""), SHIPPED_TITLES)
+        self._window.set_busy(kind, fraction, f"{title}: {what}")
 
     def _ended(self, kind: str) -> None:
         self._loading.pop(kind, None)

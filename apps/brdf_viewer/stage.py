@@ -43,7 +43,8 @@ class Stage(QObject):
         self.view = view
         self.fit: PaintFit | None = None
         self.environment: Prop[PreparedEnvironment] | None = None
-        self.surface: Prop[Mesh] | None = None
+        self._surface: Prop[Mesh] | None = None
+        self._bounds = Bounds.of([])
 
     @property
     def is_complete(self) -> bool:
@@ -51,11 +52,19 @@ class Stage(QObject):
         return None not in (self.fit, self.environment, self.surface)
 
     @property
+    def surface(self) -> Prop[Mesh] | None:
+        """The surface that carries the paint."""
+        return self._surface
+
+    @surface.setter
+    def surface(self, surface: Prop[Mesh] | None) -> None:
+        self._surface = surface
+        self._bounds = Bounds.of([] if surface is None else [part.positions for part in surface.value.parts])
+
+    @property
     def bounds(self) -> Bounds:
         """The surface's box in metres; a unit box while there is none."""
-        return Bounds.of(
-            [] if self.surface is None else [part.positions for part in self.surface.value.parts]
-        )
+        return self._bounds
 
     def set_view(self, view: View) -> None:
         """Take ``view``; nothing is told where it is equal."""

@@ -168,3 +168,15 @@ def test_the_fields_of_the_inspector(viewer) -> None:
     assert viewer.view.camera.distance == pytest.approx(2 * before.distance)
     camera.presets.buttons()[2].click()
     assert viewer.view.camera.azimuth_deg == 90
+
+
+def test_digits_typed_into_a_field_are_no_presets(viewer, qtbot) -> None:
+    field = viewer.window.camera.focal_length
+    field.setFocus()
+    qtbot.waitUntil(field.hasFocus)
+    field.selectAll()
+    azimuth = viewer.view.camera.azimuth_deg
+    QTest.keyClicks(field, "85")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert viewer.view.camera.focal_length_mm == 85
+    assert viewer.view.camera.azimuth_deg == azimuth

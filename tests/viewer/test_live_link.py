@@ -191,3 +191,22 @@ def test_an_edit_costs_little_beside_the_draw(start, qtbot) -> None:
         with qtbot.waitSignal(viewer.window.picture.frame_drawn, timeout=5000):
             pass
     assert float(np.median(times)) < 0.005
+
+
+def test_an_edit_opens_no_file_and_imports_nothing(start, qtbot) -> None:
+    viewer = start(size=(640, 420))
+    seen: list[tuple[str, object]] = []
+    watching = [False]
+
+    def hook(event: str, arguments: tuple) -> None:
+        if watching[0] and event in ("open", "import"):
+            seen.append((event, arguments[0]))
+
+    sys.addaudithook(hook)  # stays until the process ends, and does nothing unless it is told to watch
+    for step in range(6):
+        value = paint_to_json(solid_paint("p", (30.0 + step, 5.0, -5.0)))
+        watching[0] = step > 0  # the first of all may still load something
+        viewer.controller.link.received.emit("paint", value)
+        viewer.pixels()
+        watching[0] = False
+    assert seen == []

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+import os
 import threading
 from pathlib import Path
 
@@ -10,8 +12,12 @@ import pytest
 from brdf_viewer import loading
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QPushButton
 
+from brdf_suite.documents.paint import solid_paint
+from brdf_suite.documents.store import save_paint
+from brdf_suite.documents.view import Camera
 from brdf_suite.errors import GraphicsError
 from brdf_suite.progress import report
 
@@ -254,3 +260,59 @@ def test_recent_files_are_in_the_menu_and_in_the_next_viewer(start, lights, qtbo
     next(a for a in recent if a.text() == str(lights["bright"])).trigger()
     again.wait_idle()
     assert again.view.environment == str(lights["bright"])
+
+
+def test_a_dropped_paint_is_shown(viewer, tmp_path) -> None:
+    file = tmp_path / "ruby.brdfpaint"
+    save_paint(solid_paint("Ruby", (35.0, 60.0, 35.0)), file)
+    before = viewer.pixels()
+    drop(viewer, file)
+    assert viewer.stage.fit.paint.name == "Ruby"
+    assert np.abs(viewer.pixels().astype(int) - before).max() > 30
+    assert not viewer.window.paint.follow.isChecked()
+    assert viewer.window.windowTitle() == "Ruby, Sphere, dim.exr"
+    file.write_text("{}")
+    drop(viewer, file)
+    assert str(file) in viewer.messages()["paint"]
+    assert viewer.stage.fit.paint.name == "Ruby"
+
+
+def test_many_environments_leave_nothing_behind(start, lights) -> None:
+    viewer = start(size=(1, 1))
+    viewer.stage.change_view(background="grey", camera=Camera(distance=6.0))
+
+    def change(times: int) -> None:
+        for index in range(times):
+            viewer.controller.scene.open("environment", str(lights[("bright", "dim")[index % 2]]))
+            viewer.wait_idle()
+            viewer.pixels()
+        gc.collect()
+
+    change(6)
+    live, memory = viewer.controller.drawer.counters.live, resident()
+    change(20)
+    assert viewer.controller.drawer.counters.live == live
+    assert resident() - memory < 12e6
+
+
+def resident() -> int:
+    return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+def test_after_a_failure_a_new_context_draws_the_same_picture(viewer, qtbot) -> None:
+    before = viewer.pixels()
+    old = viewer.controller.drawer
+    viewer.controller.drawer._renderer.draw = lambda *_: (_ for _ in ()).throw(
+        GraphicsError("Out of memory.")
+    )
+    with qtbot.waitSignal(viewer.window.picture.failed):
+        viewer.window.picture.redraw()
+    assert viewer.window.status.cell("frame").text() == ""
+    assert viewer.window.picture.findChild(QPushButton).isVisible()
+    viewer.window.picture.findChild(QPushButton).click()
+    qtbot.waitUntil(lambda: viewer.controller.drawer is not old and viewer.controller.drawer.is_complete)
+    assert np.array_equal(viewer.pixels(), before)
+    azimuth = viewer.view.camera.azimuth_deg
+    QTest.mousePress(viewer.canvas, Qt.MouseButton.LeftButton)
+    assert viewer.canvas.cursor().shape() == Qt.CursorShape.ClosedHandCursor  # the new canvas is listened to
+    assert viewer.view.camera.azimuth_deg == azimuth
