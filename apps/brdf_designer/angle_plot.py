@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
+from brdf_designer.caption import Caption
 from brdf_designer.desk_state import Colours, Curves
 from brdf_designer.line_key import LineKey
 
@@ -21,8 +22,8 @@ if TYPE_CHECKING:
 _HIGHEST = 250.0
 _ROOM = 1.12
 MODEL_WIDTH, FIT_WIDTH = 4.0, 1.6
-_FRESH = "Lightness over the aspecular angle"
-_STALE = "Lightness: lines of the last paint that can be"
+_FRESH = ("Lightness over the aspecular angle", "Lightness")
+_STALE = ("Lightness: lines of the last paint that can be", "Lightness (earlier)")
 
 
 class AnglePlot(QWidget):
@@ -43,8 +44,7 @@ class AnglePlot(QWidget):
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(4)
-        self.caption = QLabel(_FRESH)
-        self.caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.caption = Caption(*_FRESH)
         self.caption.setToolTip("Points are readings; drag one up or down to change it.")
         head = QHBoxLayout()
         head.setSpacing(16)
@@ -107,7 +107,7 @@ class AnglePlot(QWidget):
         self._curves, self._stale = curves, False
         if self._plot is None:
             return
-        self.caption.setText(_FRESH)
+        self.caption.set_forms(*_FRESH)
         self._model.setData(curves.gamma_deg, curves.model)
         self._fitted.setData(curves.gamma_deg, curves.fitted)
         first, last = curves.measured_deg

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPalette, QPen, QPolygonF
-from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QSizePolicy, QVBoxLayout, QWidget
 
+from brdf_designer.caption import Caption
 from brdf_designer.desk_state import AngleColour, Colours, Curves
 
 OUTSIDE_TIP = (
     "Outside sRGB: this screen shows the nearest colour by clipping. The paint itself is not clipped."
 )
 CORNER = 14.0
+_FRESH = ("Flop: the model's colour over the aspecular angle", "Flop over the aspecular angle")
 
 
 def paint_corner(painter: QPainter, rect: QRectF, size: float = CORNER) -> None:
@@ -78,7 +80,7 @@ class PatchRow(QWidget):
         self._grid.setHorizontalSpacing(8)
         self._grid.setVerticalSpacing(2)
         self._grid.setRowStretch(0, 1)
-        self._cells: list[tuple[ColourField, QLabel, QLabel, QLabel]] = []
+        self._cells: list[tuple[ColourField, Caption, Caption, Caption]] = []
 
     def show_colours(self, colours: Colours) -> None:
         """Show every measurement; makes or drops fields where their number changes."""
@@ -91,16 +93,17 @@ class PatchRow(QWidget):
                 widget.deleteLater()
         for (field, angle, numbers, _), colour in zip(self._cells, colours.angles, strict=True):
             field.show_colour(colour)
-            angle.setText(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip())
-            numbers.setText(lab_text(colour.lab))
+            angle.set_forms(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip(), colour.text)
+            short = "  ".join(f"{value:.1f}" for value in colour.lab).replace("-", "−")
+            numbers.set_forms(lab_text(colour.lab), short)
 
     def show_differences(self, delta_e: list[float] | None) -> None:
         """Show ΔE00 of the fit under each field; ``None``: there is no fit of this paint."""
         for number, cell in enumerate(self._cells):
-            cell[3].setText("fit: none" if delta_e is None else f"fit ΔE00 {delta_e[number]:.2f}")
+            cell[3].set_forms("fit: none" if delta_e is None else f"fit ΔE00 {delta_e[number]:.2f}")
 
-    def _new_cell(self, column: int) -> tuple[ColourField, QLabel, QLabel, QLabel]:
-        field, angle, numbers, fit = ColourField(), QLabel(), QLabel(), QLabel()
+    def _new_cell(self, column: int) -> tuple[ColourField, Caption, Caption, Caption]:
+        field, angle, numbers, fit = ColourField(), Caption(), Caption(), Caption()
         bold = angle.font()
         bold.setBold(True)
         angle.setFont(bold)
@@ -110,8 +113,6 @@ class PatchRow(QWidget):
         fit.setToolTip("Colour difference CIEDE2000 between what is asked and what the fitted lobes give.")
         for row, widget in enumerate((field, angle, numbers, fit)):
             self._grid.addWidget(widget, row, column)
-            if isinstance(widget, QLabel):
-                widget.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._grid.setColumnStretch(column, 1)
         return field, angle, numbers, fit
 
@@ -126,7 +127,7 @@ class FlopStrip(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.caption = QLabel("Flop: the model's colour over the aspecular angle")
+        self.caption = Caption(*_FRESH)
         self._band = _Band()
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
@@ -136,12 +137,12 @@ class FlopStrip(QWidget):
 
     def show_curves(self, curves: Curves) -> None:
         """Show the strip, fresh."""
-        self.caption.setText("Flop: the model's colour over the aspecular angle")
+        self.caption.set_forms(*_FRESH)
         self._band.show_curves(curves)
 
     def mark_stale(self) -> None:
         """Say that the strip is of the last paint that could be."""
-        self.caption.setText("Flop: of the last paint that can be")
+        self.caption.set_forms("Flop: of the last paint that can be")
 
 
 class _Band(QWidget):
