@@ -13,7 +13,7 @@ class SuiteError(Exception):
     """Anything that a user can be told about. ``str(error)`` is a complete sentence or two."""
 
 
-class Cancelled(SuiteError):
+class Cancelled(SuiteError):  # noqa: N818 - not an error that anyone is shown
     """Raised by a progress callback, or by a task that was told to stop; never shown as an error."""
 
     def __init__(self, what: str = "The task was cancelled.") -> None:

@@ -47,7 +47,7 @@ def test_other_linux_systems_get_a_clear_message(prepare: ModuleType, monkeypatc
 
 def test_an_old_python_is_refused(prepare: ModuleType, monkeypatch) -> None:
     monkeypatch.setattr(prepare, "MINIMUM", (99, 0))
-    with pytest.raises(SystemExit, match="needs Python 99.0"):
+    with pytest.raises(SystemExit, match=r"needs Python 99\.0"):
         prepare.prepare()
 
 
