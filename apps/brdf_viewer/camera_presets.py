@@ -8,7 +8,7 @@ from brdf_suite.documents.view import Camera
 
 PRESETS: dict[str, tuple[str, float, float]] = {
     "front": ("Front", 0.0, 6.0),
-    "three_quarter": ("¾ view", 35.0, 12.0),
+    "three_quarter": ("¾ view", 35.0, 7.0),
     "side": ("Side", 90.0, 4.0),
     "top": ("Top", 0.0, 89.0),
 }

@@ -8,7 +8,7 @@ from brdf_qt.section import Section
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QLabel, QToolButton, QWidget
 
-from brdf_suite.documents.view import PARAMETERS
+from brdf_suite.documents.view import PARAMETERS, Camera
 from brdf_viewer.paint_patches import PaintPatches
 from brdf_viewer.slider_field import SliderField
 from brdf_viewer.source_chooser import SourceChooser
@@ -140,12 +140,14 @@ class CameraSection(Section):
             button.clicked.connect(lambda _=False, key=key: self.preset_chosen.emit(key))
             self.presets.addButton(button)
             row.addWidget(button, 0, index)
-        self.azimuth = NumberField("Azimuth", "°", -180.0, 180.0, 1.0, 1, 35.0)
+        start = Camera()
+        self.azimuth = NumberField("Azimuth", "°", -180.0, 180.0, 1.0, 1, start.azimuth_deg)
         self.azimuth.setWrapping(True)
         self.azimuth.edited.connect(self.azimuth_edited)
-        self.elevation = NumberField("Elevation", "°", -89.0, 89.0, 1.0, 1, 12.0)
+        self.elevation = NumberField("Elevation", "°", -89.0, 89.0, 1.0, 1, start.elevation_deg)
         self.elevation.edited.connect(self.elevation_edited)
-        self.focal_length = NumberField("Focal length", "mm", 12.0, 400.0, 1.0, 0, 50.0)
+        focal_length = start.focal_length_mm
+        self.focal_length = NumberField("Focal length", "mm", 12.0, 400.0, 1.0, 0, focal_length)
         self.focal_length.edited.connect(self.focal_length_edited)
         form = Form()
         form.add_wide(buttons)

@@ -23,7 +23,7 @@ SENSOR_WIDTH_MM = 36.0
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     {
         "camera.azimuth_deg": Parameter("Azimuth", "°", -3600.0, 3600.0, 35.0, "Around the y axis, 0 on +z"),
-        "camera.elevation_deg": Parameter("Elevation", "°", -90.0, 90.0, 12.0, "Above the horizontal plane"),
+        "camera.elevation_deg": Parameter("Elevation", "°", -90.0, 90.0, 7.0, "Above the horizontal plane"),
         "camera.distance": Parameter("Distance", "m", 1e-4, 1e6, 1.0, "From the target to the camera"),
         "camera.target": Parameter("Target", "m", -1e6, 1e6, 0.0, "The point in the middle of the picture"),
         "camera.focal_length_mm": Parameter("Focal length", "mm", 8.0, 1200.0, 50.0, "On a 36 mm sensor"),
@@ -42,7 +42,7 @@ class Camera:
     """A camera that orbits ``target`` (metres); ``distance`` or ``target`` None: frame the object."""
 
     azimuth_deg: float = 35.0
-    elevation_deg: float = 12.0
+    elevation_deg: float = 7.0
     distance: float | None = None
     target: tuple[float, float, float] | None = None
     focal_length_mm: float = 50.0
