@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import dataclasses
+import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -43,7 +44,12 @@ def parser() -> argparse.ArgumentParser:
     parser.add_argument("--size", metavar="WxH", type=_size, help="size of the window in pixels")
     parser.add_argument("--screenshot", metavar="FILE", help="save the window as PNG once complete, and end")
     parser.add_argument("--quit-after", metavar="SECONDS", type=float, help="end after so many seconds")
-    parser.add_argument("--report-startup", action="store_true", help="print the seconds from process start")
+    parser.add_argument(
+        "--report-startup",
+        action="store_true",
+        help='print {"ready_s": s, "complete_s": s}: seconds from the start of the process to the first painted '
+        "window, and to the first complete picture",
+    )
     return parser
 
 
@@ -58,8 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.size:
         window.resize(*options.size)
     if options.report_startup:
-        window.first_painted.connect(lambda: print(f"window {process_age_s():.3f} s", flush=True))
-        controller.picture_complete.connect(lambda: print(f"picture {process_age_s():.3f} s", flush=True))
+        _report_startup(controller)
     outcome = _screenshot(controller, Path(options.screenshot)) if options.screenshot else Outcome()
     if options.quit_after is not None:
         QTimer.singleShot(round(1000 * options.quit_after), window.close)
@@ -78,7 +83,26 @@ def _first_view(options: argparse.Namespace) -> View:
 
 def _size(text: str) -> tuple[int, int]:
     width, _, height = text.partition("x")
+    if not (width.isdecimal() and height.isdecimal() and 0 < int(width) < 20000 and 0 < int(height) < 20000):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no size; give width x height in pixels, as in 1280x800"
+        )
     return int(width), int(height)
+
+
+def _report_startup(controller: ViewerController) -> None:
+    """Print one line of JSON at the first complete picture."""
+    times: dict[str, float] = {}
+
+    def painted() -> None:
+        times["ready_s"] = round(process_age_s(), 3)
+
+    def complete() -> None:
+        times["complete_s"] = round(process_age_s(), 3)
+        print(json.dumps(times), flush=True)
+
+    controller.window.first_painted.connect(painted)
+    controller.picture_complete.connect(complete)
 
 
 @dataclasses.dataclass

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -46,8 +47,8 @@ def test_a_screenshot_of_a_complete_window(tmp_path, lights) -> None:
         str(file),
     )
     assert result.returncode == 0, result.stderr
-    assert result.stdout.startswith("window ")
-    assert "picture " in result.stdout
+    times = json.loads(result.stdout)
+    assert 0 < times["ready_s"] < times["complete_s"] < 60
     image = QImage(str(file))
     assert (image.width(), image.height()) == (900, 600)
     centre = image.pixelColor(280, 330)  # on the sphere
@@ -79,6 +80,9 @@ def test_help_says_the_gestures_and_a_bad_theme_is_refused() -> None:
     assert shown.returncode == 0
     assert "Alt drag turns the light" in " ".join(shown.stdout.split())
     assert run("--theme", "pink").returncode == 2
+    refused = run("--size", "huge")
+    assert refused.returncode == 2
+    assert "1280x800" in refused.stderr
 
 
 def test_an_unknown_start_falls_back_to_what_is_shipped(start, tmp_path) -> None:
