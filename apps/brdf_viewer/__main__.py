@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from brdf_qt.application import create_application, process_age_s, run
 from brdf_qt.settings import settings
 from brdf_qt.theme import THEMES
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 
 if TYPE_CHECKING:
     from brdf_viewer.controller import ViewerController
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 from brdf_suite.documents.view import View
 from brdf_suite.pipeline.scene import default_paint_name, environment_names, name_in_view, surface_names
 
-_SETTLE_MS = 400
-"""Between the first complete picture and a screenshot: the status bar has its frame time then."""
+_SETTLE_MS = 200
+"""Between the first measured frame and a screenshot: a fit that ran into its time limit is done again by then."""
 
 
 def parser() -> argparse.ArgumentParser:
@@ -129,7 +129,8 @@ def _screenshot(controller: ViewerController, path: Path) -> Outcome:
         if kind == "picture" or not controller.stage.is_complete:
             window.close()
 
-    controller.picture_complete.connect(lambda: QTimer.singleShot(_SETTLE_MS, save))
+    single_shot = Qt.ConnectionType.SingleShotConnection
+    controller.settled.connect(lambda: QTimer.singleShot(_SETTLE_MS, save), single_shot)
     controller.failed.connect(failed)
     return outcome
 

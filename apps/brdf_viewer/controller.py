@@ -44,10 +44,12 @@ class ViewerController(QObject):
         How the user is asked for a file.
 
     Signals: ``picture_complete()`` once, after the first frame with paint, surface and environment;
+    ``settled()`` each time that a frame's time has been measured and is shown;
     ``failed(kind, text)`` where something could not be loaded.
     """
 
     picture_complete = Signal()
+    settled = Signal()
     failed = Signal(str, str)
 
     def __init__(
@@ -71,6 +73,7 @@ class ViewerController(QObject):
         self.scene = SceneControl(self.stage, self.window, self._loader, self)
         self.paint = PaintControl(self.stage, self.window, self.link, PaintFitter(), self)
         self._meter = FrameMeter(self.window.status.cell("frame"), self)
+        self._meter.shown.connect(self.settled)
         self._connect()
         self._show_view(None, view)
         self.window.picture.set_view(view)

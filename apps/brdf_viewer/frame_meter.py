@@ -6,14 +6,19 @@ from collections import deque
 from statistics import median
 
 from brdf_qt.status_line import StatusCell
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject, QTimer, Signal
 
 _FRAMES = 15
 _SHOW_EVERY_MS = 250
 
 
 class FrameMeter(QObject):
-    """Takes the milliseconds of each frame; a number that changes sixty times a second could not be read."""
+    """Takes the milliseconds of each frame; a number that changes sixty times a second could not be read.
+
+    ``shown()`` is emitted each time that the status bar was renewed.
+    """
+
+    shown = Signal()
 
     def __init__(self, cell: StatusCell, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -37,3 +42,4 @@ class FrameMeter(QObject):
         typical, slowest = median(self._frames), max(self._frames)
         tip = f"Time to draw a frame: median of the last {len(self._frames)}; slowest {slowest:.1f} ms"
         self._cell.set(f"{typical:.1f} ms", tip)
+        self.shown.emit()

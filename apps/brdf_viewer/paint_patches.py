@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -65,7 +66,7 @@ class PaintPatches(QWidget):
             self._patches, self._colours, self._boxes(), strict=True
         ):
             body = box.adjusted(0, 0, 0, -label - 4)
-            split = body.height() * 0.7
+            split = round(body.height() * 0.7)  # whole pixels: no seam where both colours are one
             painter.fillRect(QRectF(body.left(), body.top(), body.width(), split), asked)
             painter.fillRect(
                 QRectF(body.left(), body.top() + split, body.width(), body.height() - split), fitted
@@ -88,8 +89,10 @@ class PaintPatches(QWidget):
 
     def _boxes(self) -> list[QRectF]:
         count = max(1, len(self._patches))
-        width = (self.width() - _GAP * (count - 1)) / count
-        return [QRectF(i * (width + _GAP), 0, width, self.height()) for i in range(len(self._patches))]
+        lefts = [round(i * (self.width() + _GAP) / count) for i in range(count + 1)]
+        return [
+            QRectF(left, 0, right - _GAP - left, self.height()) for left, right in itertools.pairwise(lefts)
+        ][: len(self._patches)]
 
 
 def _screen(lab: Lab) -> QColor:
