@@ -26,7 +26,7 @@ def say(event: str, **more: object) -> None:
 
 def main() -> None:
     app = QCoreApplication([])
-    checks = None if "--documents" in sys.argv else {"paint": whole_number, "view": whole_number}
+    checks = {"paint": whole_number, "view": whole_number}
     link = LiveLink(sys.argv[1], checks=checks)
     link.received.connect(lambda topic, value: say("received", topic=topic, value=value))
     link.peers_changed.connect(lambda count: say("peers", count=count, roles=link.peers, hub=link.is_hub))

@@ -27,9 +27,9 @@ PROGRAM = Path(__file__).with_name("link_program.py")
 class Program:
     """One real process on the link; what it prints is read in a thread."""
 
-    def __init__(self, role: str, *options: str) -> None:
+    def __init__(self, role: str) -> None:
         self.process = subprocess.Popen(
-            [sys.executable, str(PROGRAM), role, *options],
+            [sys.executable, str(PROGRAM), role],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -98,8 +98,8 @@ def start(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., Program]]:
     monkeypatch.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
     programs: list[Program] = []
 
-    def starter(role: str, *options: str) -> Program:
-        programs.append(Program(role, *options))
+    def starter(role: str) -> Program:
+        programs.append(Program(role))
         return programs[-1]
 
     yield starter

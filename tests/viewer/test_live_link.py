@@ -210,3 +210,19 @@ def test_an_edit_opens_no_file_and_imports_nothing(start, qtbot) -> None:
         viewer.pixels()
         watching[0] = False
     assert seen == []
+
+
+def test_a_paint_that_breaks_the_schema_never_arrives(viewer, qtbot, caplog) -> None:
+    other = LiveLink("designer")
+    other.start()
+    qtbot.waitUntil(lambda: "viewer" in other.peers, timeout=10_000)
+    first = viewer.stage.fit
+    good = paint_to_json(solid_paint("good", (60.0, 0.0, 0.0)))
+    for bad in ({}, {**good, "gloss": {"gu_20": "shiny"}}, {**good, "version": 99}, {**good, "extra": 1}):
+        other.publish("paint", bad)
+        qtbot.waitUntil(lambda: "dropped a paint" in caplog.text, timeout=10_000)
+        caplog.clear()
+    assert viewer.stage.fit is first
+    other.publish("paint", good)
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "good", timeout=10_000)
+    other.close()
