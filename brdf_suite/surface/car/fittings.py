@@ -11,20 +11,20 @@ from brdf_suite.surface.car.lathe import lathe, loft
 from brdf_suite.surface.car.nets import Soup, extract, normals, project, refine
 from brdf_suite.surface.car.pieces import Piece
 
-_MIRROR = (0.962, 1.000, 0.43)
+_MIRROR = (0.944, 0.996, 0.43)
 
 
 def _housing(x: Floats, y: Floats, z: Floats) -> Floats:
     """Return the field of the mirror's head: a rounded wedge, cut flat behind."""
     u, v, w = x - _MIRROR[0], y - _MIRROR[1], z - _MIRROR[2]
-    r = np.sqrt((u / 0.118) ** 2 + ((v - 0.06 * u) / 0.068) ** 2 + (w / 0.105) ** 2 + 1e-9)
+    r = np.sqrt((u / 0.116) ** 2 + ((v - 0.06 * u) / (0.063 + 0.10 * u)) ** 2 + (w / 0.108) ** 2 + 1e-9)
     head = (r - 1.0) * 0.075
     return smooth_max(head, -0.030 - w - 0.18 * u, 0.012)
 
 
 def _stalk(x: Floats, y: Floats, z: Floats) -> Floats:
     """Return the field of the foot that stands on the door's shoulder."""
-    u, v, w = x - 0.88, y - 0.925, z - 0.45
+    u, v, w = x - 0.865, y - 0.925, z - 0.45
     foot = np.sqrt((v - 0.45 * u) ** 2 + (0.45 * w) ** 2 + 1e-9) - 0.016
     return smooth_max(smooth_max(foot, u - 0.06, 0.01), -u - 0.09, 0.01)
 
@@ -73,8 +73,8 @@ def grille_bars() -> list[Piece]:
     """Return horizontal bars that follow the nose, set back in the main intake."""
     pieces = []
     x = np.linspace(0.0, 0.53, 18)
-    section = [(0.0, 0.0), (0.0055, -0.008), (0.004, -0.030), (-0.004, -0.030), (-0.0055, -0.008)]
-    for y in np.arange(0.262, 0.47, 0.030):
+    section = [(0.0, 0.0), (0.0045, -0.006), (0.003, -0.020), (-0.003, -0.020), (-0.0045, -0.006)]
+    for y in np.arange(0.268, 0.47, 0.034):
         z = _on_nose(x, np.full_like(x, y)) - 0.018
         lines = [np.stack([x, np.full_like(x, y + up), z + forward], axis=1) for up, forward in section]
         for one, two in zip(lines, lines[1:] + lines[:1], strict=True):

@@ -6,7 +6,7 @@ to the surface, and normals are the field's own gradient, so shading does not de
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -28,6 +28,14 @@ class Soup:
     def keep(self, chosen: NDArray[np.bool_]) -> Soup:
         """Return the chosen triangles with the points that they use."""
         return compact(self.points, self.triangles[chosen])[0]
+
+
+def turned_over(soup: Soup, normals: Floats) -> NDArray[np.bool_]:
+    """Return which triangles (k,) face away from the mean of the normals (n, 3) at their corners."""
+    a, b, c = (soup.points[soup.triangles[:, i]] for i in range(3))
+    mean = normals[soup.triangles].sum(axis=1)
+    result: NDArray[np.bool_] = np.einsum("ij,ij->i", np.cross(b - a, c - a), mean) < 0.0
+    return result
 
 
 def compact(points: Floats, triangles: Ints) -> tuple[Soup, Ints]:
@@ -180,15 +188,41 @@ def split_edges(soup: Soup, chosen: NDArray[np.bool_], middles: Floats, edge_of_
     return replace(soup, points=points, triangles=np.concatenate(out))
 
 
-def refine(field: Field, soup: Soup, angle_deg: float, shortest: float) -> Soup:
-    """Return the soup with edges halved (on the surface) whose end normals differ by more than the angle."""
+def refine(
+    field: Field,
+    soup: Soup,
+    angle_deg: float,
+    shortest: float,
+    creases: Sequence[tuple[Callable[[Floats], Floats], float]] = (),
+) -> Soup:
+    """Return the soup with edges halved (on the surface) whose end normals differ by more than the angle.
+
+    Edges of at most ``shortest`` (m) stay. An edge whose ends lie on a crease (function, how near its zero) is
+    halved on the crease: the middle of a chord lies beside it, where the normal is already another.
+    """
     edge, edge_of_side = edges_of(soup.triangles)
     n = normals(field, soup.points)
     cosine = np.einsum("ij,ij->i", n[edge[:, 0]], n[edge[:, 1]])
     length = np.linalg.norm(soup.points[edge[:, 0]] - soup.points[edge[:, 1]], axis=1)
     chosen = (cosine < np.cos(np.radians(angle_deg))) & (length > shortest)
     middles = project(field, soup.points[edge[chosen]].mean(axis=1), steps=3)
+    for function, near in creases:
+        along = np.flatnonzero((np.abs(function(soup.points)) < near)[edge[chosen]].all(axis=1))
+        if len(along):
+            middles[along] = slid(field, middles[along], function)
     return split_edges(soup, chosen, middles, edge_of_side)
+
+
+def slid(field: Field, points: Floats, function: Callable[[Floats], Floats]) -> Floats:
+    """Return the points moved along the surface, by at most 3 mm, to the zero of a function."""
+    slope = gradient(lambda x, y, z: function(np.stack([x, y, z], axis=1)), points)
+    n = normals(field, points)
+    slope -= np.einsum("ij,ij->i", slope, n)[:, None] * n
+    step = (function(points) / np.maximum(np.einsum("ij,ij->i", slope, slope), 1e-6))[:, None] * slope
+    close = np.linalg.norm(step, axis=1) < 0.003  # not so where the function has no value
+    moved = points.copy()
+    moved[close] = project(field, points[close] - step[close], steps=1)
+    return moved
 
 
 def refine_near(

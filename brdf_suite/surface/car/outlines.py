@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from brdf_suite.surface.car.blends import Floats, SoftPolyline, rounded_max, smooth_min
-from brdf_suite.surface.car.body import FLOOR, cabin_side, roof_surface, screen_station
+from brdf_suite.surface.car.body import FLOOR, cabin_side, lower_body, roof_surface, screen_station
 from brdf_suite.surface.car.proportions import ARCH_DEPTH_X, ARCH_RADIUS, AXLES, WHEEL_RADIUS
 
 _BELT = SoftPolyline([(1.0, 0.926), (-0.2, 0.938), (-1.3, 0.972)], 0.4)
@@ -67,13 +67,16 @@ def side_window(x: Floats, y: Floats, z: Floats) -> Floats:
 def windscreen(x: Floats, y: Floats, z: Floats) -> Floats:
     """The glass from the cowl to the roof."""
     station = screen_station(x, z)
-    return rounded_max(0.06, _inside_rail(x, y, z) + 0.040, 0.24 - station, (station - 0.865) * 0.9)
+    above_wings = 0.010 - lower_body(x, y, z)
+    return rounded_max(
+        0.035, _inside_rail(x, y, z) + 0.040, 0.24 - station, (station - 0.865) * 0.9, above_wings
+    )
 
 
 def cowl(x: Floats, y: Floats, z: Floats) -> Floats:
     """Black panel with the wipers between bonnet and windscreen."""
     station = screen_station(x, z)
-    return rounded_max(0.012, x - 0.70, 0.84 - station, station - 0.952, y - 1.1)
+    return rounded_max(0.03, x - 0.71, 0.79 - station, station - 0.952, y - 1.1)
 
 
 def rear_screen(x: Floats, y: Floats, z: Floats) -> Floats:

@@ -12,7 +12,7 @@ from brdf_suite.surface.mesh import Part
 
 LIP_DROP = 0.0008
 """How far the edge of a panel lies below its surface, m."""
-_LIP_TURN = 1.1
+_LIP_TURN = 0.55
 _ATLAS_MM = 20000.0
 
 

@@ -25,12 +25,14 @@ from brdf_suite.surface.car.nets import (
     refine,
     refine_bends,
     refine_near,
+    slid,
+    turned_over,
 )
 from brdf_suite.surface.car.simplify import merged
 
-GAP = 0.005
+GAP = 0.0055
 """Width of a shut line, m."""
-_LIP = 0.0022
+_LIP = 0.0018
 _REACH = 0.045
 MERGE = 0.026
 
@@ -56,8 +58,8 @@ AREAS: tuple[Area, ...] = (
     Area("daylight", outlines.daylight, "lamp"),
     Area("headlamp", outlines.headlamp, "glass", 0.004),
     Area("badge", outlines.badge, "chrome"),
-    Area("grille", outlines.grille, "trim", 0.010, "chrome", depth=0.09),
-    Area("intake", outlines.intake, "trim", depth=0.06),
+    Area("grille", outlines.grille, "rubber", 0.010, "chrome", depth=0.09),
+    Area("intake", outlines.intake, "rubber", depth=0.06),
     Area("splitter", outlines.splitter, "trim"),
     Area("tail_band", outlines.tail_band, "lamp"),
     Area("tail_panel", outlines.tail_panel, "glass", 0.004),
@@ -140,11 +142,20 @@ def smooth_surface() -> Soup:
     soup = Soup(_on_centre(project(body, soup.points)), soup.triangles)
     under = at_points(outlines.floor)(soup.points[soup.triangles].mean(axis=1))
     soup = soup.keep(under > -0.03)
-    for function in lines[1:]:
-        soup = cut(soup, function)
-    soup = Soup(_on_centre(project(body, soup.points, steps=2)), soup.triangles)
+    first = np.abs(lines[0](soup.points)) < 3e-4
+    soup, marks = cut_all(soup, lines[1:], first[:, None])
+    before = project(body, soup.points, steps=2)
+    points = before.copy()
+    for column, function in enumerate(lines):
+        alone = marks[:, column] & (marks.sum(axis=1) == 1) & (points[:, 0] > 1e-6)
+        points[alone] = slid(body, points[alone], function)
+    for _ in range(6):  # take back the moves that turned a sliver over
+        turned = turned_over(Soup(points, soup.triangles), normals(body, points))
+        moved_back = soup.triangles[turned].ravel()
+        points[moved_back] = before[moved_back]
+    soup = Soup(_on_centre(points), soup.triangles)
     for angle, shortest in ((10.0, 0.024), (9.0, 0.014), (9.0, 0.008)):
-        soup = refine(body, soup, angle, shortest)
+        soup = refine(body, soup, angle, shortest, creases())
     return Soup(_on_centre(soup.points), soup.triangles)
 
 

@@ -12,7 +12,7 @@ from brdf_suite.surface.car.proportions import TYRE_WIDTH, WHEEL_RADIUS
 
 _SEGMENTS = 64
 _SPOKES = 5
-_RIM = 0.247
+_RIM = 0.260
 
 
 def _tyre() -> list[tuple[float, float]]:
@@ -22,8 +22,8 @@ def _tyre() -> list[tuple[float, float]]:
         (-0.014, _RIM - 0.010),
         (-0.006, _RIM + 0.004),
         (-0.001, _RIM + 0.022),
-        (0.0, _RIM + 0.042),
-        (-0.003, _RIM + 0.062),
+        (0.0, _RIM + 0.038),
+        (-0.002, _RIM + 0.053),
         (-0.0095, r - 0.019),
         (-0.019, r - 0.0085),
         (-0.033, r - 0.0025),
@@ -103,16 +103,16 @@ def _caliper() -> tuple[Soup, Floats]:
 def wheel() -> list[Piece]:
     """Return the pieces of one wheel about the origin."""
     rim = [
-        (-0.016, 0.2480),
-        (-0.0060, 0.2480),
-        (-0.0035, 0.2440),
-        (-0.0035, 0.2400),
-        (-0.0085, 0.2325),
-        (-0.020, 0.2300),
-        (-0.060, 0.226),
-        (-0.235, 0.226),
-        (-0.240, 0.230),
-        (-0.241, 0.2475),
+        (-0.016, _RIM + 0.0010),
+        (-0.0060, _RIM + 0.0010),
+        (-0.0035, _RIM - 0.0030),
+        (-0.0035, _RIM - 0.0070),
+        (-0.0085, _RIM - 0.0145),
+        (-0.020, _RIM - 0.0170),
+        (-0.060, _RIM - 0.021),
+        (-0.235, _RIM - 0.021),
+        (-0.240, _RIM - 0.017),
+        (-0.241, _RIM + 0.0005),
     ]
     cap = [
         (-0.055, 0.062),
@@ -140,10 +140,10 @@ def wheel() -> list[Piece]:
     pieces = [
         ("tyres", "rubber", lathe(_tyre()[::-1], _SEGMENTS)),
         ("rims", "chrome", lathe(rim[:6], _SEGMENTS)),
-        ("rim_barrels", "trim", lathe(rim[5:], 48)),
+        ("rim_barrels", "rubber", lathe(rim[5:], 48)),
         ("rims", "chrome", lathe(cap, 32)),
         ("rims", "chrome", _merged(spokes)),
-        ("discs", "chrome", lathe(disc, 48)),
+        ("discs", "trim", lathe(disc, 48)),
         ("calipers", "trim", _caliper()),
     ]
     return [Piece(name, material, soup, normals) for name, material, (soup, normals) in pieces]
