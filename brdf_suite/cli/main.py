@@ -7,6 +7,7 @@ Each command is a module with ``add(subparsers)`` and ``run(arguments) -> int``,
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 from importlib.metadata import version
@@ -52,7 +53,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser().parse_args(arguments)
     run = getattr(options, "run", programs.open_both)
     try:
-        return int(run(options))
+        status = int(run(options))
+        sys.stdout.flush()
+        return status
+    except BrokenPipeError:
+        # Whoever read our output wants no more, as `head` does. The rest goes nowhere, also at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FAILED
     except (Cancelled, KeyboardInterrupt):
         print("brdf-suite: cancelled", file=sys.stderr)
         return CANCELLED

@@ -21,6 +21,8 @@ from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 
 DEFAULT_TIME_LIMIT_S = 0.004
+PATIENT_TIME_LIMIT_S = 1.0
+"""For work without a screen: no frame waits for the fit, and a busy machine must not make the answer worse."""
 
 
 @dataclass(frozen=True)

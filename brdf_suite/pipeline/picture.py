@@ -16,7 +16,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
 from brdf_suite.fitting.weights import LobeWeights
 from brdf_suite.lighting.face_array import FaceArray
-from brdf_suite.pipeline.paint import PaintFit, PaintFitter
+from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit, PaintFitter
 from brdf_suite.pipeline.scene import PreparedEnvironment, find_paint, load_environment, load_surface
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.realtime.camera import Bounds, compose
@@ -173,10 +173,14 @@ def render_to_file(
 
     if path.suffix.lower() != ".png":
         raise FileError(path, "pictures are written as PNG; give a name that ends in .png")
-    if not path.absolute().parent.is_dir():
+    try:
+        folder_exists = path.absolute().parent.is_dir()
+    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
+        raise FileError(path, f"its folder cannot be used: {error.strerror or error}") from error
+    if not folder_exists:
         raise FileError(path, "its folder does not exist")
     document = find_paint(paint)
-    fit = PaintFitter().fit(document)
+    fit = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S).fit(document)
     mesh = load_surface(view.surface)
     start = perf_counter()
     prepared = load_environment(view.environment, part(progress, 0.0, 0.9))

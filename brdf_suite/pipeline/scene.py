@@ -75,11 +75,7 @@ def find_paint(name_or_path: str | os.PathLike[str]) -> Paint:
     """
     if os.fspath(name_or_path) in paint_names():
         return load_shipped_paint(os.fspath(name_or_path))
-    if not Path(name_or_path).exists():
-        raise FileError(
-            name_or_path,
-            f"there is no such file, nor a shipped paint of that name ({', '.join(paint_names())})",
-        )
+    _check_there(name_or_path, Path(name_or_path), "paint", paint_names())
     return load_paint(name_or_path)
 
 
@@ -131,11 +127,7 @@ def load_environment(
 
     name = os.fspath(name_or_path)
     path = resource("environments", name + ".exr") if name in environment_names() else Path(name)
-    if not path.exists():
-        raise FileError(
-            name,
-            f"there is no such file, nor a shipped environment of that name ({', '.join(environment_names())})",
-        )
+    _check_there(name, path, "environment", environment_names())
     report(progress, 0.0, f"reading {path.name}")
     image = read_environment_image(path)
     environment = Environment(path.stem, image.pixels, image.notes)
@@ -161,10 +153,18 @@ def load_surface(name_or_path: str | os.PathLike[str]) -> Mesh:
     """
     name = os.fspath(name_or_path)
     path = resource("meshes", name + ".glb") if name in surface_names() else Path(name)
-    if not path.exists():
-        raise FileError(
-            name, f"there is no such file, nor a shipped surface of that name ({', '.join(surface_names())})"
-        )
+    _check_there(name, path, "surface", surface_names())
     from brdf_suite.files.meshes import read_mesh
 
     return read_mesh(path)
+
+
+def _check_there(asked: str | os.PathLike[str], path: Path, kind: str, shipped: list[str]) -> None:
+    try:
+        there = path.exists()
+    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
+        raise FileError(asked, f"cannot be read: {error.strerror or error}") from error
+    if not there:
+        raise FileError(
+            asked, f"there is no such file, nor a shipped {kind} of that name ({', '.join(shipped)})"
+        )

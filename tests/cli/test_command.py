@@ -182,6 +182,30 @@ def test_bad_paints_are_refused_in_one_line(command, tmp_path: Path) -> None:
     refused(command("fit", broken), "199")
 
 
+def test_names_that_no_file_system_takes_are_refused_in_one_line(command) -> None:
+    name = "x" * 300
+    refused(command("fit", name), "cannot be read")
+    refused(command("render", "blue", "-o", "out.png", "--mesh", name), "cannot be read")
+    refused(command("prefilter", name), "cannot be read")
+    refused(command("render", "blue", "-o", f"{name}/out.png"), "its folder cannot be used")
+
+
+def test_a_reader_that_ends_early_gets_no_traceback() -> None:
+    reader, writer = os.pipe()
+    os.close(reader)  # before anything is written, so that the first write fails
+    with os.fdopen(writer, "wb") as closed:
+        done = subprocess.run(
+            [sys.executable, "-m", "brdf_suite.cli.main", "fit", "blue", "--json"],
+            stdout=closed,
+            stderr=subprocess.PIPE,
+            text=True,
+            timeout=120,
+            check=False,
+        )
+    assert done.stderr == ""
+    assert done.returncode == 1
+
+
 def test_bad_environments_are_refused_in_one_line(command, shared_data: Path, tmp_path: Path) -> None:
     text = tmp_path / "text.hdr"
     text.write_text("this is not a picture\n" * 20)
