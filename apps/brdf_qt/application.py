@@ -21,6 +21,7 @@ from PySide6.QtCore import (
     QObject,
     QSocketNotifier,
     Qt,
+    QTimer,
     QtMsgType,
     Signal,
     qInstallMessageHandler,
@@ -167,5 +168,6 @@ def _quit_on_signals(app: QApplication) -> None:
     notifier.activated.connect(stir)
     signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: app.exit(0))
+        # Queued, so that a signal that comes before the event loop ends it as soon as it runs.
+        signal.signal(number, lambda *_: QTimer.singleShot(0, app, lambda: app.exit(0)))
     app.setProperty("signal_sockets", (reader, writer))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QWidget
 
 
@@ -29,6 +30,7 @@ class ProgressStrip(QWidget):
         row.addWidget(self._text)
         row.addWidget(self._bar, 1)
         row.addWidget(self._cancel)
+        self._paint_grey()
         self.hide()
 
     def begin(self, text: str, cancel: Callable[[], None] | None = None) -> None:
@@ -47,6 +49,18 @@ class ProgressStrip(QWidget):
         """Hide the strip."""
         self._slot = None
         self.hide()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the theme."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._paint_grey()
+
+    def _paint_grey(self) -> None:
+        """Fill the bar with grey: the accent is for focus and selection alone."""
+        colours = QPalette(self.palette())
+        colours.setColor(QPalette.ColorRole.Highlight, colours.color(QPalette.ColorRole.PlaceholderText))
+        self._bar.setPalette(colours)
 
     def _stop(self) -> None:
         slot = self._slot

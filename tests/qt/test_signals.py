@@ -1,0 +1,20 @@
+"""Signals that come before the event loop runs."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+_PROGRAM = """
+import os, signal, sys
+from brdf_qt.application import create_application, run
+from PySide6.QtWidgets import QWidget
+app = create_application("Signals", ["signals"], theme_name="dark")
+os.kill(os.getpid(), signal.SIGTERM)
+sys.exit(run(app, QWidget()))
+"""
+
+
+def test_a_signal_before_the_event_loop_is_not_lost():
+    done = subprocess.run([sys.executable, "-c", _PROGRAM], timeout=60, check=False)
+    assert done.returncode == 0
