@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from brdf_qt.application import create_application, process_age_s, run
+from brdf_qt.arguments import window_size
 from brdf_qt.theme import THEMES
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
@@ -58,11 +59,6 @@ def _when_ready(app: QApplication, designer: Designer, options: argparse.Namespa
     designer.window.first_painted.connect(painted)
 
 
-def _size(text: str) -> tuple[int, int]:
-    width, _, height = text.partition("x")
-    return int(width), int(height)
-
-
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="brdf-designer",
@@ -71,7 +67,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("paint", nargs="?", help="a .brdfpaint file, or the name of a shipped paint")
     parser.add_argument("--theme", choices=THEMES, help="surround of this run (default: the one chosen last)")
-    parser.add_argument("--size", type=_size, metavar="WxH", help="size of the window in pixels")
+    parser.add_argument("--size", type=window_size, metavar="WxH", help="size of the window in pixels")
     parser.add_argument(
         "--screenshot", type=Path, metavar="FILE", help="save a picture of the window, and end"
     )

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from brdf_qt.application import create_application, process_age_s, run
+from brdf_qt.arguments import window_size
 from brdf_qt.settings import settings
 from brdf_qt.theme import THEMES
 from PySide6.QtCore import Qt, QTimer
@@ -41,7 +42,7 @@ def parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--surface", metavar="NAME|FILE", help="a shipped surface, or a mesh file")
     parser.add_argument("--theme", choices=THEMES, help="grey of the window, for this run")
-    parser.add_argument("--size", metavar="WxH", type=_size, help="size of the window in pixels")
+    parser.add_argument("--size", metavar="WxH", type=window_size, help="size of the window in pixels")
     parser.add_argument("--screenshot", metavar="FILE", help="save the window as PNG once complete, and end")
     parser.add_argument("--quit-after", metavar="SECONDS", type=float, help="end after so many seconds")
     parser.add_argument(
@@ -79,15 +80,6 @@ def _first_view(options: argparse.Namespace) -> View:
         "surface": options.surface and name_in_view(options.surface, surface_names()),
     }
     return dataclasses.replace(recall(settings()), **{k: v for k, v in wanted.items() if v})
-
-
-def _size(text: str) -> tuple[int, int]:
-    width, _, height = text.partition("x")
-    if not (width.isdecimal() and height.isdecimal() and 0 < int(width) < 20000 and 0 < int(height) < 20000):
-        raise argparse.ArgumentTypeError(
-            f"{text!r} is no size; give width x height in pixels, as in 1280x800"
-        )
-    return int(width), int(height)
 
 
 def _report_startup(controller: ViewerController) -> None:

@@ -1,0 +1,17 @@
+"""Arguments that every program's command line has."""
+
+from __future__ import annotations
+
+import argparse
+
+_LARGEST = 20_000
+
+
+def window_size(text: str) -> tuple[int, int]:
+    """Parse ``WIDTHxHEIGHT`` in pixels (an argparse type)."""
+    width, _, height = text.partition("x")
+    if not (width.isdecimal() and height.isdecimal()) or not all(
+        0 < int(n) < _LARGEST for n in (width, height)
+    ):
+        raise argparse.ArgumentTypeError(f"{text!r} is no size; give WIDTHxHEIGHT in pixels, as in 1280x800")
+    return int(width), int(height)
