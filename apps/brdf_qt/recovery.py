@@ -66,8 +66,8 @@ class Recovery(QObject, Generic[T]):
         if not self._timer.isActive():
             self._timer.start()
 
-    def write(self) -> None:
-        """Write the unsaved document now; where all is saved, remove the file."""
+    def write(self) -> bool:
+        """Write the unsaved document now; where all is saved, remove the file. False where that failed."""
         self._timer.stop()
         try:
             if self._store.is_clean:
@@ -77,6 +77,8 @@ class Recovery(QObject, Generic[T]):
         except OSError as error:
             reason = f"the autosave cannot be written ({error.strerror})"
             self._failed(FileError(self._file, reason))
+            return False
+        return True
 
     def _write(self) -> None:
         path = self._store.path
@@ -101,9 +103,9 @@ class Recovery(QObject, Generic[T]):
             try:
                 result.append(self._read(file))
             except (OSError, ValueError, KeyError, TypeError, SuiteError) as error:
-                aside = file.with_suffix(".damaged")
-                file.replace(aside)
-                self._failed(FileError(aside, f"unsaved work of an earlier run cannot be read ({error})"))
+                self._failed(
+                    FileError(_aside(file), f"unsaved work of an earlier run cannot be read ({error})")
+                )
         return sorted(result, key=lambda item: item.when, reverse=True)
 
     def _read(self, file: Path) -> Recovered[T]:
@@ -117,14 +119,19 @@ class Recovery(QObject, Generic[T]):
         )
 
     def take(self, item: Recovered[T]) -> None:
-        """Open recovered work as unsaved; its file goes once this run has written its own."""
+        """Open recovered work as unsaved; its file goes once this run has written its own, and not before."""
         self._store.replace(item.value, item.path, clean=False)
-        self.write()
-        self.drop(item)
+        if self.write():
+            self.drop(item)
 
     def drop(self, item: Recovered[T]) -> None:
         """Give recovered work up."""
-        item.file.unlink(missing_ok=True)
+        try:
+            item.file.unlink(missing_ok=True)
+        except OSError as error:
+            self._failed(
+                FileError(item.file, f"it cannot be removed, and will be offered again ({error.strerror})")
+            )
 
     def close(self, *, keep: bool) -> None:
         """End this run's autosave: ``keep`` writes what is unsaved, otherwise the file is removed."""
@@ -134,6 +141,15 @@ class Recovery(QObject, Generic[T]):
         else:
             self._file.unlink(missing_ok=True)
         self._lock.unlock()
+
+
+def _aside(file: Path) -> Path:
+    """Take a damaged file out of the way and return where it is now; where that fails it stays."""
+    aside = file.with_suffix(".damaged")
+    try:
+        return file.replace(aside)
+    except OSError:
+        return file
 
 
 def _lock(file: Path) -> QLockFile:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from datetime import datetime
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,7 @@ from brdf_qt.dialogs import Answer
 from brdf_qt.document_files import MOST_RECENT, DocumentFiles, DocumentFormat
 from brdf_qt.document_store import DocumentStore
 from brdf_qt.message_bar import Message
-from brdf_qt.recovery import Recovery
+from brdf_qt.recovery import Recovered, Recovery
 
 from brdf_suite.errors import DocumentError, FileError
 
@@ -197,4 +198,31 @@ def test_damaged_recovery_is_told_and_put_aside(files, own_settings):
     assert recovery.found() == []
     assert "cannot be read" in str(heard[0])
     assert not bad.exists()
+    recovery.close(keep=False)
+
+
+def test_recovered_work_stays_on_disk_where_it_cannot_be_written_anew(files, own_settings):
+    ended = Recovery(DocumentStore("first"), NOTE, fail)
+    ended._store.set("edited", "Edit")
+    ended.close(keep=True)
+    heard = []
+    recovery = Recovery(files.store, NOTE, heard.append)
+    (item,) = recovery.found()
+    # Its own file cannot be made, as on a full disk: a folder stands in its place.
+    recovery._file.mkdir()
+    recovery.take(item)
+    assert files.store.value == "edited"
+    assert "cannot be written" in str(heard[0])
+    assert json.loads(item.file.read_text())["document"] == {"text": "edited"}
+    recovery._file.rmdir()
+    recovery.close(keep=False)
+
+
+def test_recovered_work_that_cannot_be_removed_is_told(files):
+    heard = []
+    recovery = Recovery(files.store, NOTE, heard.append)
+    stuck = recovery._folder / "stuck.recovery.json"
+    stuck.mkdir()
+    recovery.drop(Recovered("text", None, datetime.now(), stuck))
+    assert "cannot be removed" in str(heard[0])
     recovery.close(keep=False)
