@@ -123,9 +123,7 @@ class AnglePlot(QWidget):
     def mark_stale(self) -> None:
         """Say that the lines are of the last paint that could be."""
         self._stale = True
-        self.caption.setText(
-            "Lightness L* over the aspecular angle; the lines are of the last paint that can be"
-        )
+        self.caption.set_forms(*_STALE)
 
     def _new_point(self) -> Any:
         assert self._plot is not None

@@ -86,7 +86,8 @@ class Designer:
 
     def open(self, name_or_path: str) -> None:
         """Open a file, or a shipped paint by its name."""
-        if not Path(name_or_path).exists() and name_or_path in resource_names("paints", PAINT_ENDING):
+        # As the command has it: a shipped name is that paint, also where a file is called the same.
+        if name_or_path in resource_names("paints", PAINT_ENDING):
             self.controller.open_shipped(lambda: shipped_paint(name_or_path))
         else:
             self.files.open(Path(name_or_path))

@@ -175,7 +175,7 @@ class ModelSection(PaintSection):
         """Show the rule and the factor."""
         self.rule.setCurrentIndex(self.rule.findData(paint.interpolation))
         self.panel.set_values({"near_specular": paint.near_specular})
-        nearest = min(m.aspecular_deg for m in paint.measurements)
+        nearest = min(abs(m.aspecular_deg) for m in paint.measurements)
         self.note.setText(f"Not measured: no reading lies nearer to the mirror direction than {nearest:g}°.")
 
     def show_notices(self, notices: tuple[str, ...]) -> None:

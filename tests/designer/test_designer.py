@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import pytest
 from brdf_designer.assembly import shipped_paint
@@ -14,6 +15,7 @@ from PySide6.QtGui import QColor, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from brdf_suite.documents.paint import Measurement
 from brdf_suite.documents.store import load_paint, paint_from_json, save_paint
 
 
@@ -163,7 +165,12 @@ def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer):
     assert "last paint" in window.strip.caption.text()
     assert window.strip._band.grab().toImage() == strip
     assert window.status.cell("Fit").text().startswith("(")
+    for width in (720, 1400):  # captions are chosen anew when the window changes
+        window.resize(width, 800)
+        assert any(word in window.plot.caption.text() for word in ("last paint", "earlier"))
+        assert "last paint" in window.plot.caption.accessibleName()
     type_in(gloss, "88")
+    assert "last paint" not in window.plot.caption.accessibleName()
     assert window.messages.shown() == {}
     assert "last paint" not in window.strip.caption.text()
 
@@ -190,6 +197,23 @@ def test_flakes_and_model_are_edited(designer):
     window.model.rule.setCurrentIndex(1)
     window.model.rule.activated.emit(1)
     assert designer.store.value.interpolation == "monotone"
+
+
+def test_the_unmeasured_range_is_told_by_the_nearest_angle_on_either_side(designer):
+    paint = designer.store.value
+    both_sides = (*paint.measurements, Measurement(45.0, -20.0, (50.0, 0.0, 0.0)))
+    designer.store.replace(replace(paint, measurements=both_sides), None)
+    assert "than 15°" in designer.window.model.note.text()
+
+
+def test_a_shipped_name_is_that_paint_as_for_the_command(designer, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "copper").write_text("a file of that name")
+    designer.open("copper")
+    assert designer.store.value.name == "Copper"
+    designer.open("x" * 300)
+    assert "annot be read" in designer.window.messages.shown()["open"].what
+    assert designer.store.value.name == "Copper"
 
 
 def test_a_name_typed_is_one_step(designer):
