@@ -95,12 +95,6 @@ class NumberField(QDoubleSpinBox):
         finally:
             self._quiet = False
 
-    def set_computed(self, computed: bool) -> None:
-        """Show a computed value in italics, a measured or chosen one upright."""
-        font = self.font()
-        font.setItalic(computed)
-        self.setFont(font)
-
     def reset(self) -> None:
         """Go back to the default, as one edit."""
         self.setValue(self.default)

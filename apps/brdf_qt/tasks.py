@@ -73,10 +73,6 @@ class TaskRunner(QObject):
         """Whether any task whose answer is still wanted runs or waits."""
         return bool(self._tasks)
 
-    def is_busy(self, key: str) -> bool:
-        """Whether the task ``key`` runs or waits."""
-        return key in self._tasks
-
     def submit(
         self,
         key: str,

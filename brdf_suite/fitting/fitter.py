@@ -20,7 +20,6 @@ from brdf_suite.fitting.weights import LobeWeights
 
 FloatArray = NDArray[np.float64]
 
-PARTS = ("base", "coat")
 CHANNELS = ("red", "green", "blue")
 #: Weight of the row that holds the coat's energy against the rings' (columns sum to about 1): above 1 the
 #: optimum keeps the energy exactly, because no gain on the rings can pay for losing it.
