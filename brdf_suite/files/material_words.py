@@ -14,7 +14,8 @@ _ROWS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("trim", ("trim", "plastic", "bumper", "grille", "grill")),
     ("glass", ("glass", "window", "windscreen", "windshield")),
     ("rubber", ("rubber", "tire", "tyre", "wheel")),
-    ("lamp", ("lamp", "headlamp", "headlight", "taillight", "taillamp", "bulb")),
+    ("tail_lamp", ("taillight", "taillamp", "brakelight")),
+    ("lamp", ("lamp", "headlamp", "headlight", "bulb")),
     ("chrome", ("chrome", "metal", "steel", "alumin", "rim")),
     ("neutral", ("calibration", "floor", "ground", "backdrop", "background", "pedestal", "plinth")),
 )

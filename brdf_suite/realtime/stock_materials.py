@@ -20,8 +20,10 @@ def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
     """Return ``glass``, ``rubber``, ``chrome``, ``lamp``, ``trim``, ``neutral`` and a stand-in ``paint``.
 
     glass: dark glazing seen from outside, n = 1.52; rubber: black, broad weak sheen; chrome: neutral metal
-    mirror; lamp: a bright reflector under clear plastic, n = 1.59; trim: satin black plastic; neutral: an 18 %
-    grey, matt. ``paint`` is a plain grey under a coat, seen until the paint has been fitted.
+    mirror; lamp: a bright reflector under clear plastic, n = 1.59; tail_lamp: the same under red plastic;
+    trim: satin black plastic; cavity: the inside of gaps and wheel wells, which most of the sky's light does
+    not reach, so that next to nothing comes back; neutral: an 18 % grey, matt. ``paint`` is a plain grey under
+    a coat, seen until the paint has been fitted.
     """
     e = checked_exponents(exponents)
     return {
@@ -29,7 +31,16 @@ def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
         "rubber": _coated(e, base=0.03, ior=1.5, coat_exponent=12.0, coat_share=0.35),
         "chrome": _metal(e, reflectance=(0.56, 0.57, 0.58)),
         "lamp": _coated(e, base=0.16, ior=1.59, coat_exponent=np.inf, metallic=0.42, metallic_exponent=60.0),
+        "tail_lamp": _coated(
+            e,
+            base=(0.07, 0.004, 0.003),
+            ior=1.59,
+            coat_exponent=np.inf,
+            metallic=(0.22, 0.012, 0.006),
+            metallic_exponent=30.0,
+        ),
         "trim": _coated(e, base=0.035, ior=1.49, coat_exponent=40.0, coat_share=0.8),
+        "cavity": _matt(e, albedo=0.004),
         "neutral": _coated(e, base=0.18, ior=1.5, coat_exponent=8.0, coat_share=0.25),
         "paint": _coated(e, base=0.25, ior=1.5, coat_exponent=np.inf),
     }
@@ -56,23 +67,28 @@ def lobe_mix(exponents: tuple[float, ...], exponent: float, albedo: ArrayLike) -
 def _coated(
     exponents: tuple[float, ...],
     *,
-    base: float,
+    base: ArrayLike,
     ior: float,
     coat_exponent: float,
     coat_share: float = 1.0,
-    metallic: float = 0.0,
+    metallic: ArrayLike = 0.0,
     metallic_exponent: float = 1.0,
 ) -> MaterialWeights:
     coat = coat_share * float(fresnel_dielectric(np.cos(_THETA_FIT), ior))
     return MaterialWeights(
         exponents=exponents,
-        kd=np.full(3, base / np.pi),
+        kd=np.broadcast_to(np.asarray(base, np.float64), 3) / np.pi,
         kdd=lobe_mix(exponents, metallic_exponent, metallic),
         kg=lobe_mix(exponents, coat_exponent, coat),
         theta_fit_rad=_THETA_FIT,
         ior=ior,
         coat="dielectric",
     )
+
+
+def _matt(exponents: tuple[float, ...], *, albedo: float) -> MaterialWeights:
+    nothing = np.zeros((len(exponents), 3))
+    return MaterialWeights(exponents, np.full(3, albedo / np.pi), nothing, nothing, ior=1.0, coat="none")
 
 
 def _metal(exponents: tuple[float, ...], *, reflectance: tuple[float, float, float]) -> MaterialWeights:

@@ -16,7 +16,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.errors import ValueRangeError
 
-Material: TypeAlias = Literal["paint", "glass", "rubber", "chrome", "lamp", "trim", "neutral"]
+Material: TypeAlias = Literal[
+    "paint", "glass", "rubber", "chrome", "lamp", "tail_lamp", "trim", "cavity", "neutral"
+]
 """``trim`` is matt black plastic; ``neutral`` is everything else on a mesh that others made."""
 
 MATERIALS: tuple[str, ...] = get_args(Material)

@@ -281,6 +281,7 @@ def test_a_gltf_with_its_buffer_beside_it(shared_data: Path, tmp_path: Path) -> 
         ("window_trim", "", "trim"),
         ("HeadLight", "", "paint"),
         ("Headlight", "", "lamp"),
+        ("taillight", "", "tail_lamp"),
         ("primer", "antibody", "paint"),
     ],
 )

@@ -97,12 +97,15 @@ def test_edits_make_nothing(renderer, scenes, context, monkeypatch):
 )
 def test_stock_materials(exponents):
     stock = stock_materials(exponents)
-    assert set(stock) >= {"glass", "rubber", "chrome", "lamp", "trim", "neutral"}
+    assert set(stock) >= {"glass", "rubber", "chrome", "lamp", "tail_lamp", "trim", "cavity", "neutral"}
     for name, weights in stock.items():
         gloss, base = reflected(weights)
         assert (gloss + base < 1).all(), name
     gloss, base = reflected(stock["glass"])
     assert gloss == pytest.approx(np.full(3, float(fresnel_dielectric(np.cos(np.pi / 4), 1.52))))
+    assert max(sum(reflected(stock["cavity"]))) < 0.005
+    gloss, base = reflected(stock["tail_lamp"])
+    assert base[0] > 10 * base[2]
     assert reflected(stock["chrome"])[0] == pytest.approx([0.56, 0.57, 0.58])
     assert stock["chrome"].coat == "metal"
     assert reflected(stock["neutral"])[1] == pytest.approx(np.full(3, 0.18))

@@ -40,17 +40,17 @@ def body_pieces(shell: Shell) -> list[Piece]:
         if len(at_arch):
             drops = (np.full(len(normals), drop) for drop in (LIP_DROP, _FLANGE_DEPTH))
             flange, facing = walls(soup, normals, at_arch[:, ::-1], *drops)
-            pieces.append(Piece("arch_flanges", "rubber", flange, facing))
+            pieces.append(Piece("arch_flanges", "cavity", flange, facing))
         soup, normals = turned_in(soup, normals, np.concatenate([shared, at_arch]))
         pieces.append(Piece("body" if name == "paint" else name, "paint", soup, normals))
     soup, normals, _, _ = take(shell, shell.chosen("groove"))
     down = LIP_DROP + groove_depth(soup.points, _GROOVE_DEPTH)
-    pieces.append(Piece("shut_lines", "rubber", _lowered(soup, normals, down), normals))
+    pieces.append(Piece("shut_lines", "cavity", _lowered(soup, normals, down), normals))
     for area in AREAS:
         pieces += _area(shell, area.name, area.name, area.material, area.depth)
         if area.border:
             pieces += _area(shell, f"{area.name}_border", f"{area.name}_frame", area.border_material, 0.0)
-    return pieces + _area(shell, "split", "side_window_split", "rubber", 0.0)
+    return pieces + _area(shell, "split", "side_window_split", "cavity", 0.0)
 
 
 def _lowered(soup: Soup, normals: Floats, down: Floats) -> Soup:
@@ -68,7 +68,7 @@ def _area(shell: Shell, piece: str, name: str, material: str, depth: float) -> l
     down = np.full(len(normals), depth)
     wall, facing = walls(level, outwards, edge, 0.0 * down, down)
     floor = Piece(name, material, _lowered(level, outwards, down), normals)
-    return [floor, Piece("opening_walls", "rubber", wall, facing)]
+    return [floor, Piece("opening_walls", "cavity", wall, facing)]
 
 
 def wheels() -> list[Piece]:

@@ -89,7 +89,7 @@ def exhaust() -> list[Piece]:
     tip = [(-0.12, 0.056), (0.012, 0.056), (0.015, 0.0535), (0.012, 0.050), (-0.04, 0.050)]
     inside = [(-0.04, 0.050), (-0.10, 0.048), (-0.10, 0.001)]
     pieces = []
-    for name, material, profile in (("exhaust_tips", "chrome", tip), ("exhaust_pipes", "trim", inside)):
+    for name, material, profile in (("exhaust_tips", "chrome", tip), ("exhaust_pipes", "cavity", inside)):
         soup, facing = lathe(profile, 40)
         # The lathe turns about +x; the pipe points backwards: x -> -z, z -> x, a rotation.
         points = soup.points[:, [2, 1, 0]] * np.array([1.0, 1.0, -1.0])

@@ -31,7 +31,7 @@ def wells() -> list[Piece]:
             facing = (
                 np.tile([1.0, 0.0, 0.0], (len(soup.points), 1)) if is_end else _to_axle(soup.points, axle)
             )
-            pieces.append(Piece("wheel_wells", "rubber", soup, facing))
+            pieces.append(Piece("wheel_wells", "cavity", soup, facing))
     return pieces
 
 
@@ -64,4 +64,4 @@ def floor() -> list[Piece]:
     soup = soup.keep((at_points(body)(middle) < -0.007) & (at_points(arch)(middle) > 0.0))
     down = normals(lambda x, y, z: FLOOR(z) - y + 0.0 * x, soup.points)
     upper = Soup(soup.points + np.array([0.0, 0.004, 0.0]), soup.triangles[:, ::-1])
-    return [Piece("underbody", "rubber", soup, down), Piece("underbody", "rubber", upper, -down)]
+    return [Piece("underbody", "cavity", soup, down), Piece("underbody", "cavity", upper, -down)]

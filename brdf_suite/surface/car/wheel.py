@@ -140,7 +140,7 @@ def wheel() -> list[Piece]:
     pieces = [
         ("tyres", "rubber", lathe(_tyre()[::-1], _SEGMENTS)),
         ("rims", "chrome", lathe(rim[:6], _SEGMENTS)),
-        ("rim_barrels", "rubber", lathe(rim[5:], 48)),
+        ("rim_barrels", "cavity", lathe(rim[5:], 48)),
         ("rims", "chrome", lathe(cap, 32)),
         ("rims", "chrome", _merged(spokes)),
         ("discs", "trim", lathe(disc, 48)),
