@@ -50,10 +50,13 @@ def parser() -> argparse.ArgumentParser:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command with ``arguments`` (default: the process's) and return its exit status."""
-    options = parser().parse_args(arguments)
-    run = getattr(options, "run", programs.open_both)
+    given = list(sys.argv[1:] if arguments is None else arguments)
     try:
-        status = int(run(options))
+        if given and given[0] in programs.PROGRAMS:
+            # argparse would take the program's options for its own.
+            return programs.open_one(given[0], given[1:])
+        options = parser().parse_args(given)
+        status = int(getattr(options, "run", programs.open_both)(options))
         sys.stdout.flush()
         return status
     except BrokenPipeError:

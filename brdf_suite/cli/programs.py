@@ -9,11 +9,12 @@ import socket
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 from brdf_suite.errors import SuiteError
 
-_PROGRAMS = {
+PROGRAMS = {
     "designer": ("brdf_designer", "edit a paint: colour at the aspecular angles, gloss, flakes"),
     "viewer": ("brdf_viewer", "see a paint on a surface in an environment"),
 }
@@ -32,10 +33,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "paint", nargs="?", metavar="PAINT", help="a .brdfpaint file or the name of a shipped paint"
     )
     both.set_defaults(run=open_both)
-    for name, (package, what) in _PROGRAMS.items():
-        one = commands.add_parser(name, help=what, add_help=False)
-        one.set_defaults(run=_open_one, package=package)
-        one.add_argument("rest", nargs=argparse.REMAINDER, metavar="...", help=f"arguments of {name}")
+    for name, (_package, what) in PROGRAMS.items():
+        commands.add_parser(name, help=f"{what}; arguments are the program's own", add_help=False)
 
 
 def screen_missing() -> str | None:
@@ -87,7 +86,7 @@ def open_both(options: argparse.Namespace) -> int:
     arguments = [paint] if paint else []
     running = {
         name: subprocess.Popen([sys.executable, "-m", package, *arguments])
-        for name, (package, _what) in _PROGRAMS.items()
+        for name, (package, _what) in PROGRAMS.items()
     }
     status = 0
     try:
@@ -110,11 +109,13 @@ def open_both(options: argparse.Namespace) -> int:
     return status
 
 
-def _open_one(options: argparse.Namespace) -> int:
+def open_one(name: str, arguments: Sequence[str]) -> int:
+    """Open one program with its own ``arguments``, wait for it, and return its exit status."""
     missing = screen_missing()
-    if missing is not None and not {"-h", "--help"} & set(options.rest):
+    if missing is not None and not {"-h", "--help"} & set(arguments):
         raise SuiteError(f"The program cannot open a window: {missing}. `brdf-suite render` needs none.")
-    return subprocess.run([sys.executable, "-m", options.package, *options.rest], check=False).returncode
+    package, _what = PROGRAMS[name]
+    return subprocess.run([sys.executable, "-m", package, *arguments], check=False).returncode
 
 
 def _render_instead(missing: str, paint: str | None) -> int:

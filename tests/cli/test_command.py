@@ -250,6 +250,22 @@ def test_programs_refuse_without_a_screen(command) -> None:
     refused(command("viewer"), "no screen", "render")
 
 
+def test_options_after_a_program_are_the_programs(command, tmp_path: Path) -> None:
+    helped = command("designer", "--help")
+    assert helped.returncode == 0, helped.stderr
+    assert "--screenshot" in helped.stdout
+    done = subprocess.run(
+        [sys.executable, "-m", "brdf_suite.cli.main", "designer", "--report-startup", "--quit-after", "0"],
+        env={**os.environ, "QT_QPA_PLATFORM": "offscreen", "BRDF_SUITE_SETTINGS": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["ready_s"] > 0
+
+
 def test_bench_lists_and_refuses(command) -> None:
     done = command("bench", "--list")
     assert done.returncode == 0, done.stderr
