@@ -33,6 +33,7 @@ from brdf_qt import theme
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.settings import ORGANISATION, state_folder
 from brdf_suite.errors import Cancelled
+from brdf_suite.screen import screen_missing
 
 log = logging.getLogger("brdf_qt")
 _STARTED = time.monotonic()
@@ -78,6 +79,9 @@ def create_application(
 
     ``theme_name`` overrides the remembered theme for this run only. Call once, before any widget.
     """
+    missing = screen_missing()
+    if missing is not None:
+        sys.exit(f"{name} cannot open a window: {missing}. `brdf-suite render` needs none.")
     QSurfaceFormat.setDefaultFormat(surface_format())
     QGuiApplication.setHighDpiScaleFactorRoundingPolicy(Qt.HighDpiScaleFactorRoundingPolicy.PassThrough)
     app = QApplication([name, *(argv or [])])

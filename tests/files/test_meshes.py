@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import struct
-import time
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -247,15 +248,14 @@ def test_writing_into_a_missing_folder_is_an_error_of_the_file(tmp_path: Path) -
         write_mesh_glb(own_mesh(), tmp_path / "none" / "own.glb")
 
 
-def test_our_own_files_are_read_fast(tmp_path: Path) -> None:
-    write_mesh_glb(own_mesh(100_000), tmp_path / "own.glb")
-    read_mesh(tmp_path / "own.glb")
-    best = 9.0
-    for _ in range(3):
-        start = time.perf_counter()
-        read_mesh(tmp_path / "own.glb")
-        best = min(best, time.perf_counter() - start)
-    assert best < 0.15
+def test_our_own_files_are_read_without_the_slow_library(tmp_path: Path) -> None:
+    write_mesh_glb(own_mesh(), tmp_path / "own.glb")
+    code = (
+        "import sys; from brdf_suite.files.meshes import read_mesh; read_mesh(sys.argv[1]);"
+        "sys.exit('trimesh' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code, tmp_path / "own.glb"], check=False, timeout=60)
+    assert done.returncode == 0
 
 
 def test_a_gltf_with_its_buffer_beside_it(shared_data: Path, tmp_path: Path) -> None:

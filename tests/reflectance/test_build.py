@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import time
 
 import numpy as np
 import pytest
@@ -192,18 +191,6 @@ def test_a_second_light_angle_is_left_out_and_said() -> None:
     scattered = tuple(Measurement(light, 45.0, (50.0, 0.0, 0.0)) for light in (15.0, 30.0, 45.0))
     with pytest.raises(UnreachableError, match="at least 3 readings with the same light angle"):
         build_paint(dataclasses.replace(paint, measurements=scattered))
-
-
-def test_it_is_fast_enough_for_every_slider_move(invented_labs) -> None:
-    """Under 1 ms in the median on a free machine; the bound here allows for a busy one."""
-    paints = [paint_of(labs) for labs in invented_labs.values()]
-    times = []
-    for _ in range(20):
-        for paint in paints:
-            start = time.perf_counter()
-            build_paint(paint)
-            times.append(time.perf_counter() - start)
-    assert np.median(times) < 3e-3
 
 
 lab_values = st.tuples(st.floats(0.0, 250.0), st.floats(-250.0, 250.0), st.floats(-250.0, 250.0))

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from brdf_suite.cli import programs
-from brdf_suite.cli.programs import screen_missing
+from brdf_suite import screen
+from brdf_suite.screen import screen_missing
 
 pytestmark = pytest.mark.skipif(
     not sys.platform.startswith("linux"), reason="other systems always have a screen"
@@ -21,7 +21,7 @@ def bare(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
-    monkeypatch.setattr(programs, "_X_SOCKETS", str(tmp_path))
+    monkeypatch.setattr(screen, "_X_SOCKETS", str(tmp_path))
 
 
 def server(address: str) -> socket.socket:
