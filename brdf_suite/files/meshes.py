@@ -1,8 +1,8 @@
 """Reading meshes: glTF (``.glb``, ``.gltf``), OBJ, STL and PLY.
 
-Our own ``.glb`` files are read directly (:mod:`brdf_suite.files.glb`). All others go through ``trimesh``; its
-scene graph is applied, so that the parts stand in world axes, and :mod:`brdf_suite.surface.repair` makes them
-drawable. What was changed or assumed stands in ``Mesh.notes``.
+Our own ``.glb`` files are read directly (:mod:`brdf_suite.files.glb`). All others go through ``trimesh``
+(:mod:`brdf_suite.files.foreign_meshes`), and :mod:`brdf_suite.surface.repair` makes them drawable. What was
+changed or assumed stands in ``Mesh.notes``.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.errors import FileError
+from brdf_suite.files.foreign_meshes import check_stl, read_parts
 from brdf_suite.files.glb import is_own, read_own_glb, split_glb, write_mesh_glb
-from brdf_suite.files.material_words import material_word
 from brdf_suite.surface.mesh import Mesh, Part
 from brdf_suite.surface.repair import RawPart, repair
 
@@ -60,7 +60,9 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
         _check_gltf(path, document)
     elif ending == ".gltf":
         _check_gltf(path, _gltf_json(path, data))
-    return _repaired(path, _raw_parts(path))
+    elif ending == ".stl":
+        check_stl(path, data)
+    return _repaired(path, read_parts(path))
 
 
 def _content(file: Path) -> bytes:
@@ -114,45 +116,6 @@ def _check_gltf(path: str | os.PathLike[str], document: dict[str, Any]) -> None:
                 free.append(child)
     if reached < len(nodes):
         raise FileError(path, "the scene graph runs in a circle", "nodes")
-
-
-def _raw_parts(path: str | os.PathLike[str]) -> list[RawPart]:
-    # Imported here: it takes a third of a second, and only meshes of others need it.
-    import trimesh
-
-    try:
-        scene = trimesh.load_scene(os.fspath(path), process=False)
-        names = scene.graph.nodes_geometry
-        return [_raw_part(scene, node) for node in names if _has_faces(scene.geometry[scene.graph[node][1]])]
-    except FileError:
-        raise
-    except Exception as error:  # its readers raise whatever a damaged file runs them into
-        detail = " ".join(str(error).split())[:120] or type(error).__name__
-        raise FileError(path, f"damaged, or not the kind of mesh that its name says ({detail})") from error
-
-
-def _has_faces(geometry: Any) -> bool:
-    return getattr(geometry, "faces", None) is not None and len(geometry.faces) > 0
-
-
-def _raw_part(scene: Any, node: str) -> RawPart:
-    transform, name = scene.graph[node]
-    mesh = scene.geometry[name]
-    matrix = np.asarray(transform, dtype=np.float64)
-    turn = matrix[:3, :3]
-    positions = np.asarray(mesh.vertices, dtype=np.float64) @ turn.T + matrix[:3, 3]
-    triangles = np.asarray(mesh.faces, dtype=np.int64)
-    normals = None
-    # trimesh computes normals on demand; only those that came from the file are in its cache by now.
-    if "vertex_normals" in mesh._cache and abs(np.linalg.det(turn)) > 0.0:
-        normals = np.asarray(mesh.vertex_normals, dtype=np.float64) @ np.linalg.inv(turn)
-    if np.linalg.det(turn) < 0.0:
-        triangles = triangles[:, ::-1]
-    uvs = getattr(mesh.visual, "uv", None)
-    uvs = None if uvs is None else np.asarray(uvs, dtype=np.float64)
-    material = str(getattr(getattr(mesh.visual, "material", None), "name", None) or "")
-    label = Path(str(name)).stem if str(name).lower().endswith(MESH_ENDINGS) else str(name)
-    return RawPart(label, material_word(material, str(name)), positions, triangles, normals, uvs)
 
 
 def _repaired(path: str | os.PathLike[str], raw: list[RawPart]) -> Mesh:

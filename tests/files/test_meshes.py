@@ -311,3 +311,81 @@ def test_damaged_bytes_give_a_mesh_or_one_line(tmp_path: Path, ending: str) -> N
             outcomes.add("lines" if "\n" in str(error) else "line")
     assert "line" in outcomes
     assert outcomes <= {"mesh", "line"}
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("strasse.obj", "# Größe: Straße 1\no Tür\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        (
+            "strasse.stl",
+            "solid Straße\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+            "endloop\nendfacet\nendsolid\n",
+        ),
+    ],
+)
+def test_text_in_another_encoding_than_utf_8_is_read(tmp_path: Path, name: str, text: str) -> None:
+    (tmp_path / name).write_bytes(text.encode("latin-1"))
+    assert read_mesh(tmp_path / name).triangle_count == 1
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        (lambda data: data[:-77], "is cut off: its header promises 320 triangles, which take 16,084 bytes"),
+        (lambda data: data + bytes(50), "holds more than its triangles: .* it has 16,134"),
+        (lambda data: data[:80] + struct.pack("<I", 7) + data[84:], "promises 7 triangles"),
+        (lambda data: data[:50], "cut off within its header"),
+    ],
+)
+def test_a_binary_stl_whose_count_is_not_its_size_is_refused(tmp_path: Path, change, reason: str) -> None:
+    file = tmp_path / "ball.stl"
+    ball_of_triangles().export(file)
+    file.write_bytes(change(file.read_bytes()))
+    with pytest.raises(FileError, match=reason) as error:
+        read_mesh(file)
+    one_line(error)
+
+
+def test_a_point_at_infinity_is_left_out_and_said(tmp_path: Path) -> None:
+    file = tmp_path / "far.obj"
+    points = "v 0 0 0\nv inf 0 0\nv 0 1 0\nv 1 1 0\n"
+    file.write_text(points + "f 1 2 3\nf 1 3 4\n")
+    mesh = read_mesh(file)
+    assert mesh.triangle_count == 1
+    assert "left out 1 triangle with corners that are not finite" in " ".join(mesh.notes)
+    file.write_text(points + "f 1 2 3\n")
+    with pytest.raises(FileError, match=r"no triangle that can be drawn .*not finite"):
+        read_mesh(file)
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("a.obj", b"f 1 ", b"f 999 "),
+        ("a.glb", b'"POSITION":1', b'"POSITION":8'),
+        ("a.glb", b'"indices":0', b'"indices":7'),
+        ("a.glb", b'"bufferView":1', b'"bufferView":9'),
+    ],
+)
+def test_what_a_file_refers_to_and_lacks_is_said_in_words(
+    tmp_path: Path, name: str, old: bytes, new: bytes
+) -> None:
+    file = tmp_path / name
+    if name.endswith("obj"):
+        file.write_bytes(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    else:
+        ball_of_triangles().export(file)
+    data = file.read_bytes()
+    assert old in data
+    file.write_bytes(data.replace(old, new))
+    with pytest.raises(FileError) as error:
+        read_mesh(file)
+    assert str(error.value) == f"{file}: damaged: it refers to data that it does not hold."
+
+
+def test_points_in_a_plane_are_no_mesh(tmp_path: Path) -> None:
+    file = tmp_path / "flat.obj"
+    file.write_text("v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n")
+    with pytest.raises(FileError, match="three coordinates"):
+        read_mesh(file)
