@@ -7,6 +7,7 @@ Radiance pictures, converts to the working space (linear Rec. 2020, D65) and rep
 from __future__ import annotations
 
 import os
+import stat
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -18,7 +19,7 @@ from brdf_suite.files.exr import read_exr, write_exr
 from brdf_suite.files.png import write_png
 from brdf_suite.files.primaries import REC2020, rgb_to_working
 from brdf_suite.files.radiance import read_radiance
-from brdf_suite.files.radiance_repair import clip_negative, repair_non_finite
+from brdf_suite.files.radiance_repair import clip_negative, note_darkness, repair_non_finite
 
 __all__ = ["ImageData", "read_environment_image", "write_exr", "write_png"]
 
@@ -52,11 +53,7 @@ def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
     FileError
         The file is missing, damaged, too large, of another kind, or of another shape; the message says which.
     """
-    try:
-        with Path(path).open("rb") as stream:
-            start = stream.read(12)
-    except OSError as error:
-        raise FileError(path, f"cannot be read ({error.strerror})") from error
+    start = _first_bytes(path)
     if start.startswith(b"\x76\x2f\x31\x01"):
         pixels, chromaticities, notes = read_exr(path)
     elif start.startswith(b"#?"):
@@ -70,6 +67,8 @@ def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
             f"is {width} × {height} pixels; a latitude-longitude map, twice as wide as high and at least "
             f"{2 * MIN_HEIGHT} × {MIN_HEIGHT}, is wanted",
         )
+    if np.isnan(pixels).all():
+        raise FileError(path, "holds no number (NaN) in any pixel; there is nothing to repair it from")
     pixels, repairs = repair_non_finite(pixels)
     # Files hold chromaticities as float32 or as text: four digits decide.
     if not np.allclose(chromaticities, REC2020, atol=5e-5):
@@ -80,7 +79,21 @@ def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
         pixels = pixels @ matrix.T
     # After the conversion: a saturated colour of narrower primaries is a sound one in the working space.
     pixels, clipped = clip_negative(pixels)
-    return ImageData(np.ascontiguousarray(pixels), (*notes, *repairs, *clipped))
+    told = (*notes, *repairs, *clipped, *note_darkness(pixels))
+    return ImageData(np.ascontiguousarray(pixels), told)
+
+
+def _first_bytes(path: str | os.PathLike[str]) -> bytes:
+    try:
+        # A pipe or a device would be waited for without end.
+        if not stat.S_ISREG(Path(path).stat().st_mode):
+            raise FileError(path, "is not a plain file")
+        with Path(path).open("rb") as stream:
+            return stream.read(12)
+    except OSError as error:
+        raise FileError(path, f"cannot be read ({error.strerror})") from error
+    except ValueError as error:  # a zero byte in the name
+        raise FileError(path, f"cannot be read ({error})") from error
 
 
 def _what_instead(start: bytes) -> str:

@@ -1,5 +1,6 @@
 """Environment images: real files, every kind that is read, every fault that is named, every repair that is told."""
 
+import os
 import struct
 from pathlib import Path
 
@@ -162,11 +163,49 @@ def test_what_cannot_be_radiance_is_repaired_and_told(tmp_path: Path) -> None:
         assert words in text
 
 
-def test_an_image_of_nothing_but_nan_is_black(tmp_path: Path) -> None:
+def test_an_image_of_nothing_but_nan_is_refused(tmp_path: Path) -> None:
     channels = {name: np.full(SHAPE, np.nan, np.float32) for name in "RGB"}
-    image = read_environment_image(save(tmp_path / "nan.exr", channels))
-    assert image.pixels.max() == 0.0
-    assert "512 pixel(s)" in image.notes[0]
+    with pytest.raises(FileError, match=r"nan\.exr: holds no number \(NaN\) in any pixel"):
+        read_environment_image(save(tmp_path / "nan.exr", channels))
+
+
+def test_each_repair_is_told_as_what_it_is(tmp_path: Path) -> None:
+    channels = {name: np.full(SHAPE, 2.0, np.float32) for name in "RGB"}
+    channels["R"][:] = np.nan
+    channels["G"][1, 1:3] = -np.inf
+    channels["G"][3, 3:6] = 1e30
+    channels["B"][5, 5:9] = -1e30
+    image = read_environment_image(save(tmp_path / "bad.exr", channels, chromaticities=REC2020))
+    assert image.pixels[..., 0].max() == 0.0
+    assert image.pixels[1, 1, 1] == 0.0
+    assert image.pixels[3, 3, 1] == 65504.0
+    assert image.pixels[5, 5, 2] == 0.0
+    assert image.notes == (
+        "3 pixel(s) held radiance above 1e+15; it was set to 65504",
+        "2 pixel(s) held minus infinity; it was set to 0",
+        "4 pixel(s) held radiance below -1e+15; it was set to 0",
+        "512 pixel(s) held no number (NaN), nor did their neighbours; they were set to 0",
+    )
+
+
+def test_maps_that_give_no_light_are_told(tmp_path: Path) -> None:
+    dark = "every pixel is black: nothing is lit by this environment"
+    for value, told in ((0.0, (dark,)), (-1.0, ("512 pixel(s) (all of them) held negative", dark))):
+        channels = {name: np.full(SHAPE, value, np.float32) for name in "RGB"}
+        image = read_environment_image(save(tmp_path / "dark.exr", channels, chromaticities=REC2020))
+        assert image.pixels.max() == 0.0
+        assert [note.startswith(words) for note, words in zip(image.notes, told, strict=True)] == [
+            True for _ in told
+        ]
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
+def test_what_is_no_plain_file_is_refused_before_it_is_opened(tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe.exr"
+    os.mkfifo(pipe)
+    for path in (pipe, tmp_path, Path("/dev/zero")):
+        with pytest.raises(FileError, match="is not a plain file"):
+            read_environment_image(path)
 
 
 @pytest.mark.parametrize("dtype", [np.float16, np.float32])
