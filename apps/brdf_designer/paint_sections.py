@@ -6,6 +6,7 @@ from brdf_qt.form import Form
 from brdf_qt.parameters import Parameter, ParameterPanel
 from brdf_qt.text_fields import TextLine, TextNotes
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QVBoxLayout, QWidget
 
 from brdf_designer.desk_state import FitState
@@ -121,6 +122,9 @@ class CoatSection(PaintSection):
         self.edited.emit(("gloss", "gu_60"), value)
 
 
+NOT_DRAWN = "Kept with the paint; the picture does not draw flakes yet."
+
+
 class FlakesSection(PaintSection):
     """The flakes that will sparkle; part of the document."""
 
@@ -129,8 +133,13 @@ class FlakesSection(PaintSection):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.has_flakes = QCheckBox("Flakes that can be seen")
+        self.has_flakes.setToolTip(NOT_DRAWN)
         self.has_flakes.clicked.connect(self._switch)
         self.box.addWidget(self.has_flakes)
+        self.note = QLabel(NOT_DRAWN)
+        self.note.setWordWrap(True)
+        self.note.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+        self.box.addWidget(self.note)
         self.panel = self.add_panel(*(f"flakes.{key}" for key in self._KEYS))
         self._last = DEFAULT_FLAKES
 
