@@ -115,6 +115,7 @@ class Designer:
         window.recent_cleared.connect(files.clear_recent)
         window.close_asked.connect(self._may_close)
         window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
+        self.recovery.written_again.connect(lambda: window.dismiss_message("autosave"))
         files.recent_changed.connect(lambda: window.show_recent(files.recent()))
         self.store.history_changed.connect(self._show_history)
         self.store.replaced.connect(window.close_pickers)

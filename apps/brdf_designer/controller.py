@@ -79,6 +79,9 @@ class Controller(QObject):
         self._publishing.setInterval(0)
         self._publishing.timeout.connect(self._publish_now)
         self._store.changed.connect(lambda _old, _new: self.refresh())
+        # A save that failed was of the document before: what is said of it is no longer so.
+        self._store.changed.connect(lambda _old, _new: view.dismiss_message("save"))
+        self._store.replaced.connect(lambda: view.dismiss_message("save"))
         self._store.replaced.connect(self._replaced)
         self._store.path_changed.connect(lambda _path: self._show_document())
         self._store.clean_changed.connect(lambda _clean: self._show_document())

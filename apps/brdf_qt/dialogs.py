@@ -17,11 +17,22 @@ class Answer(Enum):
     CANCEL = "cancel"
 
 
+class Overwrite(Enum):
+    """What to do about a file that another program has changed."""
+
+    OVERWRITE = "overwrite"
+    SAVE_AS = "save as"
+    CANCEL = "cancel"
+
+
 class Dialogs(Protocol):
     """What :class:`brdf_qt.document_files.DocumentFiles` asks."""
 
     def unsaved(self, name: str) -> Answer:
         """Ask what to do with the unsaved changes of document ``name``."""
+
+    def changed_file(self, path: Path) -> Overwrite:
+        """Ask what to do, on saving, about a file that holds something else than this program knows of."""
 
     def open_path(self, folder: Path, filters: str) -> Path | None:
         """Ask for a file to open; ``None`` where the user gives up."""
@@ -49,6 +60,22 @@ class QtDialogs:
         answers = {kinds.Save: Answer.SAVE, kinds.Discard: Answer.DISCARD}
         return answers.get(kinds(box.exec()), Answer.CANCEL)
 
+    def changed_file(self, path: Path) -> Overwrite:
+        """See :meth:`Dialogs.changed_file`."""
+        box = QMessageBox(self._window)
+        box.setIcon(QMessageBox.Icon.Warning)
+        box.setWindowTitle("File Changed")
+        box.setText(f"“{path.name}” was changed by another program since it was opened or saved here.")
+        box.setInformativeText(f"Overwriting it loses what it holds now.\n{path}")
+        roles = QMessageBox.ButtonRole
+        overwrite = box.addButton("Overwrite", roles.DestructiveRole)
+        save_as = box.addButton("Save As…", roles.AcceptRole)
+        box.setDefaultButton(save_as)
+        box.setEscapeButton(box.addButton(QMessageBox.StandardButton.Cancel))
+        box.exec()
+        answers = {overwrite: Overwrite.OVERWRITE, save_as: Overwrite.SAVE_AS}
+        return answers.get(box.clickedButton(), Overwrite.CANCEL)
+
     def open_path(self, folder: Path, filters: str) -> Path | None:
         """See :meth:`Dialogs.open_path`."""
         name, _ = QFileDialog.getOpenFileName(self._window, "Open", str(folder), filters)
@@ -56,5 +83,12 @@ class QtDialogs:
 
     def save_path(self, suggested: Path, filters: str) -> Path | None:
         """See :meth:`Dialogs.save_path`."""
-        name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(suggested), filters)
-        return Path(name) if name else None
+        dialog = QFileDialog(self._window, "Save As", str(suggested.parent), filters)
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        # Added by the dialog and not afterwards, so that it asks about the file that is really written.
+        dialog.setDefaultSuffix(suggested.suffix)
+        dialog.selectFile(suggested.name)
+        accepted = dialog.exec() == QFileDialog.DialogCode.Accepted
+        names = dialog.selectedFiles()
+        dialog.deleteLater()
+        return Path(names[0]) if accepted and names else None

@@ -13,8 +13,9 @@ from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject, QStandardPaths, Signal
 
-from brdf_qt.dialogs import Answer, Dialogs
+from brdf_qt.dialogs import Answer, Dialogs, Overwrite
 from brdf_qt.document_store import DocumentStore
+from brdf_qt.file_stamp import stamp_of
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.settings import settings
 from brdf_suite.errors import SuiteError
@@ -77,6 +78,8 @@ class DocumentFiles(QObject, Generic[T]):
             path = self.dialogs.open_path(self._folder(), self.format.filters)
             if path is None:
                 return False
+        # Before the content is read: a change in between is then asked about once too often, never lost.
+        stamp = stamp_of(path)
         try:
             value = self.format.load(path)
         except SuiteError as error:
@@ -84,7 +87,7 @@ class DocumentFiles(QObject, Generic[T]):
             self.failed.emit(message_of(error, "open", todo=todo))
             self._forget(path)
             return False
-        self.store.replace(value, path.absolute())
+        self.store.replace(value, path.absolute(), stamp=stamp)
         self._remember(path.absolute())
         self.succeeded.emit("open")
         return True
@@ -97,8 +100,20 @@ class DocumentFiles(QObject, Generic[T]):
         return True
 
     def save(self) -> bool:
-        """Write the document to its file, asking for one where it has none; True where it was written."""
-        return self.save_as() if self.store.path is None else self._write(self.store.path)
+        """Write the document to its file, asking for one where it has none; True where it was written.
+
+        A file that another program has changed is written over only where the user says so.
+        """
+        path = self.store.path
+        if path is None:
+            return self.save_as()
+        if self._changed_elsewhere(path):
+            answer = self.dialogs.changed_file(path)
+            if answer is Overwrite.SAVE_AS:
+                return self.save_as()
+            if answer is Overwrite.CANCEL:
+                return False
+        return self._write(path)
 
     def save_as(self) -> bool:
         """Ask for a file and write the document to it; True where it was written."""
@@ -133,6 +148,11 @@ class DocumentFiles(QObject, Generic[T]):
         settings().setValue("recent", [])
         self.recent_changed.emit()
 
+    def _changed_elsewhere(self, path: Path) -> bool:
+        """Whether the file holds something that this program neither read nor wrote; False where it is gone."""
+        known, present = self.store.stamp, stamp_of(path)
+        return present is not None and (known is None or not known.same_content(present))
+
     def _write(self, path: Path) -> bool:
         try:
             self.format.save(self.store.value, path)
@@ -140,7 +160,7 @@ class DocumentFiles(QObject, Generic[T]):
             todo = "Nothing was lost: the document is still open. Choose another place with Save As."
             self.failed.emit(message_of(error, "save", todo=todo))
             return False
-        self.store.mark_clean(path)
+        self.store.mark_clean(path, stamp_of(path))
         self._remember(path)
         self.succeeded.emit("save")
         return True

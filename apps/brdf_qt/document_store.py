@@ -14,6 +14,8 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 from shiboken6 import isValid
 
+from brdf_qt.file_stamp import FileStamp
+
 T = TypeVar("T")
 MOST_STEPS = 1000
 
@@ -60,6 +62,7 @@ class DocumentStore(QObject, Generic[T]):
         super().__init__(parent)
         self._value = value
         self._path: Path | None = None
+        self._stamp: FileStamp | None = None
         self._gesture = 0
         self._gesture_name: str | None = None
         self.stack = QUndoStack(self)
@@ -83,6 +86,11 @@ class DocumentStore(QObject, Generic[T]):
     def path(self) -> Path | None:
         """The file of the document; ``None`` while it has none."""
         return self._path
+
+    @property
+    def stamp(self) -> FileStamp | None:
+        """What the file held when this program read or wrote it last; ``None`` where that is not known."""
+        return self._stamp
 
     @property
     def is_clean(self) -> bool:
@@ -129,8 +137,13 @@ class DocumentStore(QObject, Generic[T]):
         self.end_gesture()
         self.stack.redo()
 
-    def replace(self, value: T, path: Path | None, *, clean: bool = True) -> None:
-        """Open another document; ``clean=False`` for work that no file holds, as after a recovery."""
+    def replace(
+        self, value: T, path: Path | None, *, clean: bool = True, stamp: FileStamp | None = None
+    ) -> None:
+        """Open another document; ``clean=False`` for work that no file holds, as after a recovery.
+
+        ``stamp`` is what the file at ``path`` held when it was read.
+        """
         self.end_gesture()
         was_clean = self.is_clean
         self.stack.clear()
@@ -140,14 +153,16 @@ class DocumentStore(QObject, Generic[T]):
         else:
             self.stack.resetClean()
         self._take(value)
+        self._stamp = stamp
         self._set_path(path)
         self.replaced.emit()
         if was_clean != self.is_clean:
             self.clean_changed.emit(self.is_clean)
 
-    def mark_clean(self, path: Path) -> None:
-        """Note that the value is now what file ``path`` holds."""
+    def mark_clean(self, path: Path, stamp: FileStamp | None = None) -> None:
+        """Note that the value is now what file ``path`` holds, with its ``stamp``."""
         self.end_gesture()
+        self._stamp = stamp
         self.stack.setClean()
         self._set_path(path)
 

@@ -15,10 +15,11 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from PySide6.QtCore import QLockFile, QObject, QTimer
+from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 
 from brdf_qt.document_files import DocumentFormat
 from brdf_qt.document_store import DocumentStore
+from brdf_qt.file_stamp import FileStamp
 from brdf_qt.settings import state_folder
 from brdf_suite.errors import FileError, SuiteError
 
@@ -35,10 +36,16 @@ class Recovered(Generic[T]):
     path: Path | None
     when: datetime
     file: Path
+    stamp: FileStamp | None = None
 
 
 class Recovery(QObject, Generic[T]):
-    """Keeps the autosave of one store; :meth:`found` gives what earlier runs left."""
+    """Keeps the autosave of one store; :meth:`found` gives what earlier runs left.
+
+    Signal: ``written_again()`` where the autosave could be written after it had failed.
+    """
+
+    written_again = Signal()
 
     def __init__(
         self,
@@ -49,6 +56,7 @@ class Recovery(QObject, Generic[T]):
     ) -> None:
         super().__init__(parent)
         self._store, self._format, self._failed = store, form, failed
+        self._fails = False
         self._folder = state_folder("autosave")
         self._file = self._folder / f"{uuid.uuid4().hex}{_ENDING}"
         self._lock = _lock(self._file)
@@ -76,14 +84,19 @@ class Recovery(QObject, Generic[T]):
                 self._write()
         except OSError as error:
             reason = f"the autosave cannot be written ({error.strerror})"
+            self._fails = True
             self._failed(FileError(self._file, reason))
             return False
+        if self._fails:
+            self._fails = False
+            self.written_again.emit()
         return True
 
     def _write(self) -> None:
-        path = self._store.path
+        path, stamp = self._store.path, self._store.stamp
         content = {
             "path": None if path is None else str(path),
+            "stamp": None if stamp is None else stamp.to_json(),
             "time": datetime.now().isoformat(timespec="seconds"),
             "document": self._format.to_json(self._store.value),
         }
@@ -110,17 +123,18 @@ class Recovery(QObject, Generic[T]):
 
     def _read(self, file: Path) -> Recovered[T]:
         content: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
-        path = content["path"]
+        path, stamp = content["path"], content.get("stamp")
         return Recovered(
             self._format.from_json(content["document"], file),
             None if path is None else Path(path),
             datetime.fromisoformat(content["time"]),
             file,
+            None if stamp is None else FileStamp.from_json(stamp),
         )
 
     def take(self, item: Recovered[T]) -> None:
         """Open recovered work as unsaved; its file goes once this run has written its own, and not before."""
-        self._store.replace(item.value, item.path, clean=False)
+        self._store.replace(item.value, item.path, clean=False, stamp=item.stamp)
         if self.write():
             self.drop(item)
 

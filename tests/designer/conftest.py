@@ -11,7 +11,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_designer.assembly import Designer
-from brdf_qt.dialogs import Answer
+from brdf_qt.dialogs import Answer, Overwrite
 
 
 class ScriptedDialogs:
@@ -19,12 +19,17 @@ class ScriptedDialogs:
 
     def __init__(self) -> None:
         self.answer = Answer.CANCEL
+        self.overwrite = Overwrite.CANCEL
         self.path: Path | None = None
         self.asked: list[str] = []
 
     def unsaved(self, name: str) -> Answer:
         self.asked.append(name)
         return self.answer
+
+    def changed_file(self, path: Path) -> Overwrite:
+        self.asked.append(f"changed {path.name}")
+        return self.overwrite
 
     def open_path(self, folder: Path, filters: str) -> Path | None:
         return self.path

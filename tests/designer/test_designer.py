@@ -252,6 +252,39 @@ def test_closing_asks_about_unsaved_changes(designer, dialogs, tmp_path, answer)
     assert answer is Answer.CANCEL or left == []
 
 
+def test_a_paint_that_another_program_changed_is_not_written_over(designer, dialogs, tmp_path):
+    dialogs.path = tmp_path / "mine"
+    action(designer, "File ▸ Save").trigger()
+    save_paint(shipped_paint("red"), tmp_path / "mine.brdfpaint")
+    type_in(field(designer, 0, 0), "70")
+    action(designer, "File ▸ Save").trigger()
+    assert dialogs.asked == ["changed mine.brdfpaint"]
+    assert load_paint(tmp_path / "mine.brdfpaint") == shipped_paint("red")
+    assert designer.window.isWindowModified()
+
+
+@pytest.mark.parametrize("cure", ["edit", "undo", "save", "new"])
+def test_what_is_told_of_a_failed_save_leaves_when_it_is_no_longer_so(designer, dialogs, tmp_path, cure):
+    type_in(field(designer, 0, 0), "70")
+    dialogs.path = tmp_path / "missing" / "mine"
+    action(designer, "File ▸ Save").trigger()
+    assert "save" in designer.window.messages.shown()
+    dialogs.path, dialogs.answer = tmp_path / "mine", Answer.DISCARD
+    if cure == "edit":
+        type_in(field(designer, 0, 0), "71")
+    else:
+        path = {"undo": "Edit ▸ Undo Change L* at 15°", "save": "File ▸ Save", "new": "File ▸ New"}[cure]
+        action(designer, path).trigger()
+    assert "save" not in designer.window.messages.shown()
+
+
+def test_the_flakes_section_says_that_they_are_not_drawn(designer):
+    flakes = designer.window.flakes
+    assert flakes.note.isVisible()
+    assert "does not draw flakes yet" in flakes.note.text()
+    assert flakes.has_flakes.toolTip() == flakes.note.text()
+
+
 def test_a_bad_file_is_told_and_the_open_paint_stays(designer, dialogs, tmp_path):
     bad = tmp_path / "bad.brdfpaint"
     save_paint(shipped_paint("red"), bad)

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
+import os
 from datetime import datetime
 from pathlib import Path
 
 import pytest
-from brdf_qt.dialogs import Answer
+from brdf_qt.dialogs import Answer, Overwrite, QtDialogs
 from brdf_qt.document_files import MOST_RECENT, DocumentFiles, DocumentFormat
 from brdf_qt.document_store import DocumentStore
 from brdf_qt.message_bar import Message
 from brdf_qt.recovery import Recovered, Recovery
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
 from brdf_suite.errors import DocumentError, FileError
 
@@ -49,12 +52,17 @@ class ScriptedDialogs:
 
     def __init__(self) -> None:
         self.answer = Answer.CANCEL
+        self.overwrite = Overwrite.CANCEL
         self.path: Path | None = None
         self.asked: list[str] = []
 
     def unsaved(self, name: str) -> Answer:
         self.asked.append(name)
         return self.answer
+
+    def changed_file(self, path: Path) -> Overwrite:
+        self.asked.append(f"changed {path.name}")
+        return self.overwrite
 
     def open_path(self, folder: Path, filters: str) -> Path | None:
         return self.path
@@ -155,6 +163,126 @@ def test_the_suggested_name_is_a_safe_file_name(files, dialogs, tmp_path):
     files.store.set("a/b: c*", "Edit")
     files.save_as()
     assert dialogs.asked == ["a_b_ c_.note"]
+
+
+def opened(files, path: Path) -> Path:
+    """Open a real file and edit it."""
+    save("on disk", path)
+    assert files.open(path)
+    files.store.set("edited", "Edit")
+    return path
+
+
+@pytest.mark.parametrize("answer", list(Overwrite))
+def test_a_file_that_another_program_changed_is_written_over_only_when_told(files, dialogs, tmp_path, answer):
+    path = opened(files, tmp_path / "a.note")
+    save("by another program", path)
+    dialogs.overwrite, dialogs.path = answer, tmp_path / "b.note"
+    assert files.save() == (answer is not Overwrite.CANCEL)
+    assert dialogs.asked[0] == "changed a.note"
+    assert load(path) == ("edited" if answer is Overwrite.OVERWRITE else "by another program")
+    assert (tmp_path / "b.note").exists() == (answer is Overwrite.SAVE_AS)
+    assert files.store.is_clean == (answer is not Overwrite.CANCEL)
+
+
+def test_a_change_of_the_same_size_and_time_is_noticed(files, dialogs, tmp_path):
+    path = opened(files, tmp_path / "a.note")
+    before = path.stat()
+    save("on dusk", path)
+    os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+    assert path.stat().st_size == before.st_size
+    assert not files.save()
+    assert load(path) == "on dusk"
+
+
+def test_a_file_that_is_touched_or_was_saved_here_or_is_gone_is_not_asked_about(files, dialogs, tmp_path):
+    path = opened(files, tmp_path / "a.note")
+    os.utime(path, ns=(1, 1))
+    assert files.save()
+    files.store.set("more", "Edit")
+    assert files.save()
+    path.unlink()
+    files.store.set("again", "Edit")
+    assert files.save()
+    assert load(path) == "again"
+    assert dialogs.asked == []
+
+
+def test_after_the_answer_the_next_save_asks_no_more(files, dialogs, tmp_path):
+    path = opened(files, tmp_path / "a.note")
+    save("by another program", path)
+    dialogs.overwrite = Overwrite.OVERWRITE
+    assert files.save()
+    files.store.set("more", "Edit")
+    assert files.save()
+    assert dialogs.asked == ["changed a.note"]
+
+
+@pytest.mark.parametrize("other", [False, True])
+def test_recovered_work_knows_what_its_file_held(files, dialogs, tmp_path, other):
+    path = opened(files, tmp_path / "a.note")
+    ended = Recovery(files.store, NOTE, fail)
+    ended.close(keep=True)
+    if other:
+        save("by another program", path)
+    again = DocumentFiles(DocumentStore(""), NOTE, dialogs)
+    recovery = Recovery(again.store, NOTE, fail)
+    recovery.take(recovery.found()[0])
+    assert again.save() is not other
+    assert dialogs.asked == (["changed a.note"] if other else [])
+    assert load(path) == ("by another program" if other else "edited")
+    recovery.close(keep=False)
+
+
+@pytest.mark.parametrize(
+    ("button", "answer"),
+    [("Overwrite", Overwrite.OVERWRITE), ("Save As…", Overwrite.SAVE_AS), ("", Overwrite.CANCEL)],
+)
+def test_the_question_about_a_changed_file(qtbot, tmp_path, button, answer):
+    window = QWidget()
+    qtbot.addWidget(window)
+    shown = []
+
+    def press() -> None:
+        box = QApplication.activeModalWidget()
+        shown.append(box.text() + box.informativeText())
+        found = [b for b in box.buttons() if b.text().replace("&", "") == button]
+        qtbot.mouseClick(found[0], Qt.MouseButton.LeftButton) if found else box.reject()
+
+    QTimer.singleShot(0, press)
+    assert QtDialogs(window).changed_file(tmp_path / "a.note") is answer
+    assert "“a.note” was changed by another program" in shown[0]
+    assert str(tmp_path) in shown[0]
+
+
+def test_the_save_dialog_adds_the_ending_itself_so_that_it_asks_about_the_right_file(qtbot, tmp_path):
+    window = QWidget()
+    qtbot.addWidget(window)
+
+    def type_name() -> None:
+        dialog = QApplication.activeModalWidget()
+        line = dialog.findChild(QLineEdit)
+        line.setText("mine")
+        dialog.accept()
+
+    QTimer.singleShot(0, type_name)
+    found = QtDialogs(window).save_path(tmp_path / "first.note", NOTE.filters)
+    assert found == tmp_path / "mine.note"
+
+
+def test_an_autosave_that_works_again_is_told(files, qtbot):
+    heard = []
+    recovery = Recovery(files.store, NOTE, heard.append)
+    files.store.set("edited", "Edit")
+    recovery._file.mkdir()  # as on a full disk: the file cannot be written
+    assert not recovery.write()
+    assert len(heard) == 1
+    recovery._file.rmdir()
+    with qtbot.waitSignal(recovery.written_again):
+        assert recovery.write()
+    with qtbot.assertNotEmitted(recovery.written_again):
+        recovery.write()
+    recovery.close(keep=False)
 
 
 def fail(error: BaseException) -> None:

@@ -1,0 +1,52 @@
+"""What a file held when it was read or written last, to notice that another program has changed it since."""
+
+from __future__ import annotations
+
+import hashlib
+import stat
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+
+@dataclass(frozen=True)
+class FileStamp:
+    """Size in bytes, time of the last change in ns, and SHA-256 of the content; empty where it was not readable."""
+
+    size: int
+    mtime_ns: int
+    digest: str
+
+    def same_content(self, other: FileStamp) -> bool:
+        """Whether both files hold the same; by time and size alone where a content could not be read.
+
+        A file that was copied or touched has another time, and yet nothing in it would be lost.
+        """
+        if self.digest and other.digest:
+            return self.digest == other.digest
+        return (self.size, self.mtime_ns) == (other.size, other.mtime_ns)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the stamp as a JSON object; :meth:`from_json` is the inverse."""
+        return asdict(self)
+
+    @classmethod
+    def from_json(cls, value: dict[str, Any]) -> FileStamp:
+        """Return the stamp of a JSON object; raise ValueError, KeyError or TypeError where it is none."""
+        return cls(int(value["size"]), int(value["mtime_ns"]), str(value["digest"]))
+
+
+def stamp_of(path: Path) -> FileStamp | None:
+    """Return the stamp of a file as it is now; ``None`` where there is nothing at ``path``."""
+    try:
+        found = path.stat()
+    except OSError:  # Not there, or not to be looked at: writing will tell what is wrong with it.
+        return None
+    digest = ""
+    if stat.S_ISREG(found.st_mode):  # A pipe or a device would wait for a writer, or never end.
+        try:
+            with path.open("rb") as stream:
+                digest = hashlib.file_digest(stream, "sha256").hexdigest()
+        except OSError:  # It may still be replaced as a whole; size and time then have to tell.
+            digest = ""
+    return FileStamp(found.st_size, found.st_mtime_ns, digest)
