@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.fit_error import is_large, large_error_tip, marked
 from brdf_qt.form import Form
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
@@ -14,12 +15,14 @@ from brdf_viewer.slider_field import SliderField
 from brdf_viewer.source_chooser import SourceChooser
 
 TONE_TITLES = {
+    "faithful": "Faithful, soft highlights",
     "neutral": "Neutral (Khronos PBR)",
     "characteristic": "Characteristic curve",
     "linear": "Linear, clipped",
 }
 TONE_TIPS = {
-    "neutral": "Keeps hue and saturation of what is not too bright; rolls highlights off",
+    "faithful": "Shows the colours as they are; rolls off only what is brighter than 0.8",
+    "neutral": "Takes 4 % of reflection off the darks, keeps hue and saturation, rolls highlights off",
     "characteristic": "A film's S-shaped response in log exposure",
     "linear": "No curve: the one for judging a colour; too bright is cut off",
 }
@@ -101,13 +104,23 @@ class PaintSection(Section):
         self.follow.clicked.connect(self.follow_edited)
         self.chooser = SourceChooser("Open a paint (.brdfpaint)")
         self.patches = PaintPatches()
-        self.facts = note()
+        self.fit, self.facts = note(), note()
         form = Form()
         form.add_row("", self.follow)
         form.add_row("Paint", self.chooser, "Taking another paint ends following Designer")
         form.add_wide(self.patches)
+        form.add_wide(self.fit)
         form.add_wide(self.facts)
         self.add(form)
+
+    def set_fit_error(self, worst_delta_e: float, time_limited: bool) -> None:
+        """Show the largest ΔE00 at the measured angles; a large one stands out."""
+        text = f"Fit: ΔE00 at most {worst_delta_e:.2f} at the measured angles"
+        set_note(self.fit, marked(text, worst_delta_e))
+        font = self.fit.font()
+        font.setBold(is_large(worst_delta_e))
+        self.fit.setFont(font)
+        self.fit.setToolTip(large_error_tip(time_limited) if is_large(worst_delta_e) else "")
 
     def set_following(self, following: bool, linked: bool) -> None:
         """Show whether Designer is followed, and whether it is there."""

@@ -12,7 +12,7 @@ from typing import Literal, get_args
 from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
 from brdf_suite.errors import ValueRangeError
 
-ToneCurve = Literal["neutral", "characteristic", "linear"]
+ToneCurve = Literal["faithful", "neutral", "characteristic", "linear"]
 TONE_CURVES: tuple[str, ...] = get_args(ToneCurve)
 Background = Literal["environment", "grey"]
 BACKGROUNDS: tuple[str, ...] = get_args(Background)
@@ -74,7 +74,7 @@ class View:
     surface: str = "speed_form"
     rotation_deg: float = 0.0
     exposure_ev: float = 0.0
-    tone_curve: ToneCurve = "neutral"
+    tone_curve: ToneCurve = "faithful"
     background: Background = "environment"
     fresnel: bool = True
 

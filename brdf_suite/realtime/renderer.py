@@ -21,6 +21,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.appearance.colorimetry import WORKING_TO_SRGB
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
@@ -31,7 +32,7 @@ from brdf_suite.realtime.material_set import MaterialSet
 from brdf_suite.realtime.mesh_buffers import MeshBuffers
 from brdf_suite.realtime.programs import MATERIAL_BINDING, Programs, assign, look_up_counts
 from brdf_suite.realtime.target import LightTarget, PictureTarget
-from brdf_suite.realtime.tone_curves import TONE_CURVE_NUMBERS, WORKING_TO_SRGB
+from brdf_suite.realtime.tone_curves import TONE_CURVE_NUMBERS
 from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights, MeshPart
 
 DEFAULT_SAMPLES = 4

@@ -6,8 +6,8 @@
 //         + sum KDD_i 2 pi/(E_i+1) P_i(R) (N.R)            equation 7: the light direction is taken as R
 //         + sum KG_i  2 pi/(E_i+1) P_i(R)                  equation 8
 // One look-up serves equations 7 and 8; lobes without a weight are not looked up at all, so the maps are bound
-// material by material and there is a program for a few numbers of look-ups. OpenGL 3.3 allows arrays of samplers to be indexed by constants only,
-// so the loop is written out by the preprocessor.
+// material by material and there is a program for a few numbers of look-ups. OpenGL 3.3 allows arrays of samplers
+// to be indexed by constants only, so the loop is written out by the preprocessor.
 #include "material.glsl"
 #include "environment.glsl"
 
@@ -15,12 +15,20 @@ uniform samplerCube lobe_maps[LOBES];
 uniform float lobe_scales[LOBES];
 uniform float lobe_levels[LOBES];    // log2(texels per radian)
 
+// The cosine below which one pixel cannot tell angles apart: its normals turn by so much. An edge rounded within
+// a pixel shows the mean of F over its angles, not the F near 1 of the one that the pixel's middle happens to hit.
+float finest_cosine(vec3 n)
+{
+    vec3 across = dFdx(n), down = dFdy(n);
+    return min(0.5 * sqrt(max(dot(across, across), dot(down, down))), 0.7);
+}
+
 vec3 reflected_radiance(vec3 n, vec3 v)
 {
     float cos_theta = dot(n, v);
     vec3 r = to_environment(2.0 * cos_theta * n - v);
     vec3 base_gain, gloss_gain;
-    fresnel_gains(cos_theta, base_gain, gloss_gain);
+    fresnel_gains(max(cos_theta, finest_cosine(n)), base_gain, gloss_gain);
     vec3 directional_gain = base_gain * cos_theta;     // N.R = N.V
 
     vec3 radiance = diffuse.rgb * base_gain * (texture(diffuse_map, to_environment(n)).rgb * diffuse_scale);
