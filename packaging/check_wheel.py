@@ -14,6 +14,8 @@ import venv
 import zipfile
 from pathlib import Path
 
+from pip_progress import PipError, run_pip
+
 ROOT = Path(__file__).resolve().parent.parent
 LOCK = ROOT / "packaging" / "lock.txt"
 NEEDED = (
@@ -61,18 +63,13 @@ def main() -> int:
 
         venv.create(folder / "env", with_pip=True)
         binaries = folder / "env" / "bin"
-        _run(
-            binaries / "python",
-            "-m",
-            "pip",
-            "install",
-            "-q",
-            "--disable-pip-version-check",
-            "-c",
-            LOCK,
-            wheel,
-            cwd=folder,
-        )
+        try:
+            run_pip(
+                binaries / "python", ["install", "-c", str(LOCK), str(wheel)], folder / "install.log", folder
+            )
+        except PipError as failure:
+            print(f"{failure}\n{wheel.name} could not be installed", file=sys.stderr)
+            return 1
         clean = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "VIRTUAL_ENV"))}
         clean["BRDF_SUITE_CACHE"] = str(folder / "cache")
         picture = folder / "wheel.png"

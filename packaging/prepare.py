@@ -15,10 +15,14 @@ import sys
 import sysconfig
 from pathlib import Path
 
+from pip_progress import PipError, run_pip
+from pip_progress import say as _say
+
 ROOT = Path(__file__).resolve().parent.parent
 ENVIRONMENT = ROOT / ".venv"
 LOCK = ROOT / "packaging" / "lock.txt"
 STAMP = ENVIRONMENT / "brdf-suite-prepared"
+LOG = ENVIRONMENT / "install.log"
 PYTHON = ENVIRONMENT / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 MINIMUM = (3, 11)
 
@@ -48,10 +52,6 @@ _FONT_PLACES = ("/usr/share/fonts", "/usr/local/share/fonts")
 
 class NotPrepared(SystemExit):
     """Ends the program with a message and exit status 1."""
-
-
-def _say(text: str) -> None:
-    print(f"[brdf-suite] {text}", flush=True)
 
 
 def _missing_packages(for_tests: bool) -> list[str]:
@@ -130,61 +130,112 @@ def _fingerprint() -> str:
     return state.hexdigest()
 
 
-def _prepared_extras() -> set[str] | None:
-    """Return the extras of an environment that is complete and current, else ``None``."""
+def _installed() -> set[str]:
+    """Name what lies in the environment: packages and their records, by one directory listing per folder."""
+    folders = [ENVIRONMENT / "Lib" / "site-packages", *ENVIRONMENT.glob("lib/python*/site-packages")]
+    return {
+        entry.name
+        for folder in folders
+        if folder.is_dir()
+        for entry in os.scandir(folder)
+        if entry.name != "__pycache__"
+    }
+
+
+def _stamped() -> tuple[set[str], set[str]] | None:
+    """Return extras and contents of an environment made for this state of the checkout, else ``None``."""
     try:
-        fingerprint, *extras = STAMP.read_text().split()
-    except OSError:
+        first, *contents = STAMP.read_text(encoding="utf-8").splitlines()
+        fingerprint, *extras = first.split()
+    except (OSError, ValueError):  # ValueError: an empty stamp
         return None
-    return set(extras) if fingerprint == _fingerprint() and PYTHON.exists() else None
+    if fingerprint != _fingerprint() or not PYTHON.exists():
+        return None
+    return set(extras), set(contents)
+
+
+def _write_stamp(extras: set[str]) -> None:
+    lines = [" ".join([_fingerprint(), *sorted(extras)]), *sorted(_installed())]
+    STAMP.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def _check_writable() -> None:
+    """Refuse a place where nothing can be written, before anything is taken away."""
+    places = [ENVIRONMENT, *ENVIRONMENT.glob("lib/python*/site-packages")] if ENVIRONMENT.exists() else [ROOT]
+    for place in places:
+        if not os.access(place, os.W_OK):
+            raise NotPrepared(
+                f"{place} cannot be written to, and the Python environment goes there. Give yourself the "
+                "right to write in it, or use a copy of the checkout that is your own."
+            )
 
 
 def _pip(*arguments: str) -> None:
-    command = [
-        str(PYTHON),
-        "-m",
-        "pip",
-        "--disable-pip-version-check",
-        "install",
-        "-c",
-        str(LOCK),
-        *arguments,
-    ]
-    if subprocess.run(command, cwd=ROOT, check=False, stdin=subprocess.DEVNULL).returncode != 0:
+    try:
+        run_pip(PYTHON, ["install", "-c", str(LOCK), *arguments], LOG, ROOT)
+    except PipError as failure:
         raise NotPrepared(
-            "The Python packages could not be installed; see above. What was there is kept; run this again."
-        )
+            f"{failure}\n\nThe Python packages could not be installed; the last lines of pip are above, all "
+            f"of them in {LOG}. Run this again to try again."
+        ) from failure
 
 
-def _install_environment(extras: set[str]) -> None:
-    have = _prepared_extras()
-    if have is not None and extras <= have:
-        return
+def _make_environment() -> None:
     import venv
 
-    extras = extras | (have or set())
-    if have is None:
-        _say(f"Making a Python environment in {ENVIRONMENT.relative_to(ROOT)}/ (once; about a minute)")
-        STAMP.unlink(missing_ok=True)
+    _say(f"Making a Python environment in {ENVIRONMENT.name}/ (once; about a minute)")
+    STAMP.unlink(missing_ok=True)
+    try:
         venv.EnvBuilder(with_pip=True, clear=ENVIRONMENT.exists(), symlinks=os.name != "nt").create(
             ENVIRONMENT
         )
-    _say("Installing Python packages" + (f" with extras {', '.join(sorted(extras))}" if extras else ""))
-    _pip("--quiet", "--progress-bar", "off", "hatchling")
-    wanted = f"[{','.join(sorted(extras))}]" if extras else ""
-    _pip("--progress-bar", "off", "--no-build-isolation", "--editable", f".{wanted}")
-    STAMP.write_text(" ".join([_fingerprint(), *sorted(extras)]))
+    except subprocess.CalledProcessError as error:
+        detail = " ".join(str(error.output or error).split())[-300:]
+        raise NotPrepared(f"The Python environment could not be made: {detail}") from error
+
+
+def _install_environment(extras: set[str]) -> None:
+    stamped = _stamped()
+    if stamped is not None and not stamped[1] <= _installed():
+        _say("the environment is damaged; mending it")
+        extras = extras | stamped[0]
+        stamped = None
+    have = None if stamped is None else stamped[0]
+    if have is not None and extras <= have:
+        return
+    extras = extras | (have or set())
+    try:
+        _check_writable()
+        if have is None:
+            _make_environment()
+        LOG.unlink(missing_ok=True)
+        _say("Installing Python packages" + (f" with extras {', '.join(sorted(extras))}" if extras else ""))
+        _pip("hatchling")
+        wanted = f"[{','.join(sorted(extras))}]" if extras else ""
+        _pip("--no-build-isolation", "--editable", f".{wanted}")
+        _write_stamp(extras)
+    except OSError as error:
+        place = error.filename or ENVIRONMENT
+        raise NotPrepared(
+            f"{place} cannot be written ({error.strerror or error}); the Python environment could not be "
+            "made. Mend that, then run this again."
+        ) from error
     _say("The environment is ready")
 
 
 def prepare(*extras: str) -> Path:
     """Make sure of the system libraries and the environment with ``extras``; return its Python.
 
-    Exits with a message, and status 1, where something is missing that may not be installed from here.
+    Exits with a message, and status 1, where something is missing that may not be installed from here; with
+    status 130 where the user cancels.
     """
     if sys.version_info < MINIMUM:
         found = ".".join(map(str, sys.version_info[:3]))
         raise NotPrepared(f"BRDF Suite needs Python {MINIMUM[0]}.{MINIMUM[1]} or newer; this is {found}.")
-    _install_system_libraries(for_tests="dev" in extras)
-    _install_environment(set(extras))
+    try:
+        _install_system_libraries(for_tests="dev" in extras)
+        _install_environment(set(extras))
+    except KeyboardInterrupt:
+        print("cancelled; run this again to go on", file=sys.stderr, flush=True)
+        raise SystemExit(130) from None
     return PYTHON

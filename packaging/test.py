@@ -30,7 +30,10 @@ def main() -> int:
         screen = [folder for folder in SCREEN if (ROOT / folder).is_dir()]
         without = [f"--ignore={folder}" for folder in screen]
         runs = [[*pytest, "-n", "2", "--dist", "loadfile", *without], [*pytest, *screen]]
-    codes = [subprocess.run(run, cwd=ROOT, env=environment, check=False).returncode for run in runs]
+    try:
+        codes = [subprocess.run(run, cwd=ROOT, env=environment, check=False).returncode for run in runs]
+    except KeyboardInterrupt:  # pytest has told what there was to tell
+        return 130
     return next((code for code in codes if code), 0)
 
 
