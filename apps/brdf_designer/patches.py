@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.fit_error import is_large, large_error_tip, marked
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPalette, QPen, QPolygonF
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QVBoxLayout, QWidget
@@ -13,6 +14,7 @@ OUTSIDE_TIP = (
     "Outside sRGB: this screen shows the nearest colour by clipping. The paint itself is not clipped."
 )
 CORNER = 14.0
+_FIT_TIP = "Colour difference CIEDE2000 between what is asked and what the fitted lobes give."
 _FRESH = ("Flop: the model's colour over the aspecular angle", "Flop over the aspecular angle")
 
 
@@ -97,24 +99,35 @@ class PatchRow(QWidget):
             short = "  ".join(f"{value:.1f}" for value in colour.lab).replace("-", "−")
             numbers.set_forms(lab_text(colour.lab), short)
 
-    def show_differences(self, delta_e: list[float] | None) -> None:
-        """Show ΔE00 of the fit under each field; ``None``: there is no fit of this paint."""
+    def show_differences(self, delta_e: list[float] | None, *, time_limited: bool = False) -> None:
+        """Show ΔE00 of the fit under each field, a large one with a mark; ``None``: this paint has no fit."""
         for number, cell in enumerate(self._cells):
-            cell[3].set_forms("fit: none" if delta_e is None else f"fit ΔE00 {delta_e[number]:.2f}")
+            error = 0.0 if delta_e is None else delta_e[number]
+            text = "fit: none" if delta_e is None else marked(f"fit ΔE00 {error:.2f}", error)
+            _set_bold(cell[3], is_large(error))
+            cell[3].setToolTip(
+                f"{_FIT_TIP}\n{large_error_tip(time_limited)}" if is_large(error) else _FIT_TIP
+            )
+            cell[3].set_forms(text)
 
     def _new_cell(self, column: int) -> tuple[ColourField, Caption, Caption, Caption]:
         field, angle, numbers, fit = ColourField(), Caption(), Caption(), Caption()
-        bold = angle.font()
-        bold.setBold(True)
-        angle.setFont(bold)
+        _set_bold(angle, True)
         italic = fit.font()
         italic.setItalic(True)
         fit.setFont(italic)
-        fit.setToolTip("Colour difference CIEDE2000 between what is asked and what the fitted lobes give.")
+        fit.setToolTip(_FIT_TIP)
         for row, widget in enumerate((field, angle, numbers, fit)):
             self._grid.addWidget(widget, row, column)
         self._grid.setColumnStretch(column, 1)
         return field, angle, numbers, fit
+
+
+def _set_bold(label: QWidget, bold: bool) -> None:
+    font = label.font()
+    if font.bold() != bold:
+        font.setBold(bold)
+        label.setFont(font)
 
 
 def place_word(aspecular_deg: float) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.fit_error import is_large, large_error_tip, marked
 from brdf_qt.status_line import StatusLine
 
 from brdf_designer.desk_state import Colours, FitState
@@ -43,9 +44,12 @@ class DeskStatus:
 
     def show_fit(self, state: FitState) -> None:
         """Show the worst difference, the time, and whether the time limit came first."""
-        limited = ", time-limited" if state.time_limited else ""
-        self._fit_text = f"Fit ΔE00 ≤ {_upward(state.worst_delta_e)}, {state.milliseconds:.1f} ms{limited}"
-        self._fit.set(self._fit_text, None, "warning" if state.time_limited else "fresh")
+        limited, worst = ", time-limited" if state.time_limited else "", state.worst_delta_e
+        text = f"Fit ΔE00 ≤ {_upward(worst)}, {state.milliseconds:.1f} ms{limited}"
+        self._fit_text = marked(text, worst)
+        large = is_large(worst)
+        tip = large_error_tip(state.time_limited) if large else None
+        self._fit.set(self._fit_text, tip, "warning" if large or state.time_limited else "fresh")
 
     def mark_stale(self) -> None:
         """Say that the fit is of an earlier paint."""

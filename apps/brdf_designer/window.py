@@ -75,7 +75,8 @@ class DesignerWindow(SuiteWindow):
         assert self._colours is not None
         self.strip.show_curves(state.curves)
         self.plot.show_curves(state.curves)
-        self.patches.show_differences([state.delta_e[a.index] for a in self._colours.angles])
+        differences = [state.delta_e[angle.index] for angle in self._colours.angles]
+        self.patches.show_differences(differences, time_limited=state.time_limited)
         self.coat.show_fit(state)
         self.model.show_notices(state.notices)
         self.desk_status.show_fit(state)

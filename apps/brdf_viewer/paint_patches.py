@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from brdf_qt.fit_error import is_large, large_error_tip, marked
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
@@ -25,10 +26,14 @@ class Patch:
     asked: Lab
     fitted: Lab
     delta_e_2000: float
+    time_limited: bool = False
 
 
 class PaintPatches(QWidget):
-    """A row of patches: the upper part as measured, the lower strip as fitted, the angle under each."""
+    """A row of patches: the upper part as measured, the lower strip as fitted, the angle under each.
+
+    An angle that the fit misses by much stands out: bold and marked.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -75,7 +80,11 @@ class PaintPatches(QWidget):
                 _mark_out_of_gamut(painter, body, asked)
             painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
             under = QRectF(box.left(), body.bottom() + 4, box.width(), label)
-            painter.drawText(under, Qt.AlignmentFlag.AlignCenter, f"{patch.aspecular_deg:g}°")
+            font = painter.font()
+            font.setBold(is_large(patch.delta_e_2000))
+            painter.setFont(font)
+            angle = marked(f"{patch.aspecular_deg:g}°", patch.delta_e_2000)
+            painter.drawText(under, Qt.AlignmentFlag.AlignCenter, angle)
 
     def event(self, event: QHelpEvent) -> bool:
         if event.type() == QHelpEvent.Type.ToolTip:
@@ -114,7 +123,8 @@ def _words(patch: Patch) -> str:
         return f"L* {values[0]:.1f}  a* {values[1]:.1f}  b* {values[2]:.1f}"
 
     shown = "" if in_srgb_gamut(np.array(patch.asked)) else "\nOutside this screen's colours: shown clipped"
+    large = f"\n{large_error_tip(patch.time_limited)}" if is_large(patch.delta_e_2000) else ""
     return (
         f"Aspecular {patch.aspecular_deg:g}°\nasked  {lab(patch.asked)}\nfitted {lab(patch.fitted)}\n"
-        f"ΔE00 {patch.delta_e_2000:.2f}{shown}"
+        f"ΔE00 {patch.delta_e_2000:.2f}{large}{shown}"
     )
