@@ -18,6 +18,8 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
+from brdf_qt.command_search import search
+
 _ACTION = Qt.ItemDataRole.UserRole
 _MOST_ROWS = 12
 
@@ -43,22 +45,6 @@ def _inside(menu: QMenu, path: str, also_disabled: bool) -> Iterator[tuple[str, 
 
 def _plain(text: str) -> str:
     return text.replace("&&", "\0").replace("&", "").replace("\0", "&")
-
-
-def score(query: str, text: str) -> float | None:
-    """Return how well ``query`` fits ``text``, lower is better; ``None`` where its letters are not in it."""
-    query, text = query.lower().replace(" ", ""), text.lower()
-    at, gaps, last = 0, 0.0, -1
-    for letter in query:
-        at = text.find(letter, at)
-        if at < 0:
-            return None
-        if last >= 0 and at != last + 1:
-            gaps += 1.0 if text[at - 1] in " ▸(" else 3.0
-        elif last < 0 and at and text[at - 1] not in " ▸(":
-            gaps += 2.0
-        last, at = at, at + 1
-    return gaps + 0.01 * len(text)
 
 
 class CommandPalette(QFrame):
@@ -104,13 +90,9 @@ class CommandPalette(QFrame):
         self.query.setFocus()
 
     def _filter(self, query: str) -> None:
-        ranked = [(score(query, text), text, action) for text, action in self._all]
-        kept = sorted(
-            ((s, text, action) for s, text, action in ranked if s is not None),
-            key=lambda entry: (entry[0], entry[1]) if query else (0.0, ""),
-        )
+        kept = [self._all[index] for index in search(query, [text for text, _ in self._all])]
         self.found.clear()
-        for _, text, action in kept:
+        for text, action in kept:
             keys = action.shortcut().toString(action.shortcut().SequenceFormat.NativeText)
             item = QListWidgetItem(text)
             item.setData(_ACTION, action)
@@ -123,6 +105,8 @@ class CommandPalette(QFrame):
         self._empty.setVisible(not kept)
 
     def _run(self, item: QListWidgetItem) -> None:
+        if not self.isVisible():  # One click may be told twice, as a click and as an activation.
+            return
         self.close()
         action: QAction = item.data(_ACTION)
         action.trigger()

@@ -8,7 +8,8 @@ import sys
 import pytest
 from brdf_qt import theme
 from brdf_qt.application import error_relay
-from brdf_qt.command_palette import commands, score
+from brdf_qt.command_palette import commands
+from brdf_qt.command_search import search
 from brdf_qt.icons import icon
 from brdf_qt.main_window import SuiteWindow
 from brdf_qt.message_bar import Message, message_of
@@ -144,9 +145,55 @@ def test_ctrl_k_finds_a_command_and_runs_it(window, qtbot):
     assert not window.palette_window.isVisible()
 
 
-def test_score_prefers_starts_of_words():
-    assert score("op", "File ▸ Open…") < score("op", "Help ▸ Stop")
-    assert score("xyz", "File ▸ Open…") is None
+def test_enter_runs_the_selected_command_once_and_no_other(window, qtbot):
+    ran = []
+    for name in ("Blue", "Blue Metallic"):
+        window.add_action(window.paint_menu, name, lambda name=name: ran.append(name))
+    palette = window.palette_window
+    palette.open()
+    QTest.keyClicks(palette.query, "blue")
+    assert [palette.found.item(row).text() for row in range(palette.found.count())] == [
+        "Paint ▸ Blue",
+        "Paint ▸ Blue Metallic",
+    ]
+    QTest.keyClick(palette.query, Qt.Key.Key_Down)
+    QTest.keyClick(palette.query, Qt.Key.Key_Return)
+    assert ran == ["Blue Metallic"]
+    palette.open()
+    QTest.keyClicks(palette.query, "blue")
+    item = palette.found.item(0)
+    # Some styles activate on the click itself: both signals come then.
+    palette.found.itemClicked.emit(item)
+    palette.found.itemActivated.emit(item)
+    assert ran == ["Blue Metallic", "Blue"]
+
+
+COMMANDS = [
+    "File ▸ Open Shipped Paint ▸ Blue metallic",
+    "File ▸ Open Shipped Paint ▸ Blue",
+    "View ▸ Surface ▸ Sphere",
+    "View ▸ Environment ▸ Overcast sky",
+    "Help ▸ Show Subluetooth",
+    "Help ▸ About Light, Unusual Effects",
+]
+
+
+@pytest.mark.parametrize(
+    ("query", "found"),
+    [
+        ("blue", [1, 0, 4]),  # a word, a word's beginning, a part of a word; not b…l…u…e in "About Light…"
+        ("open paint blue", [1, 0]),
+        ("Open paint met", [0]),
+        ("sky over", [3]),
+        ("env sky", [3]),
+        ("phere", [2]),
+        ("vwsp", [2]),  # letters only: nothing else fits
+        ("xyz", []),
+        (" ", [0, 1, 2, 3, 4, 5]),
+    ],
+)
+def test_search_takes_words_before_parts_and_letters_only_where_nothing_else_fits(query, found):
+    assert search(query, COMMANDS) == found
 
 
 def test_an_icon_has_ink_and_follows_the_theme(qapp):
