@@ -35,7 +35,13 @@ def parser() -> argparse.ArgumentParser:
         "F frames, 1-4 are presets, space is the turntable, Tab hides the panels, Ctrl+K finds any command.",
     )
     parser.add_argument(
-        "paint", nargs="?", metavar="PAINT", help="a .brdfpaint file or a shipped paint's name"
+        "paint",
+        nargs="?",
+        metavar="PAINT",
+        help="a .brdfpaint file or a shipped paint's name; it stays, Designer is offered and not followed",
+    )
+    parser.add_argument(
+        "--follow", action="store_true", help="show PAINT only until Designer has one, and follow it"
     )
     parser.add_argument(
         "--environment", metavar="NAME|FILE", help="a shipped environment, or an .exr or .hdr file"
@@ -60,7 +66,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     app = create_application("Viewer", theme_name=options.theme)
     from brdf_viewer.controller import ViewerController
 
-    controller = ViewerController(_first_view(options), options.paint or default_paint_name())
+    follow = options.follow or options.paint is None
+    controller = ViewerController(_first_view(options), options.paint or default_paint_name(), follow=follow)
     window = controller.window
     if options.size:
         window.resize(*options.size)

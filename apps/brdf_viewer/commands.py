@@ -27,8 +27,10 @@ class ViewerCommands(QObject):
         The camera.
     tone_curve_wanted(key), background_wanted(key), fresnel_wanted(bool)
         How the picture is shown.
-    copy_wanted()
-        The picture goes to the clipboard.
+    copy_wanted(), picture_wanted()
+        The picture goes to the clipboard, or to a file.
+    source_wanted(kind, key)
+        A shipped environment or surface.
     """
 
     open_wanted = Signal(str)
@@ -43,6 +45,8 @@ class ViewerCommands(QObject):
     background_wanted = Signal(str)
     fresnel_wanted = Signal(bool)
     copy_wanted = Signal()
+    picture_wanted = Signal()
+    source_wanted = Signal(str, str)
 
     def __init__(self, window: SuiteWindow) -> None:
         super().__init__(window)
@@ -80,6 +84,23 @@ class ViewerCommands(QObject):
                 self._paints, source.title, lambda key=source.key: self.paint_wanted.emit(key)
             )
 
+    def set_sources(self, kind: str, sources: Iterable[Source]) -> None:
+        """List the shipped environments or surfaces in the View menu."""
+        for source in sources:
+            action = self._window.add_action(
+                self._sources[kind],
+                source.title,
+                lambda key=source.key: self.source_wanted.emit(kind, key),
+            )
+            action.setCheckable(True)
+            action.setData(source.key)
+            self._source_groups[kind].addAction(action)
+
+    def show_source(self, kind: str, key: str) -> None:
+        """Tick the shipped environment or surface that is chosen; none where it is a file."""
+        for action in self._source_groups[kind].actions():
+            action.setChecked(action.data() == key)
+
     def show_state(self, *, tone_curve: str, background: str, fresnel: bool) -> None:
         """Tick what the view has."""
         for group, key in ((self._tone, tone_curve), (self._background, background)):
@@ -90,8 +111,17 @@ class ViewerCommands(QObject):
     def _add_file(self) -> None:
         menu = self._window.file_menu
         self.open_paint = self._open(menu, "&Open Paint…", "paint", QKeySequence.StandardKey.Open)
-        self._open(menu, "Open &Environment…", "environment", "Ctrl+E")
+        self._open(menu, "Open &Environment…", "environment", "Ctrl+Shift+E")
         self._open(menu, "Open &Surface…", "surface", "Ctrl+M")
+        menu.addSeparator()
+        self._window.add_action(
+            menu,
+            "Save &Picture…",
+            self.picture_wanted.emit,
+            "Ctrl+E",
+            "floppy-disk",
+            "Save the picture as PNG, at its full number of pixels, with paint and settings noted in it",
+        )
         menu.addSeparator()
         self._recent = {
             kind: menu.addMenu(title)
@@ -135,6 +165,14 @@ class ViewerCommands(QObject):
         # Space presses a button that has the focus; it is the turntable's on the picture only.
         self.turntable.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         menu.addSeparator()
+        self._sources = {
+            "environment": menu.addMenu("&Environment"),
+            "surface": menu.addMenu("S&urface"),
+        }
+        self._source_groups = {kind: QActionGroup(submenu) for kind, submenu in self._sources.items()}
+        for group in self._source_groups.values():
+            # A file of the user's is none of them, and a choice that fails goes back.
+            group.setExclusionPolicy(QActionGroup.ExclusionPolicy.ExclusiveOptional)
         self._tone = self._choices(menu.addMenu("T&one Curve"), TONE_TITLES, self.tone_curve_wanted)
         self._background = self._choices(
             menu.addMenu("&Background"), BACKGROUND_TITLES, self.background_wanted
@@ -160,7 +198,7 @@ class ViewerCommands(QObject):
         self.follow.setCheckable(True)
         self.follow.triggered.connect(self.follow_wanted)
         menu.addSeparator()
-        self._paints = menu.addMenu("&Shipped Paints")
+        self._paints = menu.addMenu("Open &Shipped Paint")
 
     def _add_toolbar(self) -> None:
         bar = self._window.toolbar

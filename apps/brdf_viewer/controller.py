@@ -18,10 +18,11 @@ from brdf_suite.pipeline.paint import PaintFitter
 from brdf_suite.realtime.context import Context
 from brdf_viewer.camera_control import CameraControl
 from brdf_viewer.drawing import StageDrawer
-from brdf_viewer.file_kinds import AskFile, all_endings, ask_file, kind_of
+from brdf_viewer.file_kinds import AskFile, AskPicture, all_endings, ask_file, ask_picture, kind_of
 from brdf_viewer.frame_meter import FrameMeter
 from brdf_viewer.loading import SceneLoader
 from brdf_viewer.paint_control import PaintControl
+from brdf_viewer.picture_export import PictureExport
 from brdf_viewer.remembered import remember
 from brdf_viewer.scene_control import SHIPPED_TITLES, SceneControl
 from brdf_viewer.source_chooser import title_of
@@ -39,9 +40,11 @@ class ViewerController(QObject):
     view
         What is shown first.
     paint
-        Name or file of the paint that is shown until Designer has another.
-    ask
-        How the user is asked for a file.
+        Name or file of the paint that is shown first.
+    follow
+        Whether it is shown only until Designer has one; otherwise it stays, and Designer is offered.
+    ask, ask_picture
+        How the user is asked for a file to open, and for one to save the picture to.
 
     Signals: ``picture_complete()`` once, after the first frame with paint, surface and environment;
     ``settled()`` each time that a frame's time has been measured and is shown;
@@ -57,7 +60,9 @@ class ViewerController(QObject):
         view: View,
         paint: str,
         *,
+        follow: bool = True,
         ask: AskFile = ask_file,
+        ask_picture: AskPicture = ask_picture,
     ) -> None:
         super().__init__()
         self.stage = Stage(view, self)
@@ -74,10 +79,11 @@ class ViewerController(QObject):
         self.paint = PaintControl(self.stage, self.window, self.link, PaintFitter(), self)
         self._meter = FrameMeter(self.window.status.cell("frame"), self)
         self._meter.shown.connect(self.settled)
+        self.export = PictureExport(self.stage, self.window, ask_picture, self)
         self._connect()
         self._show_view(None, view)
         self.window.picture.set_view(view)
-        self.paint.start_with(paint)
+        self.paint.start_with(paint, follow=follow)
         self.scene.load_first()
         self.link.start()
         self._publish.start()

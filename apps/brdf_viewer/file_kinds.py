@@ -19,6 +19,8 @@ ENDINGS: dict[str, tuple[str, ...]] = {
 TITLES = {"paint": "Paint", "environment": "Environment", "surface": "Surface"}
 
 AskFile = Callable[[QWidget, str], str]
+AskPicture = Callable[[QWidget, str], str]
+PICTURE_ENDING = ".png"
 
 
 def kind_of(path: str) -> str | None:
@@ -41,4 +43,20 @@ def ask_file(parent: QWidget, kind: str) -> str:
     )
     if path:
         settings().setValue(f"folder/{kind}", str(Path(path).parent))
+    return path
+
+
+def ask_picture(parent: QWidget, name: str) -> str:
+    """Ask where to save a picture called ``name``, starting where the last one was; empty where nowhere."""
+    start = Path(str(settings().value("folder/picture", "")))
+    dialog = QFileDialog(parent, "Save Picture", str(start), f"PNG picture (*{PICTURE_ENDING})")
+    dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+    # Added by the dialog and not afterwards, so that it asks about the file that is really written.
+    dialog.setDefaultSuffix(PICTURE_ENDING)
+    dialog.selectFile(name + PICTURE_ENDING)
+    accepted = dialog.exec() == QFileDialog.DialogCode.Accepted
+    path = dialog.selectedFiles()[0] if accepted else ""
+    dialog.deleteLater()
+    if path:
+        settings().setValue("folder/picture", str(Path(path).parent))
     return path

@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.fit_error import is_large, large_error_tip, marked
 from brdf_qt.link import LiveLink
-from brdf_qt.message_bar import message_of
+from brdf_qt.message_bar import Message, message_of
 from PySide6.QtCore import QObject, QTimer
 
 from brdf_suite.documents.paint import Paint
@@ -22,6 +23,9 @@ from brdf_viewer.stage import Stage
 from brdf_viewer.window import ViewerWindow
 
 _KEY = "paint"
+_OFFER = "follow"
+_DESIGNER = "designer"
+"""What Designer calls itself on the link."""
 _AGAIN_MS = 120
 _MOST_AGAIN = 3
 
@@ -47,6 +51,7 @@ class PaintControl(QObject):
         self._again = QTimer(self, singleShot=True, interval=_AGAIN_MS, timeout=self._fit_again)
         self._tries = 0
         self._shown_key = ""
+        self._offers = False
         self.source = PaintSource(self)
         self.source.changed.connect(self._take)
         self.source.following_changed.connect(self._show_following)
@@ -60,11 +65,14 @@ class PaintControl(QObject):
         self._list()
         self._show_following()
 
-    def start_with(self, name_or_path: str) -> None:
-        """Show this paint until Designer has another one.
+    def start_with(self, name_or_path: str, *, follow: bool = True) -> None:
+        """Show this paint until Designer has another one; without ``follow`` it stays, and Designer is offered.
 
         A paint that cannot be read or fitted is told, and the default one shown.
         """
+        self.source.set_following(follow)
+        self._offers = not follow
+        self._show_following()
         self._try(self.source.start_with, name_or_path)
         if self._stage.fit is None:
             told = self._window.messages.shown().get(_KEY)
@@ -129,29 +137,44 @@ class PaintControl(QObject):
 
     def _show_fit(self, fit: PaintFit, key: str) -> None:
         section = self._window.paint
-        title = f"{fit.paint.name} (Designer)" if key == DESIGNER else title_of(key, {})
-        if key == DESIGNER:
-            section.chooser.rename(DESIGNER, title)
-        section.chooser.show_source(key, title)
+        section.chooser.show_source(key, self._designer_title() if key == DESIGNER else title_of(key, {}))
+        self._name_designer()
         section.patches.set_patches(
-            [Patch(a.aspecular_deg, a.asked, a.fitted, a.delta_e_2000) for a in fit.angles]
+            [Patch(a.aspecular_deg, a.asked, a.fitted, a.delta_e_2000, fit.time_limited) for a in fit.angles]
         )
-        worst = f"Fit: ΔE00 at most {fit.worst_delta_e:.2f} at the measured angles"
-        set_note(section.facts, "\n".join([worst, *fit.notices]))
+        section.set_fit_error(fit.worst_delta_e, fit.time_limited)
+        set_note(section.facts, "\n".join(fit.notices))
         limited = " limited" if fit.time_limited else ""
         self._window.status.cell("lobes").set(
             f"{len(fit.weights.exponents)} lobes", "Cosine lobes of the fit"
         )
+        large = is_large(fit.worst_delta_e)
+        told = marked(f"ΔE {fit.worst_delta_e:.2f}", fit.worst_delta_e)
+        tips = ["Time of the lobe fit, and its largest ΔE00 at the measured angles"]
+        if large:
+            tips.append(large_error_tip(fit.time_limited))
+        elif fit.time_limited:
+            tips.append("The time limit came first: best answer so far")
         self._window.status.cell("fit").set(
-            f"fit {fit.fit.seconds * 1e3:.2f} ms · ΔE {fit.worst_delta_e:.2f}{limited}",
-            "Time of the lobe fit, and its largest ΔE00 at the measured angles"
-            + (". The time limit came first: best answer so far" if fit.time_limited else ""),
-            "warning" if fit.time_limited else "fresh",
+            f"fit {fit.fit.seconds * 1e3:.2f} ms · {told}{limited}",
+            "\n".join(tips),
+            "warning" if large or fit.time_limited else "fresh",
         )
 
+    def _designer_title(self) -> str:
+        """Return what Designer's paint is called; a program that has gone is not named as if it were there."""
+        paint = self.source.of_designer
+        name = "Paint" if paint is None else paint.name
+        return f"{name} (Designer)" if _DESIGNER in self._link.peers else f"{name} (Designer closed)"
+
+    def _name_designer(self) -> None:
+        self._window.paint.chooser.rename(DESIGNER, self._designer_title())
+
     def _show_following(self, *_: object) -> None:
-        linked = "designer" in self._link.peers
+        linked = _DESIGNER in self._link.peers
         following = self.source.following
+        self._name_designer()
+        self._offer(linked, following)
         self._window.paint.set_following(following, linked)
         self._window.commands.follow.setChecked(following)
         text = "linked: Designer" if linked else "Designer not open"
@@ -159,6 +182,20 @@ class PaintControl(QObject):
         self._window.status.cell("link", right=True).set(
             text if following else f"{text}, not followed", f"Other programs on the link: {others}"
         )
+
+    def _offer(self, linked: bool, following: bool) -> None:
+        """Say once that a Designer is open, where the Viewer was told to show another paint at its start."""
+        if following or not linked:
+            self._window.messages.dismiss(_OFFER)
+        elif self._offers:
+            self._offers = False
+            message = Message(
+                _OFFER,
+                "Designer is open; follow it to see its paint at every change.",
+                todo="Until then the Viewer shows the paint that it was started with.",
+                actions=(("Follow Designer", lambda: self.source.set_following(True)),),
+            )
+            self._window.messages.show_message(message)
 
     def _shipped(self) -> list[Source]:
         return [Source(name, title_of(name, {}).capitalize()) for name in self._names]

@@ -30,6 +30,11 @@ class PaintSource(QObject):
         """Whether Designer's paint is shown as soon as there is one."""
         return self._following
 
+    @property
+    def of_designer(self) -> Paint | None:
+        """The newest paint that Designer has published; it stays when Designer closes."""
+        return self._of_designer
+
     def set_following(self, following: bool) -> None:
         """Follow Designer or not; its newest paint is shown at once."""
         if following == self._following:
@@ -46,7 +51,7 @@ class PaintSource(QObject):
             self.changed.emit(self._of_designer, DESIGNER)
 
     def start_with(self, name_or_path: str) -> None:
-        """Show a paint until Designer has another; errors as :func:`find_paint`."""
+        """Show a paint, where Designer is followed until it has another; errors as :func:`find_paint`."""
         self.changed.emit(find_paint(name_or_path), name_or_path)
 
     def choose(self, name_or_path: str) -> None:

@@ -49,6 +49,9 @@ class SceneControl(QObject):
         self._names = {ENVIRONMENT: environment_names(), SURFACE: surface_names()}
         self._recent = {kind: RecentFiles(kind) for kind in self._choosers}
         self._loading: dict[str, str] = {}
+        for kind, names in self._names.items():
+            window.commands.set_sources(kind, [Source(n, title_of(n, SHIPPED_TITLES)) for n in names])
+        window.commands.source_wanted.connect(self.open)
         for kind, chooser in self._choosers.items():
             chooser.chosen.connect(lambda key, kind=kind: self.open(kind, key))
             self._list(kind)
@@ -79,8 +82,7 @@ class SceneControl(QObject):
         if key not in self._names[kind]:
             key = str(Path(key).absolute())
         self._loading[kind] = key
-        self._choosers[kind].show_source(key, title_of(key, SHIPPED_TITLES))
-        self._show_environment_cell()
+        self._show_choice(kind, key)
         self._loader.load(kind, key)
 
     def cancel(self, kind: str) -> None:
@@ -154,7 +156,11 @@ class SceneControl(QObject):
 
     def _show(self, kind: str) -> None:
         key = self._loading.get(kind) or getattr(self._stage.view, kind)
+        self._show_choice(kind, key)
+
+    def _show_choice(self, kind: str, key: str) -> None:
         self._choosers[kind].show_source(key, title_of(key, SHIPPED_TITLES))
+        self._window.commands.show_source(kind, key)
         self._show_environment_cell()
 
     def _view_changed(self, old: View, new: View) -> None:

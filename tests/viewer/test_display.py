@@ -2,8 +2,20 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
+from brdf_qt.command_palette import commands
+from PIL import Image
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from brdf_suite.pipeline.picture import picture_metadata
+
+
+def run(viewer, command: str) -> None:
+    dict(commands(viewer.window))[command].trigger()
 
 
 def changes(viewer, act) -> float:
@@ -60,3 +72,76 @@ def test_the_picture_goes_to_the_clipboard(viewer, qapp) -> None:
     viewer.window.commands.copy_wanted.emit()
     image = qapp.clipboard().image()
     assert (image.width(), image.height()) == viewer.window.picture.device_size
+
+
+def test_the_picture_is_saved_with_what_it_shows(start, tmp_path) -> None:
+    asked = []
+
+    def ask(parent, name: str) -> str:
+        asked.append(name)
+        return str(tmp_path / "mine")
+
+    viewer = start(ask_picture=ask)
+    viewer.stage.change_view(exposure_ev=1.0)
+    run(viewer, "File ▸ Save Picture…")
+    assert asked == ["Blue"]
+    with Image.open(tmp_path / "mine.png") as saved:
+        text = dict(saved.text)
+        pixels = np.asarray(saved)
+    assert np.array_equal(pixels, viewer.pixels())
+    assert text == picture_metadata(viewer.stage.fit, viewer.view)
+    assert "+1 EV" in text["Description"]
+    assert viewer.messages() == {}
+    assert "mine.png" in viewer.window.status.currentMessage()
+
+
+def test_a_picture_that_cannot_be_saved_is_told_until_one_is(start, tmp_path) -> None:
+    names = [tmp_path / "missing" / "a.png", tmp_path / "a.jpg", "", tmp_path / "a.png"]
+    viewer = start(ask_picture=lambda *_: str(names.pop(0)))
+    run(viewer, "File ▸ Save Picture…")
+    assert str(tmp_path / "missing") in viewer.messages()["picture"]
+    run(viewer, "File ▸ Save Picture…")
+    assert "ends in .png" in viewer.messages()["picture"]
+    run(viewer, "File ▸ Save Picture…")  # the user gives up
+    assert "picture" in viewer.messages()
+    run(viewer, "File ▸ Save Picture…")
+    assert viewer.messages() == {}
+    assert [file.name for file in tmp_path.glob("a.*")] == ["a.png"]
+
+
+def test_before_there_is_a_picture_none_is_saved(start) -> None:
+    viewer = start(wait=False, ask_picture=lambda *_: pytest.fail("nothing to ask for"))
+    viewer.controller.stage.environment = None
+    run(viewer, "File ▸ Save Picture…")
+    assert "no picture yet" in viewer.messages()["picture"]
+
+
+@pytest.mark.parametrize(
+    ("query", "command"),
+    [
+        ("overcast", "View ▸ Environment ▸ Overcast sky"),
+        ("curved panel", "View ▸ Surface ▸ Curved panel"),
+        ("copper", "Paint ▸ Open Shipped Paint ▸ Copper"),
+        ("linear", "View ▸ Tone Curve ▸ Linear, clipped"),
+    ],
+)
+def test_everything_shipped_is_found_by_name(viewer, query, command) -> None:
+    palette = viewer.window.palette_window
+    palette.open()
+    QTest.keyClicks(palette.query, query)
+    assert palette.found.currentItem().text() == command
+    before = viewer.view
+    QTest.keyClick(palette.query, Qt.Key.Key_Return)
+    viewer.wait_idle()
+    if query == "copper":
+        assert viewer.stage.fit.paint.name == "Copper"
+        assert viewer.view == before
+        return
+    changed = {
+        "overcast": {"environment": "overcast"},
+        "curved panel": {"surface": "panel"},
+        "linear": {"tone_curve": "linear"},
+    }[query]
+    kept = dataclasses.replace(before, **changed, camera=viewer.view.camera)
+    assert viewer.view == kept
+    assert dict(commands(viewer.window))[command].isChecked()

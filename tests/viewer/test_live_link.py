@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from brdf_qt.link import LiveLink
 from brdf_viewer.paint_source import DESIGNER
+from PySide6.QtWidgets import QPushButton
 
 from brdf_suite.documents.paint import Gloss, solid_paint
 from brdf_suite.documents.store import paint_to_json, view_from_json
@@ -46,6 +47,7 @@ def designer() -> Iterator[Callable[[], Designer]]:
         opened.append(Designer())
         return opened[-1]
 
+    opener.opened = opened
     yield opener
     for one in opened:
         one.end()
@@ -97,6 +99,42 @@ def test_designer_ends_and_the_paint_stays(viewer, designer, qtbot) -> None:
     qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Designer not open", timeout=10_000)
     assert viewer.stage.fit.paint.name == "test paint"
     assert "not open" in viewer.window.paint.follow.text()
+    assert viewer.window.paint.chooser.list.currentText() == "test paint (Designer closed)"
+    again = designer()
+    again.tell("lab 45 -40 -30")
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[1] == -40.0, timeout=10_000)
+    assert viewer.window.paint.chooser.list.currentText() == "test paint (Designer)"
+
+
+def test_a_paint_that_was_asked_for_is_shown_and_an_open_designer_is_offered(start, designer, qtbot) -> None:
+    other = designer()
+    other.tell("lab 45 60 40")
+    viewer = start(paint="copper", follow=False)
+    qtbot.waitUntil(lambda: "follow" in viewer.messages(), timeout=10_000)
+    assert "Designer is open; follow it" in viewer.messages()["follow"]
+    qtbot.waitUntil(lambda: viewer.controller.paint.source.of_designer is not None, timeout=10_000)
+    assert viewer.stage.fit.paint.name == "Copper"
+    assert not viewer.window.paint.follow.isChecked()
+    assert not viewer.window.commands.follow.isChecked()
+    assert viewer.window.status.cell("link").text() == "linked: Designer, not followed"
+    viewer.window.messages.findChild(QPushButton, "message_action_Follow Designer").click()
+    assert viewer.stage.fit.paint.name == "test paint"
+    assert viewer.window.paint.follow.isChecked()
+    assert "follow" not in viewer.messages()
+
+
+def test_the_offer_to_follow_leaves_with_designer_and_comes_once(start, designer, qtbot) -> None:
+    viewer = start(paint="copper", follow=False)
+    assert "follow" not in viewer.messages()
+    designer()
+    qtbot.waitUntil(lambda: "follow" in viewer.messages(), timeout=10_000)
+    designer.opened[-1].process.kill()
+    qtbot.waitUntil(lambda: "follow" not in viewer.messages(), timeout=10_000)
+    designer()
+    qtbot.waitUntil(
+        lambda: viewer.window.status.cell("link").text() == "linked: Designer, not followed", timeout=10_000
+    )
+    assert "follow" not in viewer.messages()
 
 
 def test_another_paint_ends_following_and_following_brings_designer_back(viewer, designer, qtbot) -> None:
@@ -114,6 +152,37 @@ def test_another_paint_ends_following_and_following_brings_designer_back(viewer,
     assert viewer.window.status.cell("link").text() == "linked: Designer, not followed"
     viewer.window.paint.follow.click()
     assert viewer.stage.fit.paint.lab_at(45.0)[0] == 20.0
+
+
+def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:
+    section, cell = viewer.window.paint, viewer.window.status.cell("fit")
+
+    def show(paint) -> None:
+        viewer.controller.link.received.emit("paint", paint_to_json(paint))
+        # The first fits of a process may reach the time limit; they are done again in a quiet moment.
+        qtbot.waitUntil(
+            lambda: viewer.stage.fit.paint == paint and not viewer.stage.fit.time_limited, timeout=10_000
+        )
+
+    solid = solid_paint("p", (50.0, 0.0, 0.0))
+    show(solid)
+    plain = section.patches.grab().toImage()
+    assert not section.fit.text().startswith("!")
+    assert not section.fit.font().bold()
+    # Darker towards the mirror direction than away from it: lobes around the mirror direction cannot do that.
+    show(solid.with_lab(45.0, (90.0, 0.0, 0.0)))
+    assert section.fit.text().startswith("! Fit: ΔE00 at most 3")
+    assert section.fit.font().bold()
+    assert "no non-negative sum of the lobes" in section.fit.toolTip()
+    assert "! ΔE 3" in cell.text()
+    assert cell.font().bold()
+    assert "no non-negative sum of the lobes" in cell.toolTip()
+    words = section.patches.accessibleDescription().split("; ")
+    assert ["no non-negative sum" in text for text in words] == [False, True, False]
+    assert section.patches.grab().toImage() != plain
+    show(solid)
+    assert not section.fit.font().bold()
+    assert not cell.font().bold()
 
 
 def test_a_paint_that_cannot_be_is_told_and_leaves_when_the_next_can(viewer, designer, qtbot) -> None:

@@ -154,7 +154,30 @@ def test_every_command_has_a_name_and_a_key_only_once(viewer) -> None:
 
     keys = [a.shortcut().toString() for _, a in commands(viewer.window) if not a.shortcut().isEmpty()]
     assert len(keys) == len(set(keys))
-    assert {"1", "2", "3", "4", "F", "Space", "Ctrl+E", "Ctrl+M"} <= set(keys)
+    assert {"1", "2", "3", "4", "F", "Space", "Ctrl+E", "Ctrl+Shift+E", "Ctrl+M"} <= set(keys)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "follows"),
+    [((), True), (("red",), False), (("red", "--follow"), True), (("--follow",), True)],
+)
+def test_a_paint_on_the_command_line_is_kept_unless_designer_is_to_be_followed(
+    monkeypatch, arguments, follows
+) -> None:
+    from brdf_viewer import __main__ as program
+    from brdf_viewer import controller
+
+    told = []
+
+    def made(_view, paint, *, follow):
+        told.append((paint, follow))
+        raise SystemExit
+
+    monkeypatch.setattr(program, "create_application", lambda *_, **__: None)
+    monkeypatch.setattr(controller, "ViewerController", made)
+    with pytest.raises(SystemExit):
+        program.main(arguments)
+    assert told == [("red" if "red" in arguments else "blue", follows)]
 
 
 def test_no_file_of_the_program_is_long(checkout) -> None:
