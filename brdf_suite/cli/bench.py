@@ -80,7 +80,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     command = commands.add_parser(
         "bench",
-        help="measure the figures that the suite is held to (in a source checkout)",
+        help="measure the suite's figures (in a source checkout)",
         description="Measure. Without --json a table with the bound beside each figure.",
     )
     command.add_argument("name", nargs="?", metavar="NAME", help="which benchmark; see --list")

@@ -27,11 +27,11 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Fit and print."""
-    from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFitter
+    from brdf_suite.pipeline.paint import fit_patiently
     from brdf_suite.pipeline.scene import find_paint
 
     paint = find_paint(options.paint)
-    result = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S).fit(paint)
+    result = fit_patiently(paint, options.paint)
     facts = result.to_json()
     if options.json:
         print_json(facts)

@@ -33,13 +33,26 @@ is rendered to brdf-suite.png in the working folder instead.
 """
 
 
+class _Rows(argparse.RawDescriptionHelpFormatter):
+    """Help whose column leaves room for the names of commands."""
+
+    def add_argument(self, action: argparse.Action) -> None:
+        """Count the indent of a command too, which the base class forgets: else its help goes below it."""
+        super().add_argument(action)
+        for command in self._iter_indented_subactions(action):
+            width = (
+                len(self._format_action_invocation(command)) + self._current_indent + self._indent_increment
+            )
+            self._action_max_length = max(self._action_max_length, width)
+
+
 def parser() -> argparse.ArgumentParser:
     """Return the parser of the whole command."""
     top = argparse.ArgumentParser(
         prog="brdf-suite",
         description="Design the appearance of automotive paint, fit it, and render it.",
         epilog=_EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_Rows,
     )
     top.add_argument("--version", action="version", version=f"brdf-suite {version('brdf-suite')}")
     commands = top.add_subparsers(dest="command", metavar="COMMAND")
@@ -55,13 +68,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if given and given[0] in programs.PROGRAMS:
             # argparse would take the program's options for its own.
             return programs.open_one(given[0], given[1:])
-        options = parser().parse_args(given)
-        status = int(getattr(options, "run", programs.open_both)(options))
-        sys.stdout.flush()
+        try:
+            options = parser().parse_args(given)
+            status = int(getattr(options, "run", programs.open_both)(options))
+        finally:
+            sys.stdout.flush()  # here and not at exit, where a failure can be told no more
         return status
-    except BrokenPipeError:
-        # Whoever read our output wants no more, as `head` does. The rest goes nowhere, also at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except BrokenPipeError:  # whoever read our output wants no more, as `head` does
+        _drop_output()
+        return FAILED
+    except OSError as error:
+        if error.filename is not None or error.errno is None:
+            raise  # about a file: whoever opened it should have said so
+        _drop_output()
+        print(f"brdf-suite: the output cannot be written: {error.strerror}.", file=sys.stderr)
         return FAILED
     except (Cancelled, KeyboardInterrupt):
         print("brdf-suite: cancelled", file=sys.stderr)
@@ -69,6 +89,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except SuiteError as error:
         print(f"brdf-suite: {error}", file=sys.stderr)
         return FAILED
+
+
+def _drop_output() -> None:
+    """Let what is not yet written go nowhere, or it would fail once more at exit."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 if __name__ == "__main__":

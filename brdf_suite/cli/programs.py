@@ -14,8 +14,8 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.screen import screen_missing
 
 PROGRAMS = {
-    "designer": ("brdf_designer", "edit a paint: colour at the aspecular angles, gloss, flakes"),
-    "viewer": ("brdf_viewer", "see a paint on a surface in an environment"),
+    "designer": ("brdf_designer", "edit a paint"),
+    "viewer": ("brdf_viewer", "show a paint on a surface"),
 }
 _FALLBACK_PICTURE = "brdf-suite.png"
 _FALLBACK_SIZE = (1280, 720)
@@ -30,12 +30,14 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     )
     both.set_defaults(run=open_both)
     for name, (_package, what) in PROGRAMS.items():
-        commands.add_parser(name, help=f"{what}; arguments are the program's own", add_help=False)
+        commands.add_parser(name, help=f"{what} (options: {name} --help)", add_help=False)
 
 
 def open_both(options: argparse.Namespace) -> int:
     """Open Designer and Viewer, linked, and wait for both; without a screen, render the default scene."""
     paint = getattr(options, "paint", None)
+    if paint == "":
+        raise SuiteError("The name of the paint is empty; give a .brdfpaint file or a shipped paint.")
     missing = screen_missing()
     if missing is not None:
         return _render_instead(missing, paint)

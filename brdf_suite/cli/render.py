@@ -78,9 +78,20 @@ def run(options: argparse.Namespace) -> int:
     from dataclasses import asdict, replace
 
     from brdf_suite.pipeline.picture import render_to_file
-    from brdf_suite.pipeline.scene import default_view, environment_names, name_in_view, surface_names
+    from brdf_suite.pipeline.scene import (
+        check_environment,
+        check_surface,
+        default_view,
+        environment_names,
+        name_in_view,
+        surface_names,
+    )
 
     view = default_view()
+    environment = view.environment if options.environment is None else options.environment
+    surface = view.surface if options.mesh is None else options.mesh
+    check_environment(environment)
+    check_surface(surface)
     camera = replace(
         view.camera,
         azimuth_deg=view.camera.azimuth_deg if options.azimuth is None else options.azimuth,
@@ -89,8 +100,8 @@ def run(options: argparse.Namespace) -> int:
     view = replace(
         view,
         camera=camera,
-        environment=name_in_view(options.environment or view.environment, environment_names()),
-        surface=name_in_view(options.mesh or view.surface, surface_names()),
+        environment=name_in_view(environment, environment_names()),
+        surface=name_in_view(surface, surface_names()),
         rotation_deg=options.rotation,
         exposure_ev=view.exposure_ev if options.exposure is None else options.exposure,
         tone_curve=options.tone,
@@ -105,9 +116,10 @@ def run(options: argparse.Namespace) -> int:
         return 0
     for notice in picture.notices:
         print(f"note: {notice}")
+    fit = f"fit {picture.fit_ms:.2f} ms" + (", time-limited" if picture.time_limited else "")
     print(
         f"{picture.path}: {picture.width}×{picture.height}, "
         f"{picture.paint} on {picture.surface} in {picture.environment}; "
-        f"fit {picture.fit_ms:.2f} ms, maps {picture.maps_s:.2f} s, draw {picture.draw_ms:.0f} ms ({picture.renderer})"
+        f"{fit}, maps {picture.maps_s:.2f} s, draw {picture.draw_ms:.0f} ms ({picture.renderer})"
     )
     return 0

@@ -5,7 +5,9 @@ This is the edit path: no file access, no import, no allocation that grows; unde
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
+from pathlib import Path
 from time import perf_counter
 
 import numpy as np
@@ -13,6 +15,7 @@ import numpy as np
 from brdf_suite.appearance.colorimetry import working_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.documents.paint import Lab, Paint
+from brdf_suite.errors import FittingError, UnreachableError
 from brdf_suite.fitting.basis import LobeBasis
 from brdf_suite.fitting.fitter import LobeFit, LobeFitter
 from brdf_suite.fitting.weights import LobeWeights
@@ -129,6 +132,20 @@ class PaintFitter:
         fit = self._fitter.fit(reflectance)
         seconds = perf_counter() - start
         return PaintFit(paint, reflectance, fit, _results(paint, fit.weights), reflectance.notices, seconds)
+
+
+def fit_patiently(paint: Paint, name_or_path: str | os.PathLike[str]) -> PaintFit:
+    """Fit one paint where no frame waits for it; ``name_or_path`` is what the user called it.
+
+    Raises
+    ------
+    UnreachableError, FittingError
+        As :meth:`PaintFitter.fit`, with the name of the paint or of its file before the message.
+    """
+    try:
+        return PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S).fit(paint)
+    except (UnreachableError, FittingError) as error:
+        raise type(error)(f"{Path(name_or_path).name}: {error}") from error
 
 
 def _results(paint: Paint, weights: LobeWeights) -> tuple[AngleResult, ...]:

@@ -16,7 +16,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
 from brdf_suite.fitting.weights import LobeWeights
 from brdf_suite.lighting.face_array import FaceArray
-from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit, PaintFitter
+from brdf_suite.pipeline.paint import PaintFit, fit_patiently
 from brdf_suite.pipeline.scene import PreparedEnvironment, find_paint, load_environment, load_surface
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.realtime.camera import Bounds, compose
@@ -184,7 +184,7 @@ def render_to_file(
     if not folder_exists:
         raise FileError(path, "its folder does not exist")
     document = find_paint(paint)
-    fit = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S).fit(document)
+    fit = fit_patiently(document, paint)
     mesh = load_surface(view.surface)
     with OffscreenScene((1, 1)) as scene:  # before the maps: without OpenGL they would be made for nothing
         start = perf_counter()

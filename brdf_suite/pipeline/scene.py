@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import load_paint
 from brdf_suite.documents.view import View
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.fitting.basis import LobeBasis, default_basis
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
@@ -20,6 +21,7 @@ from brdf_suite.surface.mesh import Mesh
 
 _PAINT_ENDING = ".brdfpaint"
 _READING_SHARE = 0.1
+_WORD = re.compile(r"[A-Za-z0-9][A-Za-z0-9_\-]{0,99}")  # what a View takes for the name of a packaged one
 
 
 def paint_names() -> list[str]:
@@ -38,9 +40,15 @@ def surface_names() -> list[str]:
 
 
 def name_in_view(name_or_path: str | os.PathLike[str], shipped: list[str]) -> str:
-    """Return what a View holds for a shipped name or a file: the name as it is, the file by its absolute path."""
+    """Return what a View holds for a shipped name (in any letter case) or a file: the name, the absolute path.
+
+    A word that is neither stays as it was typed: whoever opens it then says so about that word.
+    """
     text = os.fspath(name_or_path)
-    return text if text in shipped else str(Path(text).absolute())
+    name = _shipped_name(text, shipped)
+    if name is None and _WORD.fullmatch(text) and not _exists(text):
+        return text
+    return name or str(Path(text).absolute())
 
 
 def default_paint_name() -> str:
@@ -73,10 +81,23 @@ def find_paint(name_or_path: str | os.PathLike[str]) -> Paint:
     DocumentError
         The file is no valid paint; the message says where.
     """
-    if os.fspath(name_or_path) in paint_names():
-        return load_shipped_paint(os.fspath(name_or_path))
-    _check_there(name_or_path, Path(name_or_path), "paint", paint_names())
+    shipped = _shipped_name(os.fspath(name_or_path), paint_names())
+    if shipped is not None:
+        return load_shipped_paint(shipped)
+    _check_there(name_or_path, "paint", paint_names())
     return load_paint(name_or_path)
+
+
+def check_environment(name_or_path: str | os.PathLike[str]) -> None:
+    """Raise :class:`SuiteError` about what the user typed where it names no environment."""
+    if _shipped_name(os.fspath(name_or_path), environment_names()) is None:
+        _check_there(name_or_path, "environment", environment_names())
+
+
+def check_surface(name_or_path: str | os.PathLike[str]) -> None:
+    """Raise :class:`SuiteError` about what the user typed where it names no surface."""
+    if _shipped_name(os.fspath(name_or_path), surface_names()) is None:
+        _check_there(name_or_path, "surface", surface_names())
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,9 +146,10 @@ def load_environment(
     """
     from brdf_suite.files.images import read_environment_image
 
-    name = os.fspath(name_or_path)
-    path = resource("environments", name + ".exr") if name in environment_names() else Path(name)
-    _check_there(name, path, "environment", environment_names())
+    check_environment(name_or_path)
+    shipped = _shipped_name(os.fspath(name_or_path), environment_names())
+    name = shipped or os.fspath(name_or_path)
+    path = resource("environments", shipped + ".exr") if shipped else Path(name)
     report(progress, 0.0, f"reading {path.name}")
     image = read_environment_image(path)
     environment = Environment(path.stem, image.pixels, image.notes)
@@ -151,20 +173,36 @@ def load_surface(name_or_path: str | os.PathLike[str]) -> Mesh:
     FileError
         There is no such surface, or its file cannot be read; the message says why.
     """
-    name = os.fspath(name_or_path)
-    path = resource("meshes", name + ".glb") if name in surface_names() else Path(name)
-    _check_there(name, path, "surface", surface_names())
+    check_surface(name_or_path)
+    shipped = _shipped_name(os.fspath(name_or_path), surface_names())
+    path = resource("meshes", shipped + ".glb") if shipped else Path(name_or_path)
     from brdf_suite.files.meshes import read_mesh
 
     return read_mesh(path)
 
 
-def _check_there(asked: str | os.PathLike[str], path: Path, kind: str, shipped: list[str]) -> None:
-    try:
-        there = path.exists()
-    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
-        raise FileError(asked, f"cannot be read: {error.strerror or error}") from error
-    if not there:
+def _shipped_name(text: str, shipped: list[str]) -> str | None:
+    """Return the shipped name that ``text`` is, in any letter case; a file of just that name goes first."""
+    if text in shipped:
+        return text
+    folded = {name.casefold(): name for name in shipped}
+    name = folded.get(text.casefold())
+    return None if name is None or _exists(text) else name
+
+
+def _check_there(asked: str | os.PathLike[str], kind: str, shipped: list[str]) -> None:
+    if not os.fspath(asked):
+        raise SuiteError(
+            f"The name of the {kind} is empty; give a file or a shipped one ({', '.join(shipped)})."
+        )
+    if not _exists(asked):
         raise FileError(
             asked, f"there is no such file, nor a shipped {kind} of that name ({', '.join(shipped)})"
         )
+
+
+def _exists(asked: str | os.PathLike[str]) -> bool:
+    try:
+        return Path(asked).exists()
+    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
+        raise FileError(asked, f"cannot be read: {error.strerror or error}") from error

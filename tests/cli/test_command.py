@@ -7,11 +7,16 @@ import os
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
+
+from brdf_suite.cli.main import main
+from brdf_suite.documents.paint import Paint
+from brdf_suite.pipeline.paint import PaintFit, fit_patiently
 
 ENVIRONMENTS = (
     "autoshop_01_1k.hdr",
@@ -179,7 +184,8 @@ def test_bad_paints_are_refused_in_one_line(command, tmp_path: Path) -> None:
     document["measurements"][1]["lab"] = [25, 4, -38]
     document["gloss"]["gu_20"] = 199.0
     broken.write_text(json.dumps(document))
-    refused(command("fit", broken), "199")
+    refused(command("fit", broken), "brdf-suite: broken.brdfpaint: ", "199")
+    refused(command("render", broken, "-o", "out.png"), "brdf-suite: broken.brdfpaint: ", "199")
 
 
 def test_names_that_no_file_system_takes_are_refused_in_one_line(command) -> None:
@@ -204,6 +210,80 @@ def test_a_reader_that_ends_early_gets_no_traceback() -> None:
         )
     assert done.stderr == ""
     assert done.returncode == 1
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full, a disk that is always full")
+@pytest.mark.parametrize("arguments", [["fit", "blue"], ["fit", "blue", "--json"], ["--help"]])
+def test_output_that_cannot_be_written_is_told_in_one_line(arguments: list[str]) -> None:
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "brdf_suite.cli.main", *arguments],
+            env={k: v for k, v in os.environ.items() if k != "PYTHONUNBUFFERED"},
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            timeout=120,
+            check=False,
+        )
+    refused(done, "the output cannot be written", "No space left")
+
+
+def test_no_command_has_its_help_below_its_name(command, monkeypatch) -> None:
+    for columns in (80, 120):
+        monkeypatch.setenv("COLUMNS", str(columns))
+        lines = command("--help").stdout.splitlines()
+        for name in ("open", "designer", "viewer", "render", "fit", "prefilter", "bench"):
+            row = next(i for i, line in enumerate(lines) if line.split()[:1] == [name])
+            assert len(lines[row].split()) > 2, lines[row]
+            assert not lines[row + 1].startswith(" " * 12), lines[row + 1]
+
+
+def test_shipped_names_are_taken_in_any_letter_case(command, tmp_path: Path) -> None:
+    done = command(
+        "render", "Fine_Silver", "-o", "out.png", "--mesh", "Sphere", "--environment", "BOOTH",
+        "--size", "64x48", "--json",
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    facts = json.loads(done.stdout)
+    assert (facts["environment"], facts["surface"]) == ("booth", "sphere")
+
+
+def test_missing_files_are_named_as_they_were_typed(command) -> None:
+    for option, name in (
+        ("--environment", "both"),
+        ("--environment", "no/such.exr"),
+        ("--mesh", "spere"),
+        ("--mesh", "no.obj"),
+    ):
+        done = command("render", "blue", "-o", "out.png", option, name)
+        refused(done, f"brdf-suite: {name}: there is no such file")
+
+
+def test_empty_names_are_refused_in_words(command) -> None:
+    refused(command("fit", ""), "name of the paint is empty", "fine_silver")
+    refused(command("render", "", "-o", "out.png"), "name of the paint is empty")
+    refused(command("render", "blue", "-o", "out.png", "--environment", ""), "environment is empty", "booth")
+    refused(command("render", "blue", "-o", "out.png", "--mesh", ""), "surface is empty", "speed_form")
+    refused(command("prefilter", ""), "environment is empty")
+    refused(command("open", ""), "paint is empty")
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
+def test_pipes_and_folders_are_no_environment(command, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.exr")
+    for name in ("pipe.exr", "."):
+        refused(command("render", "blue", "-o", "out.png", "--environment", name), "is not a plain file")
+
+
+def test_a_fit_that_was_stopped_by_time_is_told(monkeypatch, capsys, cache: Path, tmp_path: Path) -> None:
+    def stopped(paint: Paint, name: str) -> PaintFit:
+        found = fit_patiently(paint, name)
+        return replace(found, fit=replace(found.fit, time_limited=True))
+
+    monkeypatch.setenv("BRDF_SUITE_CACHE", str(cache))
+    monkeypatch.setattr("brdf_suite.pipeline.picture.fit_patiently", stopped)
+    assert main(["render", "blue", "-o", str(tmp_path / "out.png"), "--size", "64x48"]) == 0
+    assert " ms, time-limited, maps " in capsys.readouterr().out
 
 
 def test_bad_environments_are_refused_in_one_line(command, shared_data: Path, tmp_path: Path) -> None:
