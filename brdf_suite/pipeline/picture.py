@@ -199,7 +199,7 @@ def render_to_file(
         draw_ms = (perf_counter() - start) * 1e3
         renderer = scene.renderer_name
     report(progress, 0.98, "writing")
-    write_png(path, pixels, _metadata(fit, view))
+    write_png(path, pixels, picture_metadata(fit, view))
     notices = (*fit.notices, *prepared.environment.notes, *mesh.notes)
     return Picture(
         path=path,
@@ -233,7 +233,8 @@ def _faces(array: FaceArray) -> CubeFaces:
     return CubeFaces(array.faces, array.scale)
 
 
-def _metadata(fit: PaintFit, view: View) -> dict[str, str]:
+def picture_metadata(fit: PaintFit, view: View) -> dict[str, str]:
+    """Return the text entries of a picture of ``fit`` in ``view``: program, title, what it shows."""
     return {
         "Software": "BRDF Suite",
         "Title": fit.paint.name,
