@@ -6,7 +6,6 @@ from brdf_qt.form import Form
 from brdf_qt.parameters import Parameter, ParameterPanel
 from brdf_qt.text_fields import TextLine, TextNotes
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QVBoxLayout, QWidget
 
 from brdf_designer.desk_state import FitState
@@ -138,7 +137,6 @@ class FlakesSection(PaintSection):
         self.box.addWidget(self.has_flakes)
         self.note = QLabel(NOT_DRAWN)
         self.note.setWordWrap(True)
-        self.note.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         self.box.addWidget(self.note)
         self.panel = self.add_panel(*(f"flakes.{key}" for key in self._KEYS))
         self._last = DEFAULT_FLAKES

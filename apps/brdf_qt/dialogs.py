@@ -8,6 +8,11 @@ from typing import Protocol
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from brdf_qt.icons import icon
+
+_ICON = 32
+"""Size of the sign in a question, pixels; our own signs, because those of the style have colour."""
+
 
 class Answer(Enum):
     """What to do with unsaved changes."""
@@ -50,7 +55,7 @@ class QtDialogs:
     def unsaved(self, name: str) -> Answer:
         """See :meth:`Dialogs.unsaved`."""
         box = QMessageBox(self._window)
-        box.setIcon(QMessageBox.Icon.Question)
+        box.setIconPixmap(icon("floppy-disk").pixmap(_ICON, _ICON))
         box.setWindowTitle("Unsaved Changes")
         box.setText(f"Save the changes to “{name}”?")
         box.setInformativeText("Without saving, they are lost.")
@@ -63,7 +68,7 @@ class QtDialogs:
     def changed_file(self, path: Path) -> Overwrite:
         """See :meth:`Dialogs.changed_file`."""
         box = QMessageBox(self._window)
-        box.setIcon(QMessageBox.Icon.Warning)
+        box.setIconPixmap(icon("warning").pixmap(_ICON, _ICON))
         box.setWindowTitle("File Changed")
         box.setText(f"“{path.name}” was changed by another program since it was opened or saved here.")
         box.setInformativeText(f"Overwriting it loses what it holds now.\n{path}")

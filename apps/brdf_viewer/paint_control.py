@@ -165,7 +165,7 @@ class PaintControl(QObject):
         """Return what Designer's paint is called; a program that has gone is not named as if it were there."""
         paint = self.source.of_designer
         name = "Paint" if paint is None else paint.name
-        return f"{name} (Designer)" if _DESIGNER in self._link.peers else f"{name} (Designer closed)"
+        return f"{name} (Designer)" if _DESIGNER in self._link.peers else f"{name} (closed)"
 
     def _name_designer(self) -> None:
         self._window.paint.chooser.rename(DESIGNER, self._designer_title())

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 
 from brdf_suite.documents.paint import Measurement
 from brdf_suite.documents.store import load_paint, paint_from_json, save_paint
+from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFitter
 
 
 def action(designer, path: str):
@@ -304,6 +305,28 @@ def test_a_shipped_paint_opens_as_a_document_without_a_file(designer):
     assert designer.store.value == shipped_paint("fine_silver")
     assert designer.store.path is None
     assert "outside" in designer.window.status.cell("Gamut").text().lower()
+
+
+def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer):
+    designer.controller._fitter = PaintFitter(
+        time_limit_s=PATIENT_TIME_LIMIT_S
+    )  # a busy machine is no matter here
+    designer.controller.refresh()
+    cells, fit = designer.window.patches._cells, designer.window.status.cell("Fit")
+    assert not any(cell[3].font().bold() or cell[3].text().startswith("!") for cell in cells)
+    action(designer, "Paint ▸ Make Solid From ▸ 45°").trigger()
+    # Darker towards the mirror direction than away from it: lobes around the mirror direction cannot do that.
+    type_in(field(designer, 1, 0), "90")
+    assert [cell[3].font().bold() for cell in cells] == [False, True, False]
+    assert cells[1][3].text().startswith("! fit ΔE00 ")
+    assert "no non-negative sum of the lobes" in cells[1][3].toolTip()
+    assert "no non-negative sum" not in cells[0][3].toolTip()
+    assert fit.text().startswith("! Fit")
+    assert fit.font().bold()
+    assert "no non-negative sum of the lobes" in fit.toolTip()
+    designer.controller.undo()
+    assert not any(cell[3].font().bold() for cell in cells)
+    assert not fit.font().bold()
 
 
 def test_make_solid(designer):

@@ -246,6 +246,10 @@ def test_the_question_about_a_changed_file(qtbot, tmp_path, button, answer):
     def press() -> None:
         box = QApplication.activeModalWidget()
         shown.append(box.text() + box.informativeText())
+        sign = box.iconPixmap().toImage()
+        pixels = [sign.pixelColor(x, y) for x in range(sign.width()) for y in range(sign.height())]
+        assert pixels
+        assert all(p.red() == p.green() == p.blue() for p in pixels if p.alpha() > 0)
         found = [b for b in box.buttons() if b.text().replace("&", "") == button]
         qtbot.mouseClick(found[0], Qt.MouseButton.LeftButton) if found else box.reject()
 

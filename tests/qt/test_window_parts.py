@@ -10,6 +10,7 @@ from brdf_qt import theme
 from brdf_qt.application import error_relay
 from brdf_qt.command_palette import commands
 from brdf_qt.command_search import search
+from brdf_qt.fit_error import is_large, large_error_tip, marked
 from brdf_qt.icons import icon
 from brdf_qt.main_window import SuiteWindow
 from brdf_qt.message_bar import Message, message_of
@@ -194,6 +195,16 @@ COMMANDS = [
 )
 def test_search_takes_words_before_parts_and_letters_only_where_nothing_else_fits(query, found):
     assert search(query, COMMANDS) == found
+
+
+def test_a_large_fit_error_is_marked_and_its_reason_told():
+    assert [is_large(value) for value in (0.0, 1.0, 1.01, 30.0)] == [False, False, True, True]
+    assert marked("ΔE", 1.0) == "ΔE"
+    assert marked("ΔE", 1.5) == "! ΔE"
+    assert "no non-negative sum of the lobes reaches this colour" in large_error_tip(time_limited=False)
+    # A fit that was cut short proves nothing about what the lobes can do.
+    assert "non-negative" not in large_error_tip(time_limited=True)
+    assert "time limit" in large_error_tip(time_limited=True)
 
 
 def test_an_icon_has_ink_and_follows_the_theme(qapp):
