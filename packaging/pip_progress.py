@@ -79,10 +79,11 @@ class _Progress:
         words = line.split()
         if line.startswith("Collecting ") and len(words) > 1:
             self._collected += 1
+            text = f"fetching package {self._collected}, {words[1]}"
             if self._terminal:
-                self._change(f"{self._collected} packages, fetching {words[1]}")
+                self._change(text)
             elif self._collected % _SPARSE == 1:
-                say(f"fetching package {self._collected}, {words[1]}")
+                say(text)
         elif line.startswith("Installing collected packages:"):
             text = f"installing {len(words) - 3} packages"
             if self._terminal:

@@ -145,7 +145,7 @@ def test_on_a_terminal_one_line_changes(prepare: ModuleType, environment: Path, 
     out = capsys.readouterr().out
     assert "\n" not in out
     shown = [part.strip() for part in out.split("\r") if part.strip()]
-    assert shown == [f"[brdf-suite] {i + 1} packages, fetching package{i}" for i in range(3)]
+    assert shown == [f"[brdf-suite] fetching package {i + 1}, package{i}" for i in range(3)]
     assert out.split("\r")[-2].strip() == ""  # and goes away at the end
 
 
