@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from brdf_suite.cli.output import print_json, progress_bar, size
+from brdf_suite.documents.view import TONE_CURVES, View
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -62,9 +63,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     )
     command.add_argument(
         "--tone",
-        choices=("neutral", "characteristic", "linear"),
-        default="neutral",
-        help="tone curve (default: neutral, Khronos PBR Neutral)",
+        choices=TONE_CURVES,
+        default=View().tone_curve,
+        help="tone curve: faithful (one to one up to 0.8, then a shoulder; the default), "
+        "neutral (Khronos PBR Neutral), characteristic (film), linear (clipped)",
     )
     command.add_argument(
         "--no-fresnel", action="store_true", help="leave the coat's Fresnel rise towards grazing out"
