@@ -42,8 +42,10 @@ def open_both(options: argparse.Namespace) -> int:
     if missing is not None:
         return _render_instead(missing, paint)
     arguments = [paint] if paint else []
+    # Both show the paint that was asked for; the Viewer, told of one by name, would otherwise stay with it.
+    own = {"viewer": ["--follow"]}
     running = {
-        name: subprocess.Popen([sys.executable, "-m", package, *arguments])
+        name: subprocess.Popen([sys.executable, "-m", package, *arguments, *own.get(name, [])])
         for name, (package, _what) in PROGRAMS.items()
     }
     status = 0

@@ -46,6 +46,22 @@ def test_both_programs_open_and_end_with_the_command(number) -> None:
             process.kill()
 
 
+def test_the_viewer_follows_designer_also_on_a_paint_that_was_named() -> None:
+    command = [sys.executable, "-m", "brdf_suite.cli.main", "open", "copper"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            started = wait_for(lambda: len(children(process)) == 2 and children(process))
+            words = {
+                name: Path(f"/proc/{pid}/cmdline").read_text().split("\0") for name, pid in started.items()
+            }
+            assert "copper" in words["brdf_designer"]
+            assert {"copper", "--follow"} <= set(words["brdf_viewer"])
+            process.terminate()
+            process.wait(60)
+        finally:
+            process.kill()
+
+
 def test_when_one_program_is_killed_the_other_lives_on() -> None:
     command = [sys.executable, "-m", "brdf_suite.cli.main"]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
