@@ -83,8 +83,8 @@ _WHITE_XYZ = WORKING_TO_XYZ.sum(axis=1)
 _FROM_LAB_WHITE: Floats = (
     np.linalg.inv(WORKING_TO_XYZ) @ adaptation(WHITE_D65_10, 100.0 * _WHITE_XYZ) / 100.0 * WHITE_D65_10
 )
-# From (X/Xn, Y/Yn, Z/Zn) of the 10° white straight to the working space; transposed for row vectors.
-_RELATIVE_TO_WORKING: Floats = np.ascontiguousarray(_FROM_LAB_WHITE.T)
+RELATIVE_TO_WORKING: Floats = np.ascontiguousarray(_FROM_LAB_WHITE.T)
+"""From (X/Xn, Y/Yn, Z/Zn) of the 10° white straight to the working space; transposed for row vectors."""
 _WORKING_TO_RELATIVE: Floats = np.ascontiguousarray(np.linalg.inv(_FROM_LAB_WHITE).T)
 
 # CIE 15: the cube root is replaced by a line below (6/29)³.
@@ -134,7 +134,7 @@ def lab_to_working(lab: npt.ArrayLike) -> Floats:
     >>> lab_to_working([100.0, 0.0, 0.0]).round(12).tolist()
     [1.0, 1.0, 1.0]
     """
-    rho: Floats = _lab_to_relative(lab) @ _RELATIVE_TO_WORKING
+    rho: Floats = _lab_to_relative(lab) @ RELATIVE_TO_WORKING
     return rho
 
 
