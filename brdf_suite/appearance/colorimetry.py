@@ -10,9 +10,12 @@ All colour arrays are (..., 3). XYZ is on the scale where the white's Y is 100.
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats
 
 WHITE_D65_10 = np.array([94.811, 100.0, 107.304])
@@ -34,6 +37,18 @@ CAT16 = np.array(
 )
 """XYZ to the cone-like responses of CAT16 (Li et al. 2017, Comprehensive color solutions)."""
 
+BRADFORD = np.array(
+    [
+        [0.8951, 0.2664, -0.1614],
+        [-0.7502, 1.7135, 0.0367],
+        [0.0389, -0.0685, 1.0296],
+    ]
+)
+"""XYZ to the cone-like responses of the linearised Bradford transform (ICC profiles use it)."""
+
+AdaptationTransform = Literal["CAT16", "Bradford"]
+_TRANSFORMS: dict[str, Floats] = {"CAT16": CAT16, "Bradford": BRADFORD}
+
 
 def primaries_to_xyz(
     primaries: tuple[tuple[float, float], ...], white_xy: tuple[float, float] = WHITE_XY
@@ -49,10 +64,18 @@ def primaries_to_xyz(
     return np.asarray(directions * np.linalg.solve(directions, white), np.float64)
 
 
-def adaptation(white_from: npt.ArrayLike, white_to: npt.ArrayLike) -> Floats:
-    """Return the matrix (3, 3) of a complete CAT16 adaptation between two whites, XYZ of any one scale."""
-    gains = (CAT16 @ np.asarray(white_to, float)) / (CAT16 @ np.asarray(white_from, float))
-    return np.asarray(np.linalg.inv(CAT16) @ (gains[:, None] * CAT16), np.float64)
+def adaptation(
+    white_from: npt.ArrayLike, white_to: npt.ArrayLike, transform: AdaptationTransform = "CAT16"
+) -> Floats:
+    """Return the matrix (3, 3) of a complete adaptation between two whites, XYZ of any one scale.
+
+    ``transform`` is CAT16 (the suite's own choice) or Bradford.
+    """
+    if transform not in _TRANSFORMS:
+        raise ValueRangeError("transform", f"one of {', '.join(_TRANSFORMS)} is wanted, not {transform!r}")
+    cones = _TRANSFORMS[transform]
+    gains = (cones @ np.asarray(white_to, float)) / (cones @ np.asarray(white_from, float))
+    return np.asarray(np.linalg.inv(cones) @ (gains[:, None] * cones), np.float64)
 
 
 def rgb_to_working(primaries: tuple[tuple[float, float], ...], white_xy: tuple[float, float]) -> Floats:

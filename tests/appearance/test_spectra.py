@@ -83,9 +83,8 @@ def test_bands_of_ten_nanometres_agree_with_astm_e308(colour: ModuleType) -> Non
     count = 300
     wavelengths = np.linspace(360.0, 780.0, 43)
     spectra = smooth_spectra(count, wavelengths)
-    functions = colour.MSDS_CMFS[OBSERVER_NAMES[10]]
+    functions = colour.MSDS_CMFS[OBSERVER_NAMES[10]].copy().align(colour.SpectralShape(360, 780, 1))
     daylight = colour.SpectralDistribution(illuminant_power("D65"), table_wavelengths())
-    daylight = daylight.align(functions.shape)
     expected = np.array(
         [
             colour.sd_to_XYZ(
