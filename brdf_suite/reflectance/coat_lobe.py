@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -26,6 +27,13 @@ class CoatLobe:
 
     ior: float
     roughness: float
+    reciprocal: ClassVar[bool] = True
+    energy_conserving: ClassVar[bool] = True
+
+    @property
+    def normal_fresnel(self) -> float:
+        """Return F along the normal."""
+        return float(fresnel_dielectric(1.0, self.ior))
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
