@@ -1,0 +1,50 @@
+"""``brdf-suite convert IN OUT``: from one format of measured reflectance to another."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from brdf_suite.cli.output import print_json
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "convert",
+        help="convert a file of measured reflectance to another format",
+        description="Read a measured file by its content and write it in the format that the ending of OUT names. "
+        "What a format cannot hold is refused, and OUT is left as it was.",
+    )
+    command.add_argument("source", metavar="IN", type=Path, help="a measured file")
+    command.add_argument("target", metavar="OUT", type=Path, help="the file to write")
+    command.add_argument(
+        "--observer",
+        type=int,
+        choices=(2, 10),
+        default=10,
+        help="the observer through which spectra become colour, where OUT holds no spectra (default: 10)",
+    )
+    command.add_argument("--json", action="store_true", help="print what was done as one JSON object")
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Convert and print a line or a JSON object."""
+    from brdf_suite.pipeline.measuring import convert
+
+    done = convert(options.source, options.target, observer_deg=options.observer)
+    size = done.target.stat().st_size
+    if options.json:
+        print_json(
+            {
+                "input": str(done.source),
+                "output": str(done.target),
+                "format": done.format,
+                "bytes": size,
+                "facts": {key: str(value) for key, value in done.facts.items()},
+            }
+        )
+        return 0
+    print(f"{done.target}: {done.format}, {size:,} bytes, from {done.source}")
+    return 0
