@@ -21,6 +21,7 @@ from brdf_suite.appearance.colorimetry import (
     srgb_encode,
     xyz_to_lab,
 )
+from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats
 
 P3_PRIMARIES = ((0.680, 0.320), (0.265, 0.690), (0.150, 0.060))
@@ -102,5 +103,7 @@ def in_display_gamut(
     lab: npt.ArrayLike, display: str = "sRGB", tolerance: float = 1e-6
 ) -> npt.NDArray[np.bool_]:
     """Return whether (...) a display (``sRGB`` or ``Display P3``) can show L*a*b*; ``tolerance`` in linear light."""
+    if display not in _DISPLAYS:
+        raise ValueRangeError("display", f"one of {', '.join(_DISPLAYS)} is wanted, not {display!r}")
     linear = lab_to_working(lab) @ _DISPLAYS[display].T
     return np.asarray(np.all((linear >= -tolerance) & (linear <= 1.0 + tolerance), axis=-1))

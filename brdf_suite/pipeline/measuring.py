@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
+from brdf_suite.appearance.spaces import in_display_gamut
 from brdf_suite.appearance.tolerance import DIFFERENCES, Tolerances, Verdict, judge
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
@@ -129,6 +130,8 @@ def _reading_json(reading: Reading) -> dict[str, object]:
         "lch": list(reading.lch),
         "rho": list(reading.rho),
         "reflectance_factor": reading.factor,
+        "in_srgb": bool(in_display_gamut(reading.lab)),
+        "in_display_p3": bool(in_display_gamut(reading.lab, "Display P3")),
     }
 
 

@@ -80,6 +80,8 @@ def test_the_wider_display_shows_more(labs: np.ndarray) -> None:
     np.testing.assert_array_equal(narrow, in_srgb_gamut(labs))
     assert np.all(wide[narrow])
     assert wide.sum() > 1.2 * narrow.sum()
+    with pytest.raises(ValueRangeError, match="sRGB, Display P3"):
+        in_display_gamut(labs, "Rec. 2020")
     # The red primary of Display P3 is no colour of sRGB, and the other way it is a paler one.
     red = np.array([1.0, 0.0, 0.0])
     assert working_to_display(xyz_to_working(100.0 * np.array([0.4866, 0.2290, 0.0]))).max() > 1.0

@@ -97,6 +97,16 @@ def test_the_table_names_what_it_shows(asked) -> None:
         assert words in out
 
 
+def test_readings_say_which_screen_can_show_them(asked) -> None:
+    _status, out, _err = asked("measure", "fine_silver", "blue", "--json", "--geometry", "e2194")
+    silver, blue = (
+        [(r["in_srgb"], r["in_display_p3"]) for r in p["readings"]] for p in json.loads(out)["paints"]
+    )
+    # L* 128 is brighter than any white; the greys are in every gamut; the blue at 45° is not in sRGB.
+    assert silver == [(False, False), (True, True), (True, True)]
+    assert blue[1][0] is False
+
+
 def test_a_solved_paint_reads_its_colours_through_the_aperture(asked) -> None:
     wanted = np.array([m.lab for m in load_shipped_paint("fine_silver").measurements])
     seen = {}

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from brdf_suite.appearance.flop import flop_index
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, geometry_set
 from brdf_suite.appearance.gloss import black_glass, gloss_units
+from brdf_suite.documents.paint import Gloss
 from brdf_suite.errors import FittingError
 from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
 from brdf_suite.reflectance.aperture import WIDE, Aperture
@@ -70,6 +73,24 @@ def test_a_diffuser_by_hand() -> None:
     assert report.travel.length == pytest.approx(0.0, abs=1e-9)
 
 
+@settings(max_examples=20, deadline=None)
+@given(
+    st.floats(0.0, 2.0),
+    st.floats(0.0, 80.0),
+    st.floats(-5.0, 150.0),
+    st.floats(0.0, 6.0),
+    st.floats(0.0, 6.0),
+)
+def test_a_diffuser_reads_the_same_everywhere(
+    rho: float, light: float, angle: float, light_half: float, receptor_half: float
+) -> None:
+    if abs(light - angle) >= 89.0:
+        return
+    instrument = Aperture("any", light_half, receptor_half)
+    report = measure(Diffuser(rho), geometry_set(f"{light:.3f}:{angle:.3f}"), instrument)
+    assert report.readings[0].factor == pytest.approx(rho, abs=1e-9)
+
+
 @pytest.mark.parametrize("name", paint_names())
 def test_a_designed_paint_reads_its_own_gloss(name: str) -> None:
     paint = load_shipped_paint(name)
@@ -84,10 +105,6 @@ def test_a_designed_paint_reads_its_own_gloss(name: str) -> None:
 
 
 def test_two_readings_of_gloss_are_read_back() -> None:
-    from dataclasses import replace
-
-    from brdf_suite.documents.paint import Gloss
-
     paint = replace(load_shipped_paint("blue"), gloss=Gloss(70.0, 94.0))
     report = measure(build_paint(paint), GEOMETRY_SETS["e2194"])
     assert (report.gloss[20], report.gloss[60]) == (
