@@ -55,7 +55,6 @@ class AnisotropicTable:
     parameters: ClassVar[Mapping[str, Parameter]] = MappingProxyType({})
     # Between nodes φi is the reference and φo is not, so even reciprocal nodes give a slightly uneven pair.
     reciprocal: ClassVar[bool] = False
-    energy_conserving: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         values = np.ascontiguousarray(self.values, np.float32).view()

@@ -107,7 +107,12 @@ class HalfAngleGrid:
         h = np.sqrt(np.arctan2(np.sqrt(flat), total[2]) / _HALF_PI) * self.theta_h
         d = np.arctan2(apart, length) * (self.theta_d / _HALF_PI)
         turn = total[0] * difference[1] - total[1] * difference[0]
-        p = np.arctan2(turn, -difference[2] * length) * (self.phi_d / self.period)
+        ahead = -difference[2] * length
+        if self.reciprocal:
+            # Swapping turns both signs: folding them first makes a pair and its swap equal to the last bit.
+            ahead = np.where(turn < 0.0, -ahead, ahead)
+            turn = np.abs(turn)
+        p = np.arctan2(turn, ahead) * (self.phi_d / self.period)
         p[p < 0.0] += self.phi_d
         # Under reciprocity φd = π is φd = 0; a tiny negative angle also rounds up to a whole turn.
         p[p >= self.phi_d] = 0.0

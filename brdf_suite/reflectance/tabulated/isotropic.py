@@ -56,7 +56,6 @@ class IsotropicTable:
     facts: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
 
     parameters: ClassVar[Mapping[str, Parameter]] = MappingProxyType({})
-    energy_conserving: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         # Views, so that the caller's own arrays stay writable and nothing of 17 MB is copied without need.

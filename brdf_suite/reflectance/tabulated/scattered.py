@@ -69,7 +69,6 @@ class ScatteredSamples:
 
     parameters: ClassVar[Mapping[str, Parameter]] = MappingProxyType({})
     reciprocal: ClassVar[bool] = True
-    energy_conserving: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         for name in ("wi", "wo"):
