@@ -113,7 +113,10 @@ def _validated(path: PathLike) -> dict[str, Any]:
     # A fifth of a second to import, and only these files need it.
     import jsonschema
 
-    document = read_json(path)
+    try:
+        document = read_json(path)
+    except FileError as error:
+        raise FileError(path, error.reason, error.place or "the JSON text") from error
     found = jsonschema.Draft202012Validator(SCHEMA).iter_errors(document)
     error = next(iter(found), None)
     if error is not None:

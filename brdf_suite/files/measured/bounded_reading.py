@@ -49,7 +49,8 @@ def read_bytes(path: PathLike, largest: int) -> bytes:
     """Return the content of a plain file of at most ``largest`` bytes, or raise :class:`FileError`."""
     with open_plain(path, largest) as stream:
         try:
-            return stream.read(largest + 1)
+            # As many as it has now: asking for the largest would reserve that much.
+            return stream.read(os.fstat(stream.fileno()).st_size)
         except OSError as error:
             raise FileError(path, f"cannot be read: {error.strerror or error}") from error
 

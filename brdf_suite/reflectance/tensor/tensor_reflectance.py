@@ -139,7 +139,7 @@ class TensorReflectance:
         for start in range(0, len(seen), _PIECE):
             piece = seen[start : start + _PIECE]
             out[piece] = self._piece(wi[piece], wo[piece])
-        return out.reshape(*shape, -1)
+        return out.reshape(*shape, out.shape[1])
 
     def _piece(self, wi: Floats, wo: Floats) -> Floats:
         wi, wo, _ = self._reduce(wi, wo)
