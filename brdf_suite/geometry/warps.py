@@ -53,7 +53,7 @@ def beckmann_normal_pdf(h: npt.ArrayLike, m: npt.ArrayLike) -> Floats:
     """Return D cosθ (...) of half vectors (..., 3) of unit length; 0 below the horizon."""
     h, m2 = np.asarray(h, float), np.asarray(m, float) ** 2
     # From the parts across, which stay exact where cosθ is 1 but for rounding.
-    across, up = h[..., 0] ** 2 + h[..., 1] ** 2, np.maximum(h[..., 2], 1e-150)
+    across, up = h[..., 0] ** 2 + h[..., 1] ** 2, np.maximum(h[..., 2], 1e-60)
     tan2 = across / (up * up)
     density = np.exp(-np.minimum(tan2 / m2, 745.0)) / (math.pi * m2) * (1.0 + tan2) ** 1.5
     return np.where(h[..., 2] > 0.0, density, 0.0)

@@ -8,16 +8,16 @@ from functools import cache
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats, mirror
-from brdf_suite.geometry.warps import about
+from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.geometry.warps import mirrored_at
 from brdf_suite.reflectance.protocol import Reflectance
 
 _NORMAL = np.array([0.0, 0.0, 1.0])
 
-# Rings about the mirror direction: widths double from this one, a fraction of the narrowest coat lobe, ...
+# Rings of half vectors, radians: widths double from this one, a fraction of the narrowest coat lobe, ...
 _NARROWEST_RING = 2e-4
 # ... up to this, narrow enough that the horizon's cut through a ring costs less than 1e-3.
-_WIDEST_RING = 0.1
+_WIDEST_RING = 0.05
 _RING_NODES = 4
 
 
@@ -33,8 +33,8 @@ def normal_albedo(reflectance: Reflectance) -> Floats:
 def directional_albedo(reflectance: Reflectance, wi: npt.ArrayLike, azimuths: int = 64) -> Floats:
     """Return the share (..., 3) of light from ``wi`` (..., 3) that is sent back: ∫ f_r(wi, wo) cosθo dωo.
 
-    By quadrature over rings about the mirror direction that narrow towards it, so that a coat of roughness .002
-    is resolved as well as a matt base: within 2e-3 of the whole, at grazing light 1e-2.
+    By quadrature over the half vector, in rings about the normal that narrow towards it (dωo = 4 wi·h dωh): mirror
+    lobes are round there at any incidence, so a coat of roughness .002 is resolved as well as a matt base.
 
     Parameters
     ----------
@@ -65,35 +65,36 @@ def hemispherical_albedo(reflectance: Reflectance, azimuths: int = 32) -> Floats
 
 def _integral(reflectance: Reflectance, fixed: npt.ArrayLike, azimuths: int, *, given_light: bool) -> Floats:
     fixed = np.asarray(fixed, float)
-    local, solid = _rings(azimuths)
     out = np.empty(fixed.shape)
     for index in np.ndindex(fixed.shape[:-1]):
-        other = about(mirror(fixed[index]), local)
-        up = other[:, 2] > 0.0
+        one = fixed[index]
+        half, solid = _rings(azimuths * _refinement(float(one[2])))
+        other, dot = mirrored_at(one, half), half @ one
+        up = (other[:, 2] > 0.0) & (dot > 0.0)
         other = other[up]
-        pair = (fixed[index], other) if given_light else (other, fixed[index])
-        out[index] = (solid[up] * other[:, 2]) @ reflectance.eval(*pair)
+        pair = (one, other) if given_light else (other, one)
+        out[index] = (4.0 * (dot * solid)[up] * other[:, 2]) @ reflectance.eval(*pair)
     return out
+
+
+def _refinement(cosine: float) -> int:
+    """How many times more azimuths: lobes that are round about the mirror direction are 1/cosθ longer than wide here."""
+    return int(2 ** min(5, max(0, math.ceil(math.log2(0.7 / max(cosine, 1e-3))))))
 
 
 @cache
 def _rings(azimuths: int) -> tuple[Floats, Floats]:
-    """Directions (n, 3) about z over the whole sphere, and their solid angles (n,)."""
+    """Half vectors (n, 3) above the horizon, and their solid angles (n,)."""
     edges = [0.0, _NARROWEST_RING]
-    while edges[-1] < math.pi:
+    while edges[-1] < 0.5 * math.pi:
         edges.append(edges[-1] + min(edges[-1], _WIDEST_RING))
-    edges[-1] = math.pi
+    edges[-1] = 0.5 * math.pi
     nodes, shares = np.polynomial.legendre.leggauss(_RING_NODES)
     low, high = np.array(edges[:-1])[:, None], np.array(edges[1:])[:, None]
-    gamma = (0.5 * (low + high) + 0.5 * (high - low) * nodes).ravel()
-    weight = (0.5 * (high - low) * shares).ravel() * np.sin(gamma) * (2.0 * math.pi / azimuths)
-    # Half a step off the axes, so that no point lies in the plane of incidence, where streaks do.
-    psi = (np.arange(azimuths) + 0.5) * (2.0 * math.pi / azimuths)
-    sine = np.sin(gamma)[:, None]
-    local = np.stack(
-        np.broadcast_arrays(sine * np.cos(psi), sine * np.sin(psi), np.cos(gamma)[:, None]), axis=-1
-    )
-    return local.reshape(-1, 3), np.repeat(weight, azimuths)
+    theta = (0.5 * (low + high) + 0.5 * (high - low) * nodes).ravel()
+    weight = (0.5 * (high - low) * shares).ravel() * np.sin(theta) * (2.0 * math.pi / azimuths)
+    phi = (np.arange(azimuths) + 0.5) * (2.0 * math.pi / azimuths)
+    return spherical(theta[:, None], phi).reshape(-1, 3), np.repeat(weight, azimuths)
 
 
 @cache

@@ -218,6 +218,7 @@ _ENTRIES = (
         False,
         False,
         "BRDF approximation for interactive colour appearance design, equations 1 to 3",
+        {"reciprocity": 0.998},
     ),
     ModelEntry("ggx", "GGX metal over a matt part", _ggx, True, True, "Walter et al. 2007; Heitz 2014"),
     ModelEntry(
@@ -226,7 +227,15 @@ _ENTRIES = (
     ModelEntry("lafortune", "Generalised cosine lobes", _lafortune, True, True, "Lafortune et al. 1997"),
     ModelEntry("lambertian", "Matt", _lambertian, True, True, "Lambert 1760"),
     ModelEntry("phong", "Phong, modified", lambda: _phong("modified"), True, True, "Lewis 1994"),
-    ModelEntry("phong_original", "Phong, original", lambda: _phong("original"), False, False, "Phong 1975"),
+    ModelEntry(
+        "phong_original",
+        "Phong, original",
+        lambda: _phong("original"),
+        False,
+        False,
+        "Phong 1975",
+        {"reciprocity": 0.999, "directional_albedo": 0.868},
+    ),
     ModelEntry(
         "poulin_fournier",
         "Brushed metal of cylinders",

@@ -8,7 +8,8 @@ import numpy as np
 
 from brdf_suite.geometry.directions import Floats
 
-_TINY = 1e-300
+# Keeps tan⁴ of a half vector at the horizon finite; no lobe reaches there.
+_TINY = 1e-60
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,6 @@ class HalfVectorTerms:
         up = np.maximum(z * z, _TINY)
         above = (cos_i > 0.0) & (cos_o > 0.0)
         # |wi + wo| = 2 wi·h.
-        cos_d = np.maximum(0.5 * np.sqrt(across + up), 1e-150)
+        cos_d = 0.5 * np.sqrt(across + up)
         cos_h = 0.5 * z / cos_d
         return cls(cos_i, cos_o, cos_d, cos_h, across / up, above)
