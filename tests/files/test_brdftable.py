@@ -208,6 +208,26 @@ def test_no_changed_byte_is_read(tmp_path_factory: pytest.TempPathFactory, place
         read_brdftable(path)
 
 
+@settings(max_examples=150, deadline=None)
+@given(st.integers(0, 2000), st.binary(min_size=1, max_size=8), st.integers(0, 3))
+def test_damage_with_a_checksum_that_fits_is_refused_or_sound(
+    tmp_path_factory: pytest.TempPathFactory, place: int, other: bytes, longer: int
+) -> None:
+    body = bytearray(signed(sound_header(), SOUND)[48:])
+    place %= len(body)
+    body[place : place + max(0, len(other) - longer)] = other
+    length = len(body) - len(SOUND)
+    path = tmp_path_factory.mktemp("damage") / "a.brdftable"
+    start = struct.pack("<8sII", b"BRDFTABL", length, 0)
+    path.write_bytes(start + hashlib.sha256(body).digest() + bytes(body))
+    try:
+        table = read_brdftable(path)
+    except FileError:
+        return
+    assert np.isfinite(table.values).all()
+    assert table.values.min() >= 0.0
+
+
 def test_facts_that_are_no_plain_values_are_refused_and_the_old_file_stays(tmp_path: Path) -> None:
     path = tmp_path / "a.brdftable"
     path.write_bytes(b"old")

@@ -67,7 +67,7 @@ def read_merl(
     grid, planes, notes = _read_planes(path)
     known = planes.min(axis=0) >= 0.0
     if not known.any():
-        raise FileError(path, "every bin is negative, which means not measured: the table is empty")
+        raise FileError(path, "every bin is negative, which means not measured", "byte 12")
     albedo = stored_albedo(planes, grid)
     found = scale_factors is None
     if scale_factors is None:

@@ -41,11 +41,11 @@ def read_utia(path: PathLike, *, srgb_encoded: bool = False) -> AnisotropicTable
     FileError
         The file is missing, of another size, or holds a value that is no finite reflectance.
     """
-    data = read_bytes(path, _SIZE)
+    data = read_bytes(path, 4 * _SIZE)
     if len(data) != _SIZE:
-        raise FileError(
-            path, f"is cut off: {_SIZE:,} bytes are wanted, it has {len(data):,}", f"byte {len(data)}"
-        )
+        state = "cut off" if len(data) < _SIZE else "too long"
+        at = f"byte {min(len(data), _SIZE)}"
+        raise FileError(path, f"is {state}: {_SIZE:,} bytes are wanted, it has {len(data):,}", at)
     stored = np.frombuffer(data, "<f8")
     wrong = ~(np.abs(stored) <= _LARGEST_VALUE)
     if wrong.any():
