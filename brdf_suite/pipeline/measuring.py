@@ -75,12 +75,10 @@ def load_measurable(
             path.name, value, facts=dict(value.facts), notices=(_SCATTERED,) if scattered else ()
         )
     paint = find_any_paint(name_or_path)
-    if isinstance(paint, Paint) and solved_through is not None:
-        solved = build_through(paint, solved_through)
-        return Measurable(paint.name, solved.reflectance, paint, notices=solved.reflectance.notices)
-    reflectance = build_reflectance(paint)
-    notices = tuple(getattr(reflectance, "notices", ()))
-    return Measurable(paint.name, reflectance, paint if isinstance(paint, Paint) else None, notices=notices)
+    if isinstance(paint, Paint):
+        solved = build_through(paint, solved_through or POINT)
+        return Measurable(paint.name, solved.reflectance, paint, notices=solved.notices)
+    return Measurable(paint.name, build_reflectance(paint))
 
 
 def measurement_json(item: Measurable, report: Report, illuminant: str = "D65") -> dict[str, object]:

@@ -120,19 +120,47 @@ def test_six_angles_under_any_rule_read_their_colours() -> None:
         assert max(solved.delta_e) <= TOLERANCE_DELTA_E
 
 
-def test_what_cannot_be_solved_is_refused() -> None:
-    paint = load_shipped_paint("satin_graphite")
-    # Five angles are more than a bell of flakes has numbers, so it cannot read them all.
-    odd = replace(
-        paint,
+def test_a_rule_with_fewer_numbers_than_readings_says_what_it_misses() -> None:
+    """One bell of flakes cannot pass through six readings, with an aperture or without."""
+    labs = (124.0, 128.0, 95.0, 62.0, 38.0, 36.0)
+    paint = replace(
+        load_shipped_paint("fine_silver"),
         measurements=tuple(
-            Measurement(45.0, angle, (lightness, 0.0, 0.0))
-            for angle, lightness in ((15.0, 80.0), (25.0, 40.0), (45.0, 60.0), (75.0, 20.0), (110.0, 50.0))
+            Measurement(45.0, angle, (lightness, -0.8, -0.5))
+            for angle, lightness in zip((-15.0, 15.0, 25.0, 45.0, 75.0, 110.0), labs, strict=True)
         ),
-        interpolation="polynomial",
     )
-    with pytest.raises(UnreachableError, match=r"receptor 4°.*ΔE00"):
-        build_through(odd, WIDE)
+    solved = build_through(paint, WIDE)
+    read = measure(
+        build_paint(paint), measured_set([(45.0, m.aspecular_deg) for m in paint.measurements])
+    ).lab
+    np.testing.assert_allclose(
+        solved.missed, delta_e_2000(read, [m.lab for m in paint.measurements]), atol=1e-9
+    )
+    assert max(solved.missed) > TOLERANCE_DELTA_E
+    assert max(solved.delta_e) <= max(solved.missed)
+    assert any("does not pass through every reading" in notice for notice in solved.notices)
+
+
+def test_several_lights_are_solved_together() -> None:
+    paint = load_shipped_paint("violet_shift")
+    second = tuple(
+        Measurement(15.0, angle, lab)
+        for angle, lab in (
+            (15.0, (64.0, -2.0, -44.0)),
+            (45.0, (24.0, 26.0, -30.0)),
+            (90.0, (10.0, 18.0, -9.0)),
+        )
+    )
+    solved = build_through(replace(paint, measurements=paint.measurements + second), WIDE)
+    assert max(solved.missed) < 1e-6
+    assert max(solved.delta_e) <= TOLERANCE_DELTA_E
+
+
+def test_what_cannot_be_solved_is_refused() -> None:
+    """At 15° a receptor of 10° and a light of 5° catch the coat's mirror lobe: brighter than this black."""
+    with pytest.raises(UnreachableError, match=r"receptor 10°.*at 15° to better than ΔE00"):
+        build_through(load_shipped_paint("solid_black"), Aperture("huge", 5.0, 10.0))
 
 
 def test_apertures_by_name_and_number() -> None:
