@@ -92,8 +92,6 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _print_table(item: Measurable, report: Report, illuminant: str) -> None:
-    from brdf_suite.reflectance.under_light import readings_under
-
     print(f"{item.name}: {report.geometry_set.title}; {report.aperture.title}; D65, 10°")
     print(
         f"{'geometry':>10} {'L*':>8} {'a*':>8} {'b*':>8} {'C*':>8} {'h °':>7} {'X':>8} {'Y':>8} {'Z':>8}  factor"
@@ -115,7 +113,7 @@ def _print_table(item: Measurable, report: Report, illuminant: str) -> None:
             f"(path {path.hue_path_deg:.1f}°); chroma {path.chroma:+.1f}"
         )
     if illuminant != "D65":
-        colours = readings_under(item.reflectance, report, illuminant)
+        colours = item.under(report, illuminant)
         print(f"  {colours[0].label}")
         for reading, colour in zip(report.readings, colours, strict=True):
             print(f"{reading.geometry.name:>10}" + "".join(f" {value:8.2f}" for value in colour.lab.tolist()))
@@ -124,8 +122,6 @@ def _print_table(item: Measurable, report: Report, illuminant: str) -> None:
 
 
 def _print_csv(measured: list[tuple[Measurable, Report]], illuminant: str) -> None:
-    from brdf_suite.reflectance.under_light import readings_under
-
     writer = csv.writer(sys.stdout, lineterminator="\n")
     first = measured[0][1]
     names = [_column(reading.geometry.name) for reading in first.readings]
@@ -139,7 +135,7 @@ def _print_csv(measured: list[tuple[Measurable, Report]], illuminant: str) -> No
         row: list[str] = [item.name]
         row += [f"{value:.4f}" for reading in report.readings for value in reading.lab]
         if illuminant != "D65":
-            colours = readings_under(item.reflectance, report, illuminant)
+            colours = item.under(report, illuminant)
             row += [f"{value:.4f}" for colour in colours for value in colour.lab.tolist()]
         row += [f"{reading.factor:.6f}" for reading in report.readings]
         row += [f"{value:.3f}" for value in (*report.gloss.values(), report.haze)]

@@ -7,10 +7,12 @@ import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
+from brdf_suite.appearance.light_colour import LightColour
 from brdf_suite.appearance.spaces import in_display_gamut
 from brdf_suite.appearance.tolerance import DIFFERENCES, Tolerances, Verdict, judge
 from brdf_suite.documents.paint import Paint
@@ -26,6 +28,9 @@ from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 from brdf_suite.reflectance.through_aperture import build_through
 from brdf_suite.reflectance.under_light import has_spectra, metamerism, readings_under
 
+if TYPE_CHECKING:
+    from brdf_suite.files.measured import MeasuredReflectance
+
 PAINT_ENDING = ".brdfpaint"
 
 ANGLE_SET = "8 light directions by 16 x 32 views, even in solid angle over both hemispheres (midpoints in cos θ and φ)"
@@ -39,13 +44,21 @@ _LIGHTS, _VIEW_RINGS, _VIEW_AZIMUTHS = 8, 16, 32
 
 @dataclass(frozen=True)
 class Measurable:
-    """Something that reflects, and what is known of it."""
+    """Something that reflects, and what is known of it.
+
+    ``observer_deg`` is the observer through which its spectra became colour.
+    """
 
     name: str
     reflectance: Reflectance
     paint: Paint | None = None
     facts: Mapping[str, object] = field(default_factory=dict)
     notices: tuple[str, ...] = ()
+    observer_deg: int = 10
+
+    def under(self, report: Report, illuminant: str) -> tuple[LightColour, ...]:
+        """Return the report's readings under another light, each labelled with how it was found."""
+        return readings_under(self.reflectance, report, illuminant, self.observer_deg)
 
 
 def load_measurable(
@@ -70,9 +83,12 @@ def load_measurable(
         from brdf_suite.files.measured import ReadOptions, read_measured
 
         value = read_measured(path, options=ReadOptions(observer_deg=observer_deg))
-        scattered = isinstance(value, ScatteredSamples)
         return Measurable(
-            path.name, value, facts=dict(value.facts), notices=(_SCATTERED,) if scattered else ()
+            path.name,
+            value,
+            facts=dict(value.facts),
+            notices=_told(value, observer_deg),
+            observer_deg=observer_deg,
         )
     paint = find_any_paint(name_or_path)
     if isinstance(paint, Paint):
@@ -81,13 +97,29 @@ def load_measurable(
     return Measurable(paint.name, build_reflectance(paint))
 
 
+def _told(value: MeasuredReflectance, observer_deg: int) -> tuple[str, ...]:
+    """What a user should know of a measured file."""
+    notes = value.facts.get("notes", ())
+    told = [str(note) for note in notes] if isinstance(notes, (tuple, list)) else [str(notes)]
+    if observer_deg != 10 and has_spectra(value):
+        told.append(
+            f"Its spectra are seen through the {observer_deg}° observer; L*a*b* follows from the working space, as for "
+            "every reading."
+        )
+    if isinstance(value, ScatteredSamples):
+        told.append(_SCATTERED)
+    return tuple(told)
+
+
 def measurement_json(item: Measurable, report: Report, illuminant: str = "D65") -> dict[str, object]:
     """Return a report as plain values: degrees, gloss units, L*a*b* of D65 and 10° unless said otherwise."""
     flop, path = report.flop, report.travel
     answer: dict[str, object] = {
         "name": item.name,
+        "facts": {key: _plain(value) for key, value in item.facts.items() if key != "notes"},
         "illuminant": "D65",
         "observer_deg": 10,
+        "spectra_observer_deg": item.observer_deg if has_spectra(item.reflectance) else None,
         "geometry": report.geometry_set.name,
         "geometry_title": report.geometry_set.title,
         "aperture": {
@@ -103,7 +135,7 @@ def measurement_json(item: Measurable, report: Report, illuminant: str = "D65") 
         "notices": [*item.notices, *report.notices],
     }
     if illuminant != "D65":
-        colours = readings_under(item.reflectance, report, illuminant)
+        colours = item.under(report, illuminant)
         answer["under"] = {
             "illuminant": illuminant,
             "label": colours[0].label,
@@ -114,6 +146,15 @@ def measurement_json(item: Measurable, report: Report, illuminant: str = "D65") 
             ],
         }
     return answer
+
+
+def _plain(value: object) -> object:
+    """A fact as JSON holds it; anything else than a number, a text or nothing by its words."""
+    if value is None or isinstance(value, (bool, int, str)):
+        return value
+    if isinstance(value, float):
+        return value if math.isfinite(value) else str(value)
+    return str(value)
 
 
 def _reading_json(reading: Reading) -> dict[str, object]:
@@ -236,12 +277,22 @@ class Conversion:
     target: Path
     format: str
     facts: Mapping[str, object]
+    #: what the target's format could not hold, each a clause for the user
+    notes: tuple[str, ...] = ()
 
 
 def convert(
-    source: str | os.PathLike[str], target: str | os.PathLike[str], *, observer_deg: int = 10
+    source: str | os.PathLike[str],
+    target: str | os.PathLike[str],
+    *,
+    observer_deg: int = 10,
+    scale_factors: bool | None = None,
+    average_reciprocal: bool = False,
 ) -> Conversion:
     """Read a measured file and write it in the format that the target's ending names.
+
+    ``scale_factors`` and ``average_reciprocal`` say how MERL tables are read, as
+    :class:`~brdf_suite.files.measured.ReadOptions` has them.
 
     Raises
     ------
@@ -253,6 +304,9 @@ def convert(
     read_from, write_to = Path(source), Path(target)
     if write_to.exists() and read_from.exists() and write_to.samefile(read_from):
         raise SuiteError(f"{write_to}: the target is the source itself; name another file.")
-    value = read_measured(read_from, options=ReadOptions(observer_deg=observer_deg))
+    options = ReadOptions(
+        observer_deg=observer_deg, scale_factors=scale_factors, average_reciprocal=average_reciprocal
+    )
+    value = read_measured(read_from, options=options)
     written = write_measured(value, write_to)
-    return Conversion(read_from, write_to, written.name, dict(value.facts))
+    return Conversion(read_from, write_to, written.format.name, dict(value.facts), written.notes)

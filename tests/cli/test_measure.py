@@ -167,7 +167,10 @@ def test_the_observer_is_the_users_choice(asked, shared_data: Path) -> None:
         _status, out, _err = asked(
             "measure", shared_data / "brdf" / "krylon_blue.brdf", "--json", "--observer", observer
         )
-        seen.append(json.loads(out)["readings"][3]["lab"])
+        facts = json.loads(out)
+        assert facts["spectra_observer_deg"] == observer
+        assert any("2° observer" in notice for notice in facts["notices"]) is (observer == 2)
+        seen.append(facts["readings"][3]["lab"])
     assert 0.5 < float(delta_e_2000(*seen)) < 10.0
 
 
