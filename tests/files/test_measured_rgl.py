@@ -82,7 +82,6 @@ def test_values_and_densities_are_those_of_mitsuba(shared_data: Path, name: str)
     # The rest are values a thousandth of these and less, at half vectors near the horizon, where their single
     # precision cannot resolve the cumulative distributions.
     assert error[theirs.max(axis=1) > 1e-4].max() < 1e-3
-    assert (np.abs(own - theirs) / (np.abs(theirs) + 1e-4)).max() < 1e-3
     theirs_pdf = truth.pdf(wi[:20_000], wo[:20_000])
     own_pdf = value.pdf(wo[:20_000], wi[:20_000])  # our pdf is of the light for a view; theirs the other way
     assert (np.abs(own_pdf - theirs_pdf) / (np.abs(theirs_pdf) + 1e-3)).max() < 1e-3

@@ -216,7 +216,7 @@ def _looks(head: bytes, _size: int) -> bool:
 FORMAT = MeasuredFormat(
     name="bird",
     title="BiRD JSON",
-    endings=(".json", ".brdf"),
+    endings=(".json",),
     sniff=_looks,
     read=read_bird,
     write=write_bird,
