@@ -89,7 +89,7 @@ def test_the_colours_are_those_of_the_names(shared_data: Path) -> None:
 def test_spectra_survive_load_save_load(shared_data: Path, tmp_path: Path, name: str, ending: str) -> None:
     first = read_measured(shared_data / "brdf" / name)
     copy_ = tmp_path / f"copy{ending}"
-    assert write_measured(first, copy_) == sniff(copy_)
+    assert write_measured(first, copy_).format == sniff(copy_)
     second = read_measured(copy_)
     np.testing.assert_array_equal(second.spectra, first.spectra)
     np.testing.assert_array_equal(second.wavelengths_nm, first.wavelengths_nm)

@@ -118,10 +118,10 @@ def _validated(path: PathLike) -> dict[str, Any]:
     except FileError as error:
         raise FileError(path, error.reason, error.place or "the JSON text") from error
     found = jsonschema.Draft202012Validator(SCHEMA).iter_errors(document)
-    error = next(iter(found), None)
-    if error is not None:
-        place = ".".join(str(part) for part in error.absolute_path) or "the top level"
-        raise FileError(path, f"does not follow the BRDF schema: {_short(error)}", place)
+    fault = next(iter(found), None)
+    if fault is not None:
+        place = ".".join(str(part) for part in fault.absolute_path) or "the top level"
+        raise FileError(path, f"does not follow the BRDF schema: {_short(fault)}", place)
     assert isinstance(document, dict)  # the schema says so
     return document
 
