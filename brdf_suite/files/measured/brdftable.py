@@ -38,8 +38,10 @@ _KINDS: dict[str, tuple[set[str], dict[str, type], set[str]]] = {
 }
 
 
-def write_brdftable(value: Reflectance, path: PathLike) -> None:
+def write_brdftable(value: Reflectance, path: PathLike) -> tuple[str, ...]:
     """Write a table or samples as they are; any other reflectance is tabulated as 90 × 90 × 180 isotropic bins.
+
+    Returns notes: what was lost, each a clause for the user.
 
     Raises
     ------
@@ -47,12 +49,13 @@ def write_brdftable(value: Reflectance, path: PathLike) -> None:
         The file cannot be written, or the facts of the table are not plain values.
     """
     table: Table
+    notes: tuple[str, ...] = ()
     if isinstance(value, (IsotropicTable, AnisotropicTable, ScatteredSamples)):
         table = value
     else:
         facts = dict(getattr(value, "facts", {}))
-        tabulated = "tabulated in 90 × 90 × 180 half-angle bins, as an isotropic and reciprocal reflectance"
-        facts["notes"] = (*facts.get("notes", ()), tabulated)
+        notes = ("tabulated in 90 × 90 × 180 half-angle bins, as an isotropic and reciprocal reflectance",)
+        facts["notes"] = (*facts.get("notes", ()), *notes)
         table = IsotropicTable.from_reflectance(value, source=getattr(value, "source", ""), facts=facts)
     kind, own, arrays = _parts(table)
     header = {
@@ -64,6 +67,7 @@ def write_brdftable(value: Reflectance, path: PathLike) -> None:
         **own,
     }
     write_container(path, header, arrays)
+    return notes
 
 
 def read_brdftable(path: PathLike) -> Table:

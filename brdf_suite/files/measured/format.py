@@ -67,7 +67,8 @@ class MeasuredFormat:
     read
         ``(path, options) -> value``; raises :class:`~brdf_suite.errors.FileError`, imports nothing partly.
     write
-        ``(value, path)``, or None for formats that are only read; whole file or none.
+        ``(value, path)``, or None for formats that are only read; whole file or none. What the format could
+        not hold is returned as notes, each a clause for the user.
     """
 
     name: str
@@ -76,4 +77,12 @@ class MeasuredFormat:
     sniff: Callable[[bytes, int], bool]
     # A reader's own value class; the registry hands it through.
     read: Callable[[PathLike, ReadOptions], Any]
-    write: Callable[[Any, PathLike], None] | None = None
+    write: Callable[[Any, PathLike], tuple[str, ...] | None] | None = None
+
+
+@dataclass(frozen=True)
+class Written:
+    """In which format a value was written, and what of it that format could not hold."""
+
+    format: MeasuredFormat
+    notes: tuple[str, ...] = ()

@@ -241,8 +241,4 @@ def _read(path: PathLike, options: ReadOptions) -> IsotropicTable:
     return read_merl(path, scale_factors=options.scale_factors, average_reciprocal=options.average_reciprocal)
 
 
-def _write(value: Any, path: PathLike) -> None:
-    write_merl(value, path)
-
-
-FORMAT = MeasuredFormat("merl", "MERL isotropic table", (".binary",), _sniff, _read, _write)
+FORMAT = MeasuredFormat("merl", "MERL isotropic table", (".binary",), _sniff, _read, write_merl)

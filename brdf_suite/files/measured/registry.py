@@ -22,7 +22,13 @@ from brdf_suite.files.measured import (
     utia,
 )
 from brdf_suite.files.measured.bounded_reading import open_plain
-from brdf_suite.files.measured.format import MeasuredFormat, MeasuredReflectance, PathLike, ReadOptions
+from brdf_suite.files.measured.format import (
+    MeasuredFormat,
+    MeasuredReflectance,
+    PathLike,
+    ReadOptions,
+    Written,
+)
 
 FORMATS: tuple[MeasuredFormat, ...] = (
     rgl.FORMAT,
@@ -90,8 +96,8 @@ def read_measured(path: PathLike, *, options: ReadOptions | None = None) -> Meas
 
 
 # Any: each writer takes its own value classes and says what it cannot write.
-def write_measured(value: Any, path: PathLike) -> MeasuredFormat:
-    """Write a reflectance in the format that the ending of ``path`` names, and return that format.
+def write_measured(value: Any, path: PathLike) -> Written:
+    """Write a reflectance in the format that the ending of ``path`` names; return that format, and notes.
 
     The file is written whole or not at all.
 
@@ -105,7 +111,6 @@ def write_measured(value: Any, path: PathLike) -> MeasuredFormat:
     writers = [known for known in FORMATS if known.write is not None]
     for known in writers:
         if ending in known.endings and known.write is not None:
-            known.write(value, path)
-            return known
+            return Written(known, known.write(value, path) or ())
     endings = ", ".join(sorted({end for known in writers for end in known.endings}))
     raise FileError(path, f"the ending {ending or '(none)'} names no format that is written here ({endings})")
