@@ -10,7 +10,8 @@ E_F being the coat's mean F for even light; T̄ = 1 - E_F, so that (1 - K)/T̄ =
 angle at the surface. A mirror below (``spread`` 0) sends up one direction, K = 1 - √(T(θi) T(θo)), which there
 is F, and T̄ = 1 - K: the sum over all bounces of a mirror pair, T²/(1 - F E_b). Between them K and T̄ are mixed.
 So a white base of either kind sends back all light; nothing is made and nothing lost (without T̄, which some
-renderers leave out, a white matt base under n = 1.5 would lose 9 % of what enters).
+renderers leave out, a white matt base under n = 1.5 would lose 9 % of what enters). In between it is a model, and
+``energy_conserving`` says where it is sure.
 
 Not for a base that was measured through its coat: that one has been through all this.
 """
@@ -28,9 +29,9 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.documents.parameter import Parameter
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.reflectance.albedo import hemispherical_albedo
+from brdf_suite.reflectance.albedo import directional_albedo, hemispherical_albedo
 from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import luminance
@@ -44,10 +45,12 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     }
 )
 
+_BOUND_DEG = np.array([0.0, 20.0, 40.0, 50.0, 60.0, 70.0, 75.0, 80.0, 85.0, 88.0])
+
 
 @dataclass(frozen=True, eq=False)
 class Coated:
-    """``base`` under a clearcoat; ``reciprocal`` and ``energy_conserving`` where the base is."""
+    """``base`` under a clearcoat; reciprocal where the base is."""
 
     base: Reflectance
     ior: float = 1.5
@@ -64,10 +67,21 @@ class Coated:
         """Return whether light and view may be exchanged."""
         return bool(getattr(self.base, "reciprocal", False))
 
-    @property
+    @cached_property
     def energy_conserving(self) -> bool:
-        """Return whether the base conserves energy, and so the whole."""
-        return bool(getattr(self.base, "energy_conserving", False))
+        """Return whether the whole certainly sends back no more than it gets.
+
+        The series knows the base by its mean albedo and its spread only. Between a matt base and a mirror, or with
+        the wrong spread, it may give a white base a few per cent too much. So this bounds the base's part: its
+        factor grows with T(θi), which is largest along the normal, and multiplies the largest albedo of the base.
+        """
+        if not getattr(self.base, "energy_conserving", False):
+            return False
+        theta = np.radians(_BOUND_DEG)
+        fresnel = fresnel_dielectric(np.cos(theta), self.ior)
+        largest = directional_albedo(self.base, spherical(theta, math.pi), 32).max(axis=0)
+        through = (1.0 - fresnel) * (1.0 - float(fresnel_dielectric(1.0, self.ior)))
+        return bool(np.all(fresnel[:, None] + self._series(through) * largest <= 1.0))
 
     @property
     def coat(self) -> CoatLobe:
@@ -85,18 +99,19 @@ class Coated:
         through = (1.0 - fresnel_dielectric(wi[..., 2], self.ior)) * (
             1.0 - fresnel_dielectric(wo[..., 2], self.ior)
         )
-        stays, mean = self._inside(through)
-        series = (through / mean * (1.0 - stays))[..., None] / (1.0 - stays[..., None] * self.base_albedo)
-        value = self.base.eval(wi, wo) * series
+        value = self.base.eval(wi, wo) * self._series(through)
         return np.asarray(value + self.coat.eval_grey(wi, wo)[..., None])
 
-    def _inside(self, through: Floats) -> tuple[Floats, Floats]:
-        """(K, T̄), each (...), for the product T(θi) T(θo)."""
+    def _series(self, through: Floats) -> Floats:
+        """What the base is multiplied by (..., 3), for the product T(θi) T(θo) (...)."""
         even = mean_fresnel(self.ior)
         one_way = np.sqrt(np.maximum(through, 1e-30))
         inner = 1.0 - (1.0 - even) / self.ior**2
         stays = (1.0 - self.spread) * (1.0 - one_way) + self.spread * inner
-        return stays, (1.0 - self.spread) * one_way + self.spread * (1.0 - even)
+        mean = (1.0 - self.spread) * one_way + self.spread * (1.0 - even)
+        return np.asarray(
+            (through / mean * (1.0 - stays))[..., None] / (1.0 - stays[..., None] * self.base_albedo)
+        )
 
     def _parts(self) -> list[mixture.Part]:
         base, coat = luminance(self.base_albedo), 0.02 + 2.0 * float(fresnel_dielectric(1.0, self.ior))
