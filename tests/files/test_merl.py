@@ -16,6 +16,7 @@ from brdf_suite.files.measured.format import ReadOptions
 from brdf_suite.files.measured.merl import FORMAT, read_merl, write_merl
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 WriteFile = Callable[[bytes], Path]
 
@@ -214,10 +215,19 @@ def test_a_model_is_tabulated_to_be_written(tmp_path: Path) -> None:
     path = tmp_path / "lambert.binary"
     notes = write_merl(Lambert(), path)
     assert "tabulated" in notes[0]
+    assert len(notes) == 1
     table = read_merl(path)
     assert table.values.shape == (90, 90, 180, 3)
     assert np.allclose(table.values[table.grid.reached()], [0.1, 0.2, 0.15], rtol=1e-5)
     assert np.array_equal(np.asarray(table.holes), ~HalfAngleGrid().above_horizon())
+
+
+def test_spectra_that_the_layout_cannot_hold_are_told(tmp_path: Path) -> None:
+    up = np.array([[0.0, 0.0, 1.0]])
+    samples = ScatteredSamples(up, up, np.full((1, 3), 0.1), np.full((1, 2), 0.1), np.array([400.0, 700.0]))
+    notes = write_merl(samples, tmp_path / "a.binary")
+    assert "spectra were left out" in notes[1]
+    assert np.allclose(read_merl(tmp_path / "a.binary").eval(up, up), 0.1)
 
 
 def test_a_failed_write_keeps_the_old_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

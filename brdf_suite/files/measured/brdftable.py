@@ -21,6 +21,7 @@ import numpy as np
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.measured.array_container import MAGIC, Array, read_container, write_container
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.files.measured.tabulation import tabulation_notes
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -54,7 +55,7 @@ def write_brdftable(value: Reflectance, path: PathLike) -> tuple[str, ...]:
         table = value
     else:
         facts = dict(getattr(value, "facts", {}))
-        notes = ("tabulated in 90 × 90 × 180 half-angle bins, as an isotropic and reciprocal reflectance",)
+        notes = tabulation_notes(value)
         facts["notes"] = (*facts.get("notes", ()), *notes)
         table = IsotropicTable.from_reflectance(value, source=getattr(value, "source", ""), facts=facts)
     kind, own, arrays = _parts(table)

@@ -22,6 +22,7 @@ from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.bounded_reading import open_plain
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.files.measured.tabulation import tabulation_notes
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
@@ -122,7 +123,7 @@ def write_merl(value: Reflectance, path: PathLike, *, scale_factors: bool = True
         table = value
     else:
         table = IsotropicTable.from_reflectance(value)
-        notes.append("tabulated in 90 × 90 × 180 half-angle bins, as an isotropic and reciprocal reflectance")
+        notes += tabulation_notes(value)
     if not table.reciprocal:
         table = table.made_reciprocal()
         notes.append("a pair and its swap were averaged: the layout holds φd from 0 to 180°")
