@@ -139,7 +139,7 @@ def test_samples_follow_the_pdf(shared_data: Path) -> None:
 def test_reading_and_writing_again_changes_nothing(shared_data: Path, tmp_path: Path, name: str) -> None:
     first = read_rgl(shared_data / "brdf" / name)
     copy = tmp_path / "copy.bsdf"
-    write_measured(first, copy)
+    assert write_measured(first, copy).notes == ()
     before = unpack((shared_data / "brdf" / name).read_bytes(), name)
     after = unpack(copy.read_bytes(), copy)
     assert before.keys() == after.keys()
@@ -152,7 +152,9 @@ def test_a_paint_written_is_the_paint_in_mitsuba(checkout: Path, tmp_path: Path)
     """Linear interpolation is what limits this; the figures are those that docs/measurements.md states."""
     paint = build_paint(load_paint(checkout / "resources" / "paints" / "silver_metallic.brdfpaint"))
     path = tmp_path / "paint.bsdf"
-    write_measured(paint, path)
+    notes = write_measured(paint, path).notes
+    assert len(notes) == 1
+    assert "Tabulated" in notes[0]
     truth = Mitsuba(path)
     wi, wo = hemisphere(20_000, 5), hemisphere(20_000, 6)
     above = (wi[:, 2] > 0.2) & (wo[:, 2] > 0.2)

@@ -315,6 +315,7 @@ def test_polarizations_are_averaged_and_wavelengths_become_a_spectrum(shared_dat
     assert value.facts["samples"] == 1
     np.testing.assert_array_equal(value.wavelengths_nm, [550.0, 650.0, 750.0, 850.0])
     np.testing.assert_allclose(value.spectra, [[0.2585, 0.27, 0.288, 0.2985]])
+    assert "550 to 850 nm only" in value.facts["notes"][0]
     np.testing.assert_allclose(value.wo[0], spherical(np.radians(10.0), np.radians(60.0)))
 
 
@@ -402,9 +403,10 @@ def test_any_reflectance_can_be_written_as_scattered_samples(tmp_path: Path, end
 
     paint = build_reflectance(lobes())
     path = tmp_path / f"a{ending}"
-    write_measured(paint, path)
+    notes = write_measured(paint, path).notes
     value = read_measured(path)
     assert len(value.wi) == len(as_samples(paint).wi) > 3000
+    assert "pairs of directions" in notes[0]
     np.testing.assert_allclose(value.values, paint.eval(value.wi, value.wo), rtol=1e-6, atol=1e-9)
 
 

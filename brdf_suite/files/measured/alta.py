@@ -28,6 +28,7 @@ from brdf_suite.files.measured.samples import (
     one_line,
     rgb_values,
     samples,
+    sampling_notes,
 )
 from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates
 from brdf_suite.reflectance.protocol import Reflectance
@@ -200,8 +201,8 @@ def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
     )
 
 
-def write_alta(value: Reflectance, path: PathLike) -> None:
-    """Write RGB samples (Rec. 709, as readers of ALTA expect), grey ones in one column.
+def write_alta(value: Reflectance, path: PathLike) -> tuple[str, ...]:
+    """Write RGB samples, and return notes for the user (Rec. 709, as readers of ALTA expect), grey ones in one column.
 
     Raises
     ------
@@ -226,6 +227,7 @@ def write_alta(value: Reflectance, path: PathLike) -> None:
         f"#PARAM_OUT {'INV_STERADIAN' if grey else 'RGB_COLOR'}\n"
     )
     write_atomically(path, (header + columns(np.column_stack((inputs, values)), "\t")).encode())
+    return sampling_notes(value, scattered)
 
 
 FORMAT = MeasuredFormat(

@@ -24,6 +24,7 @@ from brdf_suite.files.measured.samples import (
     one_line,
     rgb_values,
     samples,
+    sampling_notes,
 )
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.protocol import Reflectance
@@ -101,8 +102,10 @@ def _columns(path: PathLike, names: list[str], number: int) -> tuple[str, Floats
     raise FileError(path, reason, f"line {number}")
 
 
-def write_astm(value: Reflectance, path: PathLike) -> None:
-    """Write samples: spectra where there are any, else Rec. 709 RGB, else (grey) one column.
+def write_astm(value: Reflectance, path: PathLike) -> tuple[str, ...]:
+    """Write samples, and return notes for the user.
+
+    Spectra where there are any, else Rec. 709 RGB, or one column where all is grey.
 
     Raises
     ------
@@ -122,6 +125,7 @@ def write_astm(value: Reflectance, path: PathLike) -> None:
         f"NUM_POINTS {len(table)}\nVARS {','.join(('theta_i', 'phi_i', 'theta_s', 'phi_s', *names))}\n"
     )
     write_atomically(path, (header + columns(table, ",")).encode())
+    return sampling_notes(value, scattered)
 
 
 FORMAT = MeasuredFormat(

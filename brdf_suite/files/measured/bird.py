@@ -30,6 +30,7 @@ from brdf_suite.files.measured.samples import (
     one_line,
     rgb_values,
     samples,
+    sampling_notes,
 )
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.protocol import Reflectance
@@ -172,8 +173,8 @@ def _name(metadata: dict[str, Any]) -> str:
     return one_line(name if isinstance(name, str) else metadata.get("description", ""))
 
 
-def write_bird(value: Reflectance, path: PathLike) -> None:
-    """Write samples: spectra per wavelength where there are any, else the mean of what is grey.
+def write_bird(value: Reflectance, path: PathLike) -> tuple[str, ...]:
+    """Write samples, spectra or grey values, and return notes for the user.
 
     Raises
     ------
@@ -206,6 +207,7 @@ def write_bird(value: Reflectance, path: PathLike) -> None:
     }
     text = json.dumps({"metadata": metadata, "data": data}, ensure_ascii=False, indent=1)
     write_atomically(path, text.encode())
+    return sampling_notes(value, scattered)
 
 
 def _looks(head: bytes, _size: int) -> bool:

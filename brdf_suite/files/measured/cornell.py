@@ -23,6 +23,7 @@ from brdf_suite.files.measured.samples import (
     one_azimuth,
     one_line,
     samples,
+    sampling_notes,
 )
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
@@ -92,8 +93,8 @@ def _name(comments: list[str]) -> str:
     return "; ".join(title)[:500]
 
 
-def write_cornell(value: Reflectance, path: PathLike) -> None:
-    """Write spectral samples; numbers are written so that they read back unchanged.
+def write_cornell(value: Reflectance, path: PathLike) -> tuple[str, ...]:
+    """Write spectral samples, and return notes for the user; numbers are written so that they read back unchanged.
 
     Raises
     ------
@@ -113,6 +114,7 @@ def write_cornell(value: Reflectance, path: PathLike) -> None:
         "# theta i  phi i  theta s  phi_s  spectral sample values\n\n"
     )
     write_atomically(path, (header + columns(table, " ")).encode())
+    return sampling_notes(value, scattered)
 
 
 def _looks(head: bytes, _size: int) -> bool:

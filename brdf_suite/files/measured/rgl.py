@@ -16,6 +16,7 @@ from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.measured.bounded_reading import MOST_BANDS, read_bytes
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
 from brdf_suite.files.measured.tensor_file import MAGIC, Arrays, pack, unpack
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tensor.tensor_reflectance import Float32s, TensorReflectance
 
@@ -124,8 +125,8 @@ class _Fields:
             self.fail(name, "the density of an incident direction is zero everywhere")
 
 
-def write_rgl(value: Reflectance, path: PathLike) -> None:
-    """Write a reflectance so that Mitsuba's ``measured`` reads it.
+def write_rgl(value: Reflectance, path: PathLike) -> tuple[str, ...]:
+    """Write a reflectance so that Mitsuba's ``measured`` reads it, and return notes for the user.
 
     A TensorReflectance is written as it is; any other isotropic reflectance is tabulated first
     (:func:`~brdf_suite.reflectance.tensor.tabulate.tabulate`), with its spectra where it has them.
@@ -155,6 +156,23 @@ def write_rgl(value: Reflectance, path: PathLike) -> None:
         arrays["wavelengths"] = tensor.wavelengths_nm
     arrays["jacobian"] = np.array([1 if tensor.jacobian else 0], np.uint8)
     write_atomically(path, pack(arrays))
+    if tensor is value:
+        return ()
+    notes = [
+        "Tabulated: interpolation errs by about 2 in 10,000 in the middle of the hemisphere and by percents within"
+        " some degrees of the horizon."
+    ]
+    if tensor.wavelengths_nm is None and _leaves_rec_709(tensor):
+        notes.append("Some colours lie outside Rec. 709; a renderer may take their negative channel as 0.")
+    return tuple(notes)
+
+
+def _leaves_rec_709(tensor: TensorReflectance) -> bool:
+    """Whether a channel is negative where it can be seen (the table also holds continuations that cannot)."""
+    theta, phi = np.meshgrid(np.linspace(0.0, 1.4, 12), np.linspace(0.0, math.pi, 9))
+    wi, wo = spherical([[[0.2]], [[0.8]]], 0.0), spherical(theta, phi)
+    channels = tensor.eval_channels(wi, wo)
+    return bool((channels < -1e-3 * np.abs(channels).max(axis=-1, keepdims=True)).any())
 
 
 def _tabulated(value: Reflectance, path: PathLike) -> TensorReflectance:

@@ -25,6 +25,9 @@ _HORIZON_SLACK = 1e-3
 # Closer bands than this (nm) are a damaged list, and would make the weights between them overflow.
 _CLOSEST_BANDS_NM = 1e-3
 
+# What a spectrum must cover for its colour to be measured rather than guessed.
+_VISIBLE_NM = (420.0, 680.0)
+
 # No measurement of a reflectance reaches this (1/sr); a mirror seen through a pinhole has 1e7.
 _LARGEST_VALUE = 1e12
 
@@ -120,6 +123,9 @@ def samples(
         spectra = np.maximum(spectra, 0.0)
         known["colour"] = f"{len(wavelengths_nm)} bands, {wavelengths_nm[0]:g} to {wavelengths_nm[-1]:g} nm"
         known["observer_deg"] = observer_deg
+        notes = _coverage(wavelengths_nm)
+        if notes:
+            known["notes"] = notes
         # Between far bands the interpolation may dip below 0; a reflectance does not.
         values = np.maximum(spectrum_to_working(spectra, wavelengths_nm, observer_deg), 0.0)
     try:
@@ -128,6 +134,23 @@ def samples(
         )
     except ValueRangeError as error:
         raise FileError(rows.path, error.reason, error.place) from error
+
+
+def _coverage(bands: Floats) -> tuple[str, ...]:
+    """Say where the spectra do not cover the visible range, as sentences for the user."""
+    if bands[0] <= _VISIBLE_NM[0] and bands[-1] >= _VISIBLE_NM[1]:
+        return ()
+    return (
+        f"The spectra reach from {bands[0]:g} to {bands[-1]:g} nm only; beyond, their last value is held, and"
+        " colours are as good as that guess.",
+    )
+
+
+def sampling_notes(value: object, scattered: ScatteredSamples) -> tuple[str, ...]:
+    """Say for the user what was lost where ``value`` had to be sampled to be written; nothing where it was not."""
+    if scattered is value:
+        return ()
+    return (f"Read at {len(scattered.wi):,} pairs of directions, as an isotropic reflectance.",)
 
 
 def rgb_values(numbers: Floats, meaning: str) -> Floats:

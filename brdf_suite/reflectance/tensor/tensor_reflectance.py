@@ -19,12 +19,15 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from types import MappingProxyType
+from typing import ClassVar
 
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colorimetry import REC709_TO_WORKING
 from brdf_suite.appearance.spectra import spectrum_to_working
+from brdf_suite.documents.parameter import Parameter
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.reflectance.tensor.density import Blend, GridDensity, bilinear, blend_of
 
@@ -73,6 +76,11 @@ class TensorReflectance:
     observer_deg: int = 10
     source: str = ""
     other: Mapping[str, npt.NDArray[np.generic]] = field(default_factory=dict)
+
+    parameters: ClassVar[Mapping[str, Parameter]] = MappingProxyType({})
+    # Measured for light from wi; noise and interpolation make the swapped pair differ by some percent.
+    reciprocal: ClassVar[bool] = False
+    energy_conserving: ClassVar[bool] = False
 
     @property
     def isotropic(self) -> bool:
