@@ -78,6 +78,11 @@ def run(options: argparse.Namespace) -> int:
             else f"  {'pass' if row.passes else 'FAIL'} (≤ {row.tolerance:g})"
         )
         print(f"{reading.geometry.name:>10}{numbers}{words}")
+    gloss = ", ".join(
+        f"{value:.1f} and {result.second.gloss[angle]:.1f} at {angle}°"
+        for angle, value in result.first.gloss.items()
+    )
+    print(f"  gloss (GU): {gloss}")
     for title, figures in (("all directions", result.figures), ("5° off the mirror", result.away)):
         print(
             f"  {title:>18}: cosine RMS {figures.cosine_rms:.5g} 1/sr, cube-root RMS {figures.cube_root_rms:.5g}, "

@@ -13,11 +13,13 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     command = commands.add_parser(
         "convert",
-        help="convert a file of measured reflectance to another format",
+        help="convert a measured file, or a paint, to a format of measured reflectance",
         description="Read a measured file by its content and write it in the format that the ending of OUT names. "
         "What a format cannot hold is refused, and OUT is left as it was.",
     )
-    command.add_argument("source", metavar="IN", type=Path, help="a measured file")
+    command.add_argument(
+        "source", metavar="IN", type=Path, help="a measured file, a .brdfpaint, or a paint's name"
+    )
     command.add_argument("target", metavar="OUT", type=Path, help="the file to write")
     command.add_argument(
         "--observer",

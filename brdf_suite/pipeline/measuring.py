@@ -79,7 +79,7 @@ def load_measurable(
         There is nothing of that name, the file is not valid, or the paint cannot be built; the message says why.
     """
     path = Path(name_or_path)
-    if path.is_file() and path.suffix.lower() != PAINT_ENDING:
+    if _is_measured_file(path):
         from brdf_suite.files.measured import ReadOptions, read_measured
 
         value = read_measured(path, options=ReadOptions(observer_deg=observer_deg))
@@ -289,8 +289,9 @@ def convert(
     scale_factors: bool | None = None,
     average_reciprocal: bool = False,
 ) -> Conversion:
-    """Read a measured file and write it in the format that the target's ending names.
+    """Read a measured file, or take a paint, and write it in the format that the target's ending names.
 
+    A paint (a ``.brdfpaint``, or a shipped or Table 1 name) is tabulated by formats that hold tables.
     ``scale_factors`` and ``average_reciprocal`` say how MERL tables are read, as
     :class:`~brdf_suite.files.measured.ReadOptions` has them.
 
@@ -307,6 +308,15 @@ def convert(
     options = ReadOptions(
         observer_deg=observer_deg, scale_factors=scale_factors, average_reciprocal=average_reciprocal
     )
-    value = read_measured(read_from, options=options)
-    written = write_measured(value, write_to)
-    return Conversion(read_from, write_to, written.format.name, dict(value.facts), written.notes)
+    if _is_measured_file(read_from):
+        value = read_measured(read_from, options=options)
+        written = write_measured(value, write_to)
+        return Conversion(read_from, write_to, written.format.name, dict(value.facts), written.notes)
+    item = load_measurable(source)
+    written = write_measured(item.reflectance, write_to)
+    told = (*item.notices, *written.notes)
+    return Conversion(read_from, write_to, written.format.name, {"name": item.name}, told)
+
+
+def _is_measured_file(path: Path) -> bool:
+    return path.is_file() and path.suffix.lower() != PAINT_ENDING

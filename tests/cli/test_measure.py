@@ -238,6 +238,20 @@ def test_convert_keeps_the_spectra(asked, shared_data: Path, tmp_path: Path) -> 
     )
 
 
+def test_convert_tabulates_a_paint(asked, tmp_path: Path) -> None:
+    target = tmp_path / "copper.brdftable"
+    status, out, err = asked("convert", "copper", target)
+    assert status == 0, err
+    assert "tabulated" in out
+    status, out, _err = asked("compare", "copper", target, "--json")
+    facts = json.loads(out)
+    # The paint's colours are kept; its clearcoat's lobe is narrower than the table's finest bin.
+    assert max(row["delta_e_2000"] for row in facts["angles"]) < 0.1
+    assert facts["away_from_mirror"]["cosine_rms"] < 1e-3
+    text = asked("compare", "copper", target)[1]
+    assert "gloss (GU): 89.0 and" in text
+
+
 def test_bad_requests_are_refused_in_one_line(asked, shared_data: Path, tmp_path: Path) -> None:
     blue = shared_data / "brdf" / "krylon_blue.brdf"
     broken = tmp_path / "broken.brdf"
