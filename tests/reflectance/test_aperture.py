@@ -13,6 +13,7 @@ from brdf_suite.appearance.geometries import measured_set
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.geometry.directions import aspecular_view, illumination
+from brdf_suite.geometry.fresnel import fresnel_at
 from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
 from brdf_suite.reflectance.aperture import (
     APERTURES,
@@ -25,6 +26,7 @@ from brdf_suite.reflectance.aperture import (
     reflectance_factor,
 )
 from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.spectrophotometer import measure
 from brdf_suite.reflectance.through_aperture import TOLERANCE_DELTA_E, build_through
 
@@ -71,6 +73,21 @@ def test_closed_forms() -> None:
         reflectance_factor(Power(1.0, 1.0), down, down, WIDE)[0], math.pi * means[0] * means[1], rtol=1e-9
     )
     np.testing.assert_allclose(reflectance_factor(Power(0, 1), wi, down, POINT)[0], math.pi)
+
+
+def test_a_mirror_inside_the_receptor_sends_all_its_light_there() -> None:
+    """A coat narrow against the receptor: ρ = π F / ∫cosθo dω = F / (sin²α cos 45°)."""
+    f = fresnel_at(45.0, 1.5)
+    rho, change = reflectance_factor(CoatLobe(1.5, 0.01), illumination(45.0), aspecular_view(45.0, 0.0), WIDE)
+    expected = f / (math.sin(math.radians(4.0)) ** 2 * math.cos(math.radians(45.0)))
+    np.testing.assert_allclose(rho, expected, rtol=5e-3)
+    assert change < 5e-3
+    # A lobe a fifth as wide is met to a tenth only, and the second number says so.
+    rho, change = reflectance_factor(
+        CoatLobe(1.5, 0.002), illumination(45.0), aspecular_view(45.0, 0.0), WIDE
+    )
+    np.testing.assert_allclose(rho, expected, rtol=0.15)
+    assert change > 0.05
 
 
 def test_a_diffuser_reads_one_through_any_aperture() -> None:
