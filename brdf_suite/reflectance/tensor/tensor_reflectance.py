@@ -29,12 +29,13 @@ from brdf_suite.appearance.colorimetry import REC709_TO_WORKING
 from brdf_suite.appearance.spectra import spectrum_to_working
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.geometry.directions import Floats, spherical
-from brdf_suite.reflectance.tensor.density import Blend, GridDensity, bilinear, blend_of
+from brdf_suite.reflectance.blocks import in_blocks
+from brdf_suite.reflectance.tensor.density import Blend, GridDensity, bilinear, blend_of, cells
 
 Float32s = npt.NDArray[np.float32]
 
 # Directions are worked through in pieces: the interpolation holds a few dozen numbers for each.
-_PIECE = 1 << 16
+_PIECE = 1 << 14
 
 # The half vector at the normal: the map from the square to directions has no area there.
 _SMALLEST_JACOBIAN = 1e-6
@@ -129,7 +130,9 @@ class TensorReflectance:
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3), working space, 1/sr, without the cosine, never negative; 0 below the horizon."""
-        return np.maximum(self.eval_channels(wi, wo) @ self._to_working, 0.0)
+        # Made before the threads of in_blocks would each make their own.
+        to_working, _ = self._to_working, self._visible
+        return in_blocks(lambda i, o: np.maximum(self.eval_channels(i, o) @ to_working, 0.0), wi, wo)
 
     def eval_spectra(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., k) at ``wavelengths_nm``, 1/sr, never negative; for spectral files only."""
@@ -153,13 +156,7 @@ class TensorReflectance:
         wi, wo, _ = self._reduce(wi, wo)
         u_i, u_m, blend, _ = self._coordinates(wi, wo)
         place, _ = self._visible.invert(u_m, blend)
-        channels = self.values.shape[2]
-        grids = self.values.reshape(-1, *self.values.shape[3:])
-        out = np.empty((len(wi), channels))
-        for channel in range(channels):
-            out[:, channel] = bilinear(
-                grids, place, [(grid * channels + channel, weight) for grid, weight in blend]
-            )
+        out = self._values_at(place, blend)
         factor = 1.0 / wo[:, 2]
         if self.jacobian:
             single = [(np.zeros(len(wi), np.intp), np.ones(len(wi)))]
@@ -167,6 +164,27 @@ class TensorReflectance:
             normals = bilinear(self.ndf[None], u_m, single)
             factor *= np.divide(normals, area, out=np.zeros_like(area), where=area > 0.0)
         return out * factor[:, None]
+
+    def _values_at(self, place: Floats, blend: Blend) -> Floats:
+        """Return V (n, c): :func:`bilinear` for all channels, whose places and weights are the same."""
+        channels, ny, nx = self.values.shape[2:]
+        column, x = cells(nx, place[:, 0])
+        row, y = cells(ny, place[:, 1])
+        corner = row * nx + column
+        flat = self.values.reshape(-1)
+        total = np.zeros((channels, len(place)))
+        for grid, weight in blend:
+            first = grid * (channels * ny * nx) + corner
+            for step, share in (
+                (0, (1.0 - x) * (1.0 - y)),
+                (1, x * (1.0 - y)),
+                (nx, (1.0 - x) * y),
+                (nx + 1, x * y),
+            ):
+                at, part = first + step, weight * share
+                for channel in range(channels):
+                    total[channel] += part * flat[at + channel * (ny * nx)]
+        return total.T
 
     def _reduce(self, wi: Floats, wo: Floats) -> tuple[Floats, Floats, Floats]:
         """Turn or mirror both directions into the measured range of azimuths; also return the signs (n, 2)."""
