@@ -71,6 +71,8 @@ def _print(report: Report) -> None:
     print(f"{'check':>20}  {'violation':>10}  outcome")
     for finding in report.findings:
         where = f", {finding.where}" if finding.size > 0.0 else ""
+        if finding.typical:
+            where += f"; median {finding.typical:.2g}"
         print(f"{finding.check:>20}  {finding.size:10.3g}  {finding.outcome} ({finding.unit}{where})")
     print(f"{'polar angle °':>20}  {'directional albedo r, g, b':^32}  {'white furnace r, g, b':^32}")
     for angle, light, view in zip(report.incidence_deg, report.albedo, report.furnace, strict=True):

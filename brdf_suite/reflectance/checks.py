@@ -38,6 +38,7 @@ Outcome = Literal["held", "violated", "known violator", "declared, not seen", "m
 class Finding:
     """One check: ``size`` of the largest violation (0: none), where it was found, and what that means.
 
+    ``typical`` is the median over even pairs of directions, where that says more than the worst, else None.
     ``outcome`` is ``held`` or ``violated`` where the property is claimed, ``known violator`` or ``declared, not
     seen`` where it is disclaimed, ``measured`` where nothing is declared.
     """
@@ -47,6 +48,7 @@ class Finding:
     unit: str
     where: str
     outcome: Outcome
+    typical: float | None = None
 
     @property
     def passed(self) -> bool:
@@ -80,6 +82,7 @@ class Report:
                     "size": f.size,
                     "unit": f.unit,
                     "where": f.where,
+                    "typical": f.typical,
                     "outcome": f.outcome,
                     "passed": f.passed,
                 }
@@ -96,14 +99,16 @@ class Report:
         }
 
 
-def reciprocity(reflectance: Reflectance) -> tuple[float, str]:
-    """Return the largest |f(i,o) - f(o,i)| / max(f(i,o), f(o,i)), 0 to 1, and where it is."""
+def reciprocity(reflectance: Reflectance) -> tuple[float, str, float]:
+    """Return the largest |f(i,o) - f(o,i)| / max(f(i,o), f(o,i)), 0 to 1, where it is, and its median."""
     wi, wo = _pairs()
     there, back = reflectance.eval(wi, wo), reflectance.eval(wo, wi)
     larger = np.maximum(np.abs(there), np.abs(back))
     # A value below this is darkness by any measure; its rounding is of no interest.
     error = np.where(larger > 1e-12, np.abs(there - back) / np.maximum(larger, 1e-12), 0.0)
-    return _worst(error.max(axis=-1), wi, wo)
+    worst = error.max(axis=-1)
+    # The even pairs come first.
+    return *_worst(worst, wi, wo), float(np.median(worst[:_PAIRS]))
 
 
 def negativity(reflectance: Reflectance) -> tuple[float, str]:
@@ -138,9 +143,9 @@ def check_reflectance(
     findings.append(
         Finding("non_negativity", size, "1/sr", where if size else "", _outcome(size > 0.0, True))
     )
-    size, where = reciprocity(reflectance)
-    broken = size > RECIPROCITY_TOLERANCE
-    findings.append(Finding("reciprocity", size, "relative", where, _outcome(broken, reciprocal)))
+    size, where, typical = reciprocity(reflectance)
+    verdict = _outcome(size > RECIPROCITY_TOLERANCE, reciprocal)
+    findings.append(Finding("reciprocity", size, "relative", where, verdict, typical))
     light = illumination(np.array(incidence_deg))
     azimuths = 64
     albedo, furnace = (

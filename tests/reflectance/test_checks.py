@@ -94,3 +94,13 @@ def test_nothing_may_be_negative_or_not_finite() -> None:
     broken = check_reflectance(Tilted(math.nan, 1.0), "broken")
     assert not broken.passed
     assert finding(broken, "non_negativity").size == math.inf
+
+
+def test_the_median_tells_a_common_violation_from_a_rare_one() -> None:
+    """For f = cosθi/π the relative difference is |cosθi - cosθo| / max; over even pairs its median is 1 - 1/√2.
+
+    cosθ is √u with u even, so the smaller over the larger cosine is the root of an even number.
+    """
+    found = finding(check_reflectance(Tilted(0.0, 1.0), "cosine"), "reciprocity")
+    assert found.typical == pytest.approx(1.0 - math.sqrt(0.5), abs=0.02)
+    assert finding(check_reflectance(Lambertian(0.5), "matt"), "reciprocity").typical == 0.0
