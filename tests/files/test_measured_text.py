@@ -214,6 +214,13 @@ def test_rgb_of_alta_is_rec_709(tmp_path: Path) -> None:
     np.testing.assert_allclose(read_measured(again).values, value.values, rtol=1e-12)
 
 
+def test_spectra_that_a_format_cannot_hold_are_left_out_aloud(shared_data: Path, tmp_path: Path) -> None:
+    cayman = read_measured(shared_data / "brdf" / "cayman.brdf")
+    done = write_measured(cayman, tmp_path / "a.alta")
+    assert "spectra were left out" in done.notes[0]
+    np.testing.assert_allclose(read_measured(tmp_path / "a.alta").values, cayman.values, atol=1e-12)
+
+
 def test_alta_written_again_is_the_same(shared_data: Path, tmp_path: Path) -> None:
     first = read_measured(shared_data / "brdf" / "retro-gray-tape.dat")
     write_measured(first, tmp_path / "copy.dat")

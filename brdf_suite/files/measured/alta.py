@@ -227,7 +227,8 @@ def write_alta(value: Reflectance, path: PathLike) -> tuple[str, ...]:
         f"#PARAM_OUT {'INV_STERADIAN' if grey else 'RGB_COLOR'}\n"
     )
     write_atomically(path, (header + columns(np.column_stack((inputs, values)), "\t")).encode())
-    return sampling_notes(value, scattered)
+    left_out = () if scattered.spectra is None else ("The spectra were left out: this format holds colours.",)
+    return (*sampling_notes(value, scattered), *left_out)
 
 
 FORMAT = MeasuredFormat(

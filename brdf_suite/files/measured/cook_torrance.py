@@ -45,7 +45,12 @@ def read_cook_torrance(path: PathLike, _options: ReadOptions | None = None) -> C
     """
     from brdf_suite.reflectance.build import build_reflectance  # pulls in every model
 
-    paint = load_any_paint(path)
+    try:
+        paint = load_any_paint(path)
+    except FileError as error:
+        if error.place is not None:
+            raise
+        raise FileError(path, error.reason, "the JSON text") from error
     if not isinstance(paint, CookTorrancePaint):
         raise FileError(
             path, "is a paint designed by its colours, not measured lobes; open it as a paint", "kind"

@@ -159,8 +159,8 @@ def write_rgl(value: Reflectance, path: PathLike) -> tuple[str, ...]:
     if tensor is value:
         return ()
     notes = [
-        "Tabulated: interpolation errs by about 2 in 10,000 in the middle of the hemisphere and by percents within"
-        " some degrees of the horizon."
+        "Tabulated: for a paint, interpolation errs by about 2 in 10,000 in the middle of the hemisphere, and by"
+        " percents within some degrees of the horizon."
     ]
     if tensor.wavelengths_nm is None and _leaves_rec_709(tensor):
         notes.append("Some colours lie outside Rec. 709; a renderer may take their negative channel as 0.")
