@@ -142,3 +142,13 @@ def test_a_million_pairs_of_three_lobes_are_quick() -> None:
         model.eval(wi, wo)
         times.append(time.perf_counter() - start)
     assert min(times) < 0.3
+
+
+def test_one_paint_of_the_table_makes_light_at_grazing_incidence() -> None:
+    """Blue Matte: its second lobe's weight is 1.12 times a mirror's in blue, and F goes to 1. Told, with its size."""
+    models = {name: CookTorrance(paint) for name, paint in TABLE_1.items()}
+    excess = {n: directional_albedo(m, illumination(89.0)).max() - 1.0 for n, m in models.items()}
+    assert excess.pop("table1_blue_matte") == pytest.approx(0.099, abs=0.002)
+    assert max(excess.values()) < 0.0
+    assert not models["table1_blue_matte"].energy_conserving
+    assert directional_albedo(models["table1_blue_matte"], illumination(85.0)).max() < 0.82
