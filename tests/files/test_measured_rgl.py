@@ -11,7 +11,7 @@ import pytest
 
 from brdf_suite.appearance.colorimetry import WORKING_TO_SRGB
 from brdf_suite.documents.store import load_paint
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.measured import read_measured, sniff, write_measured
 from brdf_suite.files.measured.rgl import read_rgl, write_rgl
 from brdf_suite.files.measured.tensor_file import pack, unpack
@@ -228,6 +228,19 @@ def test_spectra_are_kept_and_mitsuba_reads_them(tmp_path: Path) -> None:
     np.testing.assert_allclose(theirs, mine, rtol=1e-3, atol=1e-6)
     assert second.eval(wi, wo).shape == (len(wi), 3)
     assert "7 bands" in str(second.facts["colour"])
+
+
+def test_a_file_with_colours_and_spectra_keeps_both(shared_data: Path, tmp_path: Path) -> None:
+    good = unpack((shared_data / "brdf" / REAL[0]).read_bytes(), "x")
+    both, again = tmp_path / "both.bsdf", tmp_path / "again.bsdf"
+    bands = np.array([450.0, 550.0, 650.0], np.float32)
+    both.write_bytes(changed(shared_data, spectra=good["rgb"][:, :, ::-1].copy(), wavelengths=bands))
+    value = read_rgl(both)
+    np.testing.assert_array_equal(value.wavelengths_nm, bands)
+    write_measured(value, again)
+    np.testing.assert_array_equal(unpack(again.read_bytes(), again)["rgb"], good["rgb"])
+    with pytest.raises(ValueRangeError, match="measured in RGB"):
+        read_rgl(shared_data / "brdf" / REAL[0]).eval_spectra([0.0, 0.0, 1.0], [0.0, 0.0, 1.0])
 
 
 def anisotropic() -> TensorReflectance:

@@ -54,6 +54,7 @@ def read_rgl(path: PathLike, options: ReadOptions | None = None) -> TensorReflec
     if values.shape[2] != channels:
         reason = f"{values.shape[2]} channels, where {channels} are wanted"
         fields.fail("spectra" if spectral else "rgb", reason)
+    own = _OWN - {"rgb"} if spectral else _OWN  # a file may hold both; the other one is kept
     description = fields.bytes_of("description").tobytes().decode("utf-8", "replace")
     jacobian = fields.bytes_of("jacobian")
     if jacobian.size != 1:
@@ -64,7 +65,7 @@ def read_rgl(path: PathLike, options: ReadOptions | None = None) -> TensorReflec
         description=description,
         observer_deg=(options or ReadOptions()).observer_deg,
         source=str(path),
-        other={name: array for name, array in fields.arrays.items() if name not in _OWN},
+        other={name: array for name, array in fields.arrays.items() if name not in own},
     )  # fmt: skip
 
 

@@ -28,6 +28,7 @@ import numpy.typing as npt
 from brdf_suite.appearance.colorimetry import REC709_TO_WORKING
 from brdf_suite.appearance.spectra import spectrum_to_working
 from brdf_suite.documents.parameter import Parameter
+from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.tensor.density import Blend, GridDensity, bilinear, blend_of, cells
@@ -135,9 +136,15 @@ class TensorReflectance:
         return in_blocks(lambda i, o: np.maximum(self.eval_channels(i, o) @ to_working, 0.0), wi, wo)
 
     def eval_spectra(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return f_r (..., k) at ``wavelengths_nm``, 1/sr, never negative; for spectral files only."""
+        """Return f_r (..., k) at ``wavelengths_nm``, 1/sr, never negative.
+
+        Raises
+        ------
+        ValueRangeError
+            The material was measured in RGB.
+        """
         if self.wavelengths_nm is None:
-            raise ValueError("this material was measured in RGB")
+            raise ValueRangeError("spectra", "this material was measured in RGB, it has no spectra")
         return np.maximum(self.eval_channels(wi, wo), 0.0)
 
     def eval_channels(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
