@@ -78,7 +78,7 @@ def _integral(reflectance: Reflectance, fixed: npt.ArrayLike, azimuths: int, *, 
 
 
 def _refinement(cosine: float) -> int:
-    """How many times more azimuths: lobes that are round about the mirror direction are 1/cosθ longer than wide here."""
+    """How many times more azimuths: a lobe round about the mirror direction is 1/cosθ times longer than wide here."""
     return int(2 ** min(5, max(0, math.ceil(math.log2(0.7 / max(cosine, 1e-3))))))
 
 

@@ -31,6 +31,7 @@ import numpy.typing as npt
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reflectance import coat_lobe
 from brdf_suite.reflectance.albedo import directional_albedo, hemispherical_albedo
 from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.models import mixture
@@ -39,8 +40,7 @@ from brdf_suite.reflectance.protocol import Reflectance
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     {
-        "ior": Parameter("Index", "", 1.0, 3.0, 1.5, "Index of refraction of the clearcoat"),
-        "roughness": Parameter("Roughness", "", 0.001, 1.0, 0.005, "Beckmann α of the clearcoat"),
+        **coat_lobe.PARAMETERS,
         "spread": Parameter("Spread", "", 0.0, 1.0, 1.0, "How far the base spreads light: 0 mirror, 1 matt"),
     }
 )

@@ -69,8 +69,6 @@ def test_each_claims_what_its_model_claims(name: str) -> None:
 
 @pytest.mark.parametrize("name", MODELS)
 def test_each_declares_its_parameters(name: str) -> None:
-    if name == "coat":
-        pytest.skip("a part of other models, which declare it")
     parameters = MODELS[name].parameters
     assert parameters
     for parameter in parameters.values():
