@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 CHECKOUT = Path(__file__).resolve().parent.parent
@@ -29,3 +31,65 @@ def own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def checkout() -> Path:
     """The top of the source tree."""
     return CHECKOUT
+
+
+@pytest.fixture(scope="session")
+def chi_square() -> Callable[..., float]:
+    """Return the test of drawn directions against a density, which gives a p-value."""
+    return _chi_square
+
+
+def _chi_square(
+    drawn: np.ndarray, density: Callable[[np.ndarray], np.ndarray], peak_theta: float = 0.0
+) -> float:
+    """Return the probability of a worse fit by chance of ``drawn`` (n, 3) to ``density`` (per solid angle).
+
+    Pearson's test on cells in polar angle and azimuth above the horizon, and one cell for all that is lost below
+    it. Cell edges are quantiles of the first tenth of the directions, which the test then leaves out. The density
+    is integrated by Gauss-Legendre points on panels that narrow towards ``peak_theta`` on the +x side, where a
+    mirror lobe may be. Cells that expect fewer than 5 are pooled.
+    """
+    from scipy.special import gammaincc
+
+    pilot, drawn = drawn[: len(drawn) // 10], drawn[len(drawn) // 10 :]
+    pilot = pilot[pilot[:, 2] > 0.0]
+    near = 1e-4 * 2.0 ** np.arange(16)
+    levels = np.linspace(0.0, 1.0, 61)
+    edges, fine = [], []
+    for values, low, high, peak in (
+        (np.arccos(np.clip(pilot[:, 2], 0.0, 1.0)), 0.0, 0.5 * np.pi, peak_theta),
+        (np.arctan2(pilot[:, 1], pilot[:, 0]), -np.pi, np.pi, 0.0),
+    ):
+        quantiles = np.quantile(values, levels)
+        quantiles[0], quantiles[-1] = low, high
+        panels = np.concatenate((quantiles, [peak], peak - near, peak + near))
+        fine.append(np.unique(panels[(panels >= low) & (panels <= high)]))
+        edges.append(np.unique(quantiles[::4]))
+    (theta_edges, phi_edges), (theta_fine, phi_fine) = edges, fine
+    nodes, shares = np.polynomial.legendre.leggauss(4)
+
+    def points(panel_edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        centre, reach = 0.5 * (panel_edges[1:] + panel_edges[:-1]), 0.5 * np.diff(panel_edges)
+        return (centre[:, None] + reach[:, None] * nodes).ravel(), (reach[:, None] * shares).ravel()
+
+    (theta, w_theta), (phi, w_phi) = points(theta_fine), points(phi_fine)
+    t, p = np.meshgrid(theta, phi, indexing="ij")
+    directions = np.stack((np.sin(t) * np.cos(p), np.sin(t) * np.sin(p), np.cos(t)), axis=-1)
+    mass = density(directions.reshape(-1, 3)).reshape(t.shape) * np.sin(t) * w_theta[:, None] * w_phi
+    expected, *_ = np.histogram2d(t.ravel(), p.ravel(), bins=[theta_edges, phi_edges], weights=mass.ravel())
+    kept = drawn[drawn[:, 2] > 0.0]
+    angles = np.arccos(np.clip(kept[:, 2], 0.0, 1.0)), np.arctan2(kept[:, 1], kept[:, 0])
+    found, *_ = np.histogram2d(*angles, bins=[theta_edges, phi_edges])
+    assert found.sum() == len(kept)
+    wanted = np.append(expected.ravel() * len(drawn), len(drawn) * (1.0 - expected.sum()))
+    counted = np.append(found.ravel(), len(drawn) - len(kept))
+    assert wanted[-1] > -1e-3 * len(drawn), "the density holds more than 1"
+    few = wanted < 5.0
+    pooled, seen = max(float(wanted[few].sum()), 0.0), float(counted[few].sum())
+    wanted, counted = wanted[~few], counted[~few]
+    if pooled >= 5.0:
+        wanted, counted = np.append(wanted, pooled), np.append(counted, seen)
+    else:
+        assert seen < 25.0, "directions were drawn where the density is next to nothing"
+    statistic = float(np.sum((counted - wanted) ** 2 / wanted))
+    return float(gammaincc(0.5 * (len(wanted) - 1), 0.5 * statistic))

@@ -10,9 +10,12 @@ All colour arrays are (..., 3). XYZ is on the scale where the white's Y is 100.
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats
 
 WHITE_D65_10 = np.array([94.811, 100.0, 107.304])
@@ -34,6 +37,18 @@ CAT16 = np.array(
 )
 """XYZ to the cone-like responses of CAT16 (Li et al. 2017, Comprehensive color solutions)."""
 
+BRADFORD = np.array(
+    [
+        [0.8951, 0.2664, -0.1614],
+        [-0.7502, 1.7135, 0.0367],
+        [0.0389, -0.0685, 1.0296],
+    ]
+)
+"""XYZ to the cone-like responses of the linearised Bradford transform (ICC profiles use it)."""
+
+AdaptationTransform = Literal["CAT16", "Bradford"]
+_TRANSFORMS: dict[str, Floats] = {"CAT16": CAT16, "Bradford": BRADFORD}
+
 
 def primaries_to_xyz(
     primaries: tuple[tuple[float, float], ...], white_xy: tuple[float, float] = WHITE_XY
@@ -49,10 +64,18 @@ def primaries_to_xyz(
     return np.asarray(directions * np.linalg.solve(directions, white), np.float64)
 
 
-def adaptation(white_from: npt.ArrayLike, white_to: npt.ArrayLike) -> Floats:
-    """Return the matrix (3, 3) of a complete CAT16 adaptation between two whites, XYZ of any one scale."""
-    gains = (CAT16 @ np.asarray(white_to, float)) / (CAT16 @ np.asarray(white_from, float))
-    return np.asarray(np.linalg.inv(CAT16) @ (gains[:, None] * CAT16), np.float64)
+def adaptation(
+    white_from: npt.ArrayLike, white_to: npt.ArrayLike, transform: AdaptationTransform = "CAT16"
+) -> Floats:
+    """Return the matrix (3, 3) of a complete adaptation between two whites, XYZ of any one scale.
+
+    ``transform`` is CAT16 (the suite's own choice) or Bradford.
+    """
+    if transform not in _TRANSFORMS:
+        raise ValueRangeError("transform", f"one of {', '.join(_TRANSFORMS)} is wanted, not {transform!r}")
+    cones = _TRANSFORMS[transform]
+    gains = (cones @ np.asarray(white_to, float)) / (cones @ np.asarray(white_from, float))
+    return np.asarray(np.linalg.inv(cones) @ (gains[:, None] * cones), np.float64)
 
 
 def rgb_to_working(primaries: tuple[tuple[float, float], ...], white_xy: tuple[float, float]) -> Floats:
@@ -83,8 +106,8 @@ _WHITE_XYZ = WORKING_TO_XYZ.sum(axis=1)
 _FROM_LAB_WHITE: Floats = (
     np.linalg.inv(WORKING_TO_XYZ) @ adaptation(WHITE_D65_10, 100.0 * _WHITE_XYZ) / 100.0 * WHITE_D65_10
 )
-# From (X/Xn, Y/Yn, Z/Zn) of the 10° white straight to the working space; transposed for row vectors.
-_RELATIVE_TO_WORKING: Floats = np.ascontiguousarray(_FROM_LAB_WHITE.T)
+RELATIVE_TO_WORKING: Floats = np.ascontiguousarray(_FROM_LAB_WHITE.T)
+"""From (X/Xn, Y/Yn, Z/Zn) of the 10° white straight to the working space; transposed for row vectors."""
 _WORKING_TO_RELATIVE: Floats = np.ascontiguousarray(np.linalg.inv(_FROM_LAB_WHITE).T)
 
 # CIE 15: the cube root is replaced by a line below (6/29)³.
@@ -134,7 +157,7 @@ def lab_to_working(lab: npt.ArrayLike) -> Floats:
     >>> lab_to_working([100.0, 0.0, 0.0]).round(12).tolist()
     [1.0, 1.0, 1.0]
     """
-    rho: Floats = _lab_to_relative(lab) @ _RELATIVE_TO_WORKING
+    rho: Floats = _lab_to_relative(lab) @ RELATIVE_TO_WORKING
     return rho
 
 

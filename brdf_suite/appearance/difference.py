@@ -5,9 +5,52 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats
 
 _TWENTY_FIVE_7 = 25.0**7
+
+
+def delta_e_76(lab1: npt.ArrayLike, lab2: npt.ArrayLike) -> Floats:
+    """Return ΔE*ab (...) of CIE 1976, the distance in L*a*b*; arrays (..., 3) broadcast.
+
+    >>> float(delta_e_76([50.0, 3.0, 0.0], [50.0, 0.0, 4.0]))
+    5.0
+    """
+    difference = np.asarray(lab1, float) - np.asarray(lab2, float)
+    return np.asarray(np.sqrt(np.einsum("...i,...i", difference, difference)))
+
+
+def delta_e_cmc(
+    reference: npt.ArrayLike, sample: npt.ArrayLike, lightness: float = 2.0, chroma: float = 1.0
+) -> Floats:
+    """Return ΔE CMC(l:c) (...) of samples against references, L*a*b* (..., 3) that broadcast.
+
+    The weights come from the reference alone, so it is not symmetric. CMC(2:1) judges acceptability, CMC(1:1)
+    perceptibility (Clarke, McDonald and Rigg 1984; BS 6923).
+    """
+    if not (lightness > 0.0 and chroma > 0.0):
+        raise ValueRangeError("lightness:chroma", f"CMC({lightness:g}:{chroma:g}) needs two positive weights")
+    first, second = np.asarray(reference, float), np.asarray(sample, float)
+    l1, a1, b1 = first[..., 0], first[..., 1], first[..., 2]
+    delta_l, delta_a, delta_b = (second[..., i] - first[..., i] for i in range(3))
+    c1 = np.hypot(a1, b1)
+    delta_c = np.hypot(second[..., 1], second[..., 2]) - c1
+    delta_h2 = np.maximum(delta_a**2 + delta_b**2 - delta_c**2, 0.0)
+    hue = np.degrees(np.arctan2(b1, a1)) % 360.0
+    blue_side = (hue >= 164.0) & (hue <= 345.0)
+    t = np.where(
+        blue_side,
+        0.56 + np.abs(0.2 * np.cos(np.radians(hue + 168.0))),
+        0.36 + np.abs(0.4 * np.cos(np.radians(hue + 35.0))),
+    )
+    c4 = c1**4
+    f = np.sqrt(c4 / (c4 + 1900.0))
+    s_l = np.where(l1 < 16.0, 0.511, 0.040975 * l1 / (1.0 + 0.01765 * l1))
+    s_c = 0.0638 * c1 / (1.0 + 0.0131 * c1) + 0.638
+    s_h = s_c * (f * t + 1.0 - f)
+    squared = (delta_l / (lightness * s_l)) ** 2 + (delta_c / (chroma * s_c)) ** 2 + delta_h2 / s_h**2
+    return np.asarray(np.sqrt(squared))
 
 
 def delta_e_2000(lab1: npt.ArrayLike, lab2: npt.ArrayLike) -> Floats:

@@ -15,10 +15,13 @@ from brdf_suite.errors import DocumentError
 
 Migration = Callable[[dict[str, object]], dict[str, object]]
 
-VERSIONS: dict[str, int] = {"brdfpaint": 1, "brdfview": 1}
+VERSIONS: dict[str, int] = {"brdfpaint": 2, "brdfview": 1}
 """The present version of each format."""
 
-MIGRATIONS: dict[tuple[str, int], Migration] = {}
+MIGRATIONS: dict[tuple[str, int], Migration] = {
+    # Version 2 added fields with defaults and the kind "cook_torrance"; what was there kept its meaning.
+    ("brdfpaint", 1): dict,
+}
 """``MIGRATIONS[format, n]`` turns fields of version n (without format and version) into those of n + 1."""
 
 

@@ -16,6 +16,8 @@ from brdf_suite.errors import ValueRangeError
 
 Interpolation = Literal["flake", "monotone", "polynomial"]
 INTERPOLATIONS: tuple[str, ...] = get_args(Interpolation)
+OutOfPlane = Literal["aspecular", "half_vector"]
+OUT_OF_PLANE: tuple[str, ...] = get_args(OutOfPlane)
 Lab = tuple[float, float, float]
 
 # An instrument of a hundred angles is far beyond any made; more is a damaged file.
@@ -117,7 +119,8 @@ class Paint:
 
     L*a*b* is CIE 1976 with the white of ``illuminant`` and ``observer_deg``; only D65 and 10° are known so
     far. ``near_specular`` scales what the interpolation gives in the mirror direction, where no instrument
-    of three angles looks.
+    of three angles looks. ``out_of_plane`` says what a direction outside the readings' plane is compared by: its
+    aspecular angle, or the tilt of the flake that would mirror the light there (the flake rule only).
 
     >>> paint = solid_paint("white", (95.0, 0.0, 1.0))
     >>> paint.with_lab(45.0, (94.0, 0.0, 1.0)).lab_at(45.0)
@@ -134,6 +137,7 @@ class Paint:
     observer_deg: int = 10
     notes: str = ""
     source: str = ""
+    out_of_plane: OutOfPlane = "aspecular"
 
     def __post_init__(self) -> None:
         check_text(self.name, "name", longest=200, lines=False, empty=False)
@@ -143,6 +147,7 @@ class Paint:
         if self.flakes is not None and not isinstance(self.flakes, Flakes):
             raise ValueRangeError("flakes", f"flakes or nothing are wanted, not {describe(self.flakes)}")
         check_choice(self.interpolation, "interpolation", INTERPOLATIONS)
+        check_choice(self.out_of_plane, "out_of_plane", OUT_OF_PLANE)
         near = PARAMETERS["near_specular"].check(self.near_specular, "near_specular")
         object.__setattr__(self, "near_specular", near)
         check_choice(self.illuminant, "illuminant", ("D65",))

@@ -14,13 +14,18 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.cook_torrance import Clearcoat, CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.migrations import VERSIONS, open_envelope
 from brdf_suite.documents.paint import Flakes, Gloss, Measurement, Paint
 from brdf_suite.documents.reading import FieldReader, read_json
 from brdf_suite.documents.view import Camera, View
+from brdf_suite.errors import DocumentError
 
 PAINT_ENDING = ".brdfpaint"
 VIEW_ENDING = ".brdfview"
+
+AnyPaint = Paint | CookTorrancePaint
+"""Every kind of paint; the field ``kind`` of a file tells them apart."""
 
 _Path = str | os.PathLike[str]
 _T = TypeVar("_T")
@@ -28,11 +33,24 @@ _ABSENT = object()
 
 
 def load_paint(path: _Path) -> Paint:
-    """Read a ``.brdfpaint`` file; raise :class:`DocumentError` or :class:`FileError` with the place."""
+    """Read a ``.brdfpaint`` file that must be an aspecular paint, the kind that is designed by its readings.
+
+    Raises
+    ------
+    DocumentError
+        Its content is not valid, or it is a paint of another kind; with the place.
+    FileError
+        It cannot be read.
+    """
     return paint_from_json(read_json(path), path)
 
 
-def save_paint(paint: Paint, path: _Path) -> None:
+def load_any_paint(path: _Path) -> AnyPaint:
+    """Read a ``.brdfpaint`` file of any kind; errors as :func:`load_paint`."""
+    return any_paint_from_json(read_json(path), path)
+
+
+def save_paint(paint: AnyPaint, path: _Path) -> None:
     """Write a ``.brdfpaint`` file, whole or not at all; raise :class:`FileError` where that fails."""
     write_atomically(path, _encode(paint_to_json(paint)))
 
@@ -47,14 +65,20 @@ def save_view(view: View, path: _Path) -> None:
     write_atomically(path, _encode(view_to_json(view)))
 
 
-def paint_to_json(paint: Paint) -> dict[str, object]:
-    """Return the JSON object of a paint; :func:`paint_from_json` is its inverse."""
+def paint_to_json(paint: AnyPaint) -> dict[str, object]:
+    """Return the JSON object of a paint; :func:`any_paint_from_json` is its inverse."""
     fields = dataclasses.asdict(paint)
-    fields["measurements"] = [{**item, "lab": list(item["lab"])} for item in fields["measurements"]]
-    return {"format": "brdfpaint", "version": VERSIONS["brdfpaint"], "kind": "aspecular", **fields}
+    if isinstance(paint, CookTorrancePaint):
+        kind = "cook_torrance"
+        fields["kd"] = list(paint.kd)
+        fields["lobes"] = [{**item, "ks": list(item["ks"])} for item in fields["lobes"]]
+    else:
+        kind = "aspecular"
+        fields["measurements"] = [{**item, "lab": list(item["lab"])} for item in fields["measurements"]]
+    return {"format": "brdfpaint", "version": VERSIONS["brdfpaint"], "kind": kind, **fields}
 
 
-def paint_from_json(value: object, path: _Path = "the message") -> Paint:
+def any_paint_from_json(value: object, path: _Path = "the message") -> AnyPaint:
     """Return the paint in a JSON value; ``path`` is what error messages call its origin.
 
     Raises
@@ -64,18 +88,51 @@ def paint_from_json(value: object, path: _Path = "the message") -> Paint:
     """
     reader = open_envelope(value, "brdfpaint", path)
     kind = reader.take("kind")
-    if kind != "aspecular":
-        reader.fail('the only kind known to this version is "aspecular"', "kind")
+    if kind == "aspecular":
+        return _aspecular(reader)
+    if kind != "cook_torrance":
+        reader.fail('the kinds known to this version are "aspecular" and "cook_torrance"', "kind")
+    return _cook_torrance(reader)
+
+
+def paint_from_json(value: object, path: _Path = "the message") -> Paint:
+    """Return the aspecular paint in a JSON value; errors as :func:`any_paint_from_json`, other kinds too."""
+    paint = any_paint_from_json(value, path)
+    if isinstance(paint, CookTorrancePaint):
+        raise DocumentError(
+            path, "holds a Cook-Torrance paint; here a paint of aspecular readings is wanted", "kind"
+        )
+    return paint
+
+
+def _aspecular(reader: FieldReader) -> Paint:
     name = reader.take("name")
     measurements = tuple(_measurement(item) for item in reader.take_objects("measurements"))
     gloss = _plain(reader.take_object("gloss"), Gloss, required=("gu_20",))
-    flakes_value = reader.take_or("flakes", None)
-    flakes = None
-    if flakes_value is not None:
-        flakes = _plain(FieldReader(flakes_value, path, "flakes"), Flakes)
+    flakes = _optional(reader, "flakes", Flakes)
     return _plain(
         reader, Paint, taken={"name": name, "measurements": measurements, "gloss": gloss, "flakes": flakes}
     )
+
+
+def _cook_torrance(reader: FieldReader) -> CookTorrancePaint:
+    name, kd = reader.take("name"), reader.take("kd")
+    lobes = tuple(
+        _plain(item, CookTorranceLobe, required=("ks", "m", "r")) for item in reader.take_objects("lobes")
+    )
+    clearcoat = _optional(reader, "clearcoat", Clearcoat)
+    flakes = _optional(reader, "flakes", Flakes)
+    return _plain(
+        reader,
+        CookTorrancePaint,
+        taken={"name": name, "kd": kd, "lobes": lobes, "clearcoat": clearcoat, "flakes": flakes},
+    )
+
+
+def _optional(reader: FieldReader, name: str, kind: Callable[..., _T]) -> _T | None:
+    """The object in field ``name``, or None where it is absent or null."""
+    value = reader.take_or(name, None)
+    return None if value is None else _plain(FieldReader(value, reader.path, name), kind)
 
 
 def view_to_json(view: View) -> dict[str, object]:

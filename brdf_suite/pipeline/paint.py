@@ -22,6 +22,7 @@ from brdf_suite.fitting.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.several_lights import SeveralLights
 
 DEFAULT_TIME_LIMIT_S = 0.004
 PATIENT_TIME_LIMIT_S = 1.0
@@ -131,7 +132,18 @@ class PaintFitter:
         reflectance = build_paint(paint)
         fit = self._fitter.fit(reflectance)
         seconds = perf_counter() - start
-        return PaintFit(paint, reflectance, fit, _results(paint, fit.weights), reflectance.notices, seconds)
+        notices = reflectance.notices + _light_notice(reflectance, fit.weights)
+        return PaintFit(paint, reflectance, fit, _results(paint, fit.weights), notices, seconds)
+
+
+def _light_notice(reflectance: PaintReflectance, weights: LobeWeights) -> tuple[str, ...]:
+    if not isinstance(reflectance.base, SeveralLights):
+        return ()
+    # Lobes know the mirror angle only, not how far light and view are apart.
+    return (
+        f"The picture's lobes are fitted with the light at {np.degrees(weights.theta_fit_rad):.0f}°; what the readings "
+        "under other lights add is in the reflectance, not in the picture.",
+    )
 
 
 def fit_patiently(paint: Paint, name_or_path: str | os.PathLike[str]) -> PaintFit:

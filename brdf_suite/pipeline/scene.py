@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.store import load_paint
+from brdf_suite.documents.store import AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.fitting.basis import LobeBasis, default_basis
@@ -72,20 +72,31 @@ def default_paint() -> Paint:
 
 
 def find_paint(name_or_path: str | os.PathLike[str]) -> Paint:
-    """Return a paint by packaged name or by file.
+    """Return a paint of aspecular readings by packaged name or by file.
 
     Raises
     ------
     FileError
         It is neither; the message lists the shipped paints.
     DocumentError
-        The file is no valid paint; the message says where.
+        The file is no valid paint, or one of another kind; the message says where.
     """
     shipped = _shipped_name(os.fspath(name_or_path), paint_names())
     if shipped is not None:
         return load_shipped_paint(shipped)
     _check_there(name_or_path, "paint", paint_names())
     return load_paint(name_or_path)
+
+
+def find_any_paint(name_or_path: str | os.PathLike[str]) -> AnyPaint:
+    """Return a paint of any kind by packaged name, by its name in Table 1, or by file; errors as :func:`find_paint`."""
+    from brdf_suite.reflectance.models.table_1 import TABLE_1
+
+    name = _shipped_name(os.fspath(name_or_path), [*paint_names(), *TABLE_1])
+    if name is not None:
+        return TABLE_1[name] if name in TABLE_1 else load_shipped_paint(name)
+    _check_there(name_or_path, "paint", [*paint_names(), *TABLE_1])
+    return load_any_paint(name_or_path)
 
 
 def check_environment(name_or_path: str | os.PathLike[str]) -> None:

@@ -6,11 +6,19 @@ import math
 from functools import cache
 
 import numpy as np
+import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.geometry.warps import mirrored_at
 from brdf_suite.reflectance.protocol import Reflectance
 
 _NORMAL = np.array([0.0, 0.0, 1.0])
+
+# Rings of half vectors, radians: widths double from this one, a fraction of the narrowest coat lobe, ...
+_NARROWEST_RING = 2e-4
+# ... up to this, narrow enough that the horizon's cut through a ring costs less than 1e-3.
+_WIDEST_RING = 0.05
+_RING_NODES = 4
 
 
 def normal_albedo(reflectance: Reflectance) -> Floats:
@@ -20,6 +28,73 @@ def normal_albedo(reflectance: Reflectance) -> Floats:
     """
     wo, weights = _half_circle()
     return np.asarray(weights @ reflectance.eval(_NORMAL, wo))
+
+
+def directional_albedo(reflectance: Reflectance, wi: npt.ArrayLike, azimuths: int = 64) -> Floats:
+    """Return the share (..., 3) of light from ``wi`` (..., 3) that is sent back: ∫ f_r(wi, wo) cosθo dωo.
+
+    By quadrature over the half vector, in rings about the normal that narrow towards it (dωo = 4 wi·h dωh): mirror
+    lobes are round there at any incidence, so a coat of roughness .002 is resolved as well as a matt base.
+
+    Parameters
+    ----------
+    azimuths
+        Points on each ring; an anisotropic streak needs more than the default.
+    """
+    return _integral(reflectance, wi, azimuths, given_light=True)
+
+
+def white_furnace(reflectance: Reflectance, wo: npt.ArrayLike, azimuths: int = 64) -> Floats:
+    """Return the radiance (..., 3) towards ``wo`` (..., 3) under light of 1 from everywhere: ∫ f_r cosθi dωi.
+
+    Equal to :func:`directional_albedo` where the reflectance is reciprocal.
+    """
+    return _integral(reflectance, wo, azimuths, given_light=False)
+
+
+def hemispherical_albedo(reflectance: Reflectance, azimuths: int = 32) -> Floats:
+    """Return the share (3,) of even light that is sent back: the mean of the directional albedo over sin²θ.
+
+    For isotropic reflectances, by 6 Gauss-Legendre points.
+    """
+    nodes, shares = np.polynomial.legendre.leggauss(6)
+    s = 0.5 * (nodes + 1.0)
+    wi = np.stack((np.sqrt(s), np.zeros_like(s), np.sqrt(1.0 - s)), axis=-1)
+    return np.asarray(0.5 * shares @ directional_albedo(reflectance, wi, azimuths))
+
+
+def _integral(reflectance: Reflectance, fixed: npt.ArrayLike, azimuths: int, *, given_light: bool) -> Floats:
+    fixed = np.asarray(fixed, float)
+    out = np.empty(fixed.shape)
+    for index in np.ndindex(fixed.shape[:-1]):
+        one = fixed[index]
+        half, solid = _rings(azimuths * _refinement(float(one[2])))
+        other, dot = mirrored_at(one, half), half @ one
+        up = (other[:, 2] > 0.0) & (dot > 0.0)
+        other = other[up]
+        pair = (one, other) if given_light else (other, one)
+        out[index] = (4.0 * (dot * solid)[up] * other[:, 2]) @ reflectance.eval(*pair)
+    return out
+
+
+def _refinement(cosine: float) -> int:
+    """How many times more azimuths: a lobe round about the mirror direction is 1/cosθ times longer than wide here."""
+    return int(2 ** min(5, max(0, math.ceil(math.log2(0.7 / max(cosine, 1e-3))))))
+
+
+@cache
+def _rings(azimuths: int) -> tuple[Floats, Floats]:
+    """Half vectors (n, 3) above the horizon, and their solid angles (n,)."""
+    edges = [0.0, _NARROWEST_RING]
+    while edges[-1] < 0.5 * math.pi:
+        edges.append(edges[-1] + min(edges[-1], _WIDEST_RING))
+    edges[-1] = 0.5 * math.pi
+    nodes, shares = np.polynomial.legendre.leggauss(_RING_NODES)
+    low, high = np.array(edges[:-1])[:, None], np.array(edges[1:])[:, None]
+    theta = (0.5 * (low + high) + 0.5 * (high - low) * nodes).ravel()
+    weight = (0.5 * (high - low) * shares).ravel() * np.sin(theta) * (2.0 * math.pi / azimuths)
+    phi = (np.arange(azimuths) + 0.5) * (2.0 * math.pi / azimuths)
+    return spherical(theta[:, None], phi).reshape(-1, 3), np.repeat(weight, azimuths)
 
 
 @cache

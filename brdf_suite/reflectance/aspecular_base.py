@@ -7,7 +7,8 @@ T = 1 - F. At other directions with the same aspecular angle the light passes wi
 
 So a reading is returned as it was taken, and towards grazing the base dims as the coat reflects more. γ is
 the unsigned angle between the view and the light's mirror direction, also out of the plane of incidence
-(Westlund and Meyer 2001).
+(Westlund and Meyer 2001). Or, for the flake rule, ρ is taken at the tilt of the flake that mirrors the light to
+the view, which is what flakes do; in the readings' plane and light the two agree. Both are reciprocal.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ import numpy.typing as npt
 
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reflectance.flake_rule import FlakeRule, squared_tilt, squared_tilt_between
 
 Rule = Callable[[Floats], Floats]
 
@@ -41,6 +43,8 @@ class AspecularBase:
         Polar angle of the light that the readings were taken with, radians.
     ior
         Index of the coat.
+    by_half_vector
+        Take the flake rule at the flake's tilt instead of at γ. Needs a :class:`FlakeRule`.
     """
 
     rule: Rule
@@ -49,11 +53,15 @@ class AspecularBase:
     near_specular: float
     illumination: float
     ior: float
+    by_half_vector: bool = False
 
     def reflectance_factor(self, gamma: npt.ArrayLike) -> Floats:
         """Return ρ (..., 3), never negative, at γ (...), radians, under the readings' light."""
         held = np.minimum(np.abs(np.asarray(gamma, float)), self.farthest)
-        rho = self.rule(held)
+        return self._near_specular(self.rule(held), held)
+
+    def _near_specular(self, rho: Floats, held: Floats) -> Floats:
+        """``rho`` (..., 3) at ``held`` γ (...) with the factor of the mirror direction, never negative."""
         if self.near_specular != 1.0 and self.nearest > 0.0:
             # 1 at the mirror direction, 0 from the first reading on, with level ends: no kink appears.
             t = np.maximum(1.0 - held / self.nearest, 0.0)
@@ -73,4 +81,11 @@ class AspecularBase:
         here = math.pi * (1.0 - float(fresnel_dielectric(math.cos(self.illumination), self.ior)))
         above = (cos_i > 0.0) & (cos_o > 0.0)
         scale = np.where(above, passed, 0.0) / (here * there)
-        return np.asarray(self.reflectance_factor(gamma) * scale[..., None])
+        if self.by_half_vector and isinstance(self.rule, FlakeRule):
+            # Beyond the farthest reading its value is held, here too.
+            farthest = squared_tilt(np.array(self.farthest), self.illumination, self.ior)
+            tilt = np.minimum(squared_tilt_between(wi, wo, self.ior), farthest)
+            rho = self._near_specular(self.rule.at_squared_tilt(tilt), gamma)
+        else:
+            rho = self.reflectance_factor(gamma)
+        return np.asarray(rho * scale[..., None])

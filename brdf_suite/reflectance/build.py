@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -28,6 +29,12 @@ from brdf_suite.reflectance.gloss_reading import base_gloss
 from brdf_suite.reflectance.monotone_rule import MonotoneRule
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.polynomial_rule import PolynomialRule
+from brdf_suite.reflectance.several_lights import BorrowedRule, SeveralLights
+
+if TYPE_CHECKING:
+    from brdf_suite.documents.store import AnyPaint
+    from brdf_suite.reflectance.models.coated import Coated
+    from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 
 _CHANNELS = ("red", "green", "blue")
 # Gloss units: far finer than any reading. A glossy coat settles in one turn, a satin one in a few.
@@ -61,15 +68,15 @@ def build_paint(paint: Paint) -> PaintReflectance:
         No clearcoat gives the gloss, or the coat alone reflects more than a colour reading; the message
         names the reading.
     """
-    readings = _collect(paint)
+    lights = _collect(paint)
     gu_20, gu_60 = paint.gloss.gu_20, paint.gloss.gu_60
     coat = CoatLobe(USUAL_IOR, LOWEST_ROUGHNESS)
-    base, notices = _base_under(paint, readings, coat)
+    base, notices = _base_under(paint, lights, coat)
     added = base_gloss(base)
     for turn in range(_MOST_TURNS):
         solved, refusal = nearest_coat(gu_20, gu_60, *added)
         coat = CoatLobe(solved.ior, solved.roughness)
-        base, notices = _base_under(paint, readings, coat)
+        base, notices = _base_under(paint, lights, coat)
         found = base_gloss(base)
         change = max(abs(found[0] - added[0]), abs(found[1] - added[1]))
         # A rough coat and its base can answer each other by turns; half steps then meet in the middle.
@@ -82,22 +89,43 @@ def build_paint(paint: Paint) -> PaintReflectance:
             f"No clearcoat was found that gives {gu_20:g} GU at 20° over the measured colours; "
             "change the gloss, or the colour nearest to the mirror direction."
         )
-    _refuse_negative(readings, coat)
+    for readings in lights:
+        _refuse_negative(readings, coat)
     if refusal is not None:
         raise UnreachableError(refusal)
-    return PaintReflectance(base, coat, readings.notices + notices + _albedo_notice(base))
+    told = tuple(notice for readings in lights for notice in readings.notices)
+    return PaintReflectance(base, coat, told + notices + _albedo_notice(base))
 
 
-def _collect(paint: Paint) -> _Readings:
-    """The readings of the light angle that has the most, sorted; the colours clamped into the space."""
-    notices: list[str] = []
-    lights = [measurement.illumination_deg for measurement in paint.measurements]
-    light_deg = max(lights, key=lights.count)
-    used = [m for m in paint.measurements if m.illumination_deg == light_deg]
-    if len(used) < len(lights):
-        notices.append(
-            f"Only the {len(used)} readings with the light at {light_deg:g}° are used, no other light."
+def build_reflectance(paint: AnyPaint) -> PaintReflectance | CookTorrance | Coated:
+    """Return the reflectance of a paint of any kind; errors as :func:`build_paint`."""
+    if isinstance(paint, Paint):
+        return build_paint(paint)
+    # Not on the edit path of a designed paint, so not imported with it.
+    from brdf_suite.reflectance.models.coated import Coated
+    from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+
+    lobes = CookTorrance(paint)
+    return lobes if paint.clearcoat is None else Coated(lobes, paint.clearcoat.ior, paint.clearcoat.roughness)
+
+
+def _collect(paint: Paint) -> tuple[_Readings, ...]:
+    """The readings of each light angle, the one with the most first."""
+    angles = [measurement.illumination_deg for measurement in paint.measurements]
+    ordered = sorted(set(angles), key=lambda angle: (-angles.count(angle), angle))
+    most = angles.count(ordered[0])
+    if most < 3:
+        raise UnreachableError(
+            f"{paint.name}: at least 3 readings with the same light angle are needed, "
+            f"there are at most {most} (at {max(angles, key=angles.count):g}°)."
         )
+    return tuple(_under_light(paint, angle, several=len(ordered) > 1) for angle in ordered)
+
+
+def _under_light(paint: Paint, light_deg: float, *, several: bool) -> _Readings:
+    """The readings of one light angle, sorted; the colours clamped into the space."""
+    notices: list[str] = []
+    used = [m for m in paint.measurements if m.illumination_deg == light_deg]
     used.sort(key=lambda measurement: (abs(measurement.aspecular_deg), measurement.aspecular_deg))
     aspecular_deg = np.array([measurement.aspecular_deg for measurement in used])
     lab = np.array([measurement.lab for measurement in used])
@@ -105,17 +133,13 @@ def _collect(paint: Paint) -> _Readings:
     if rho.min() < 0.0:
         inside = np.maximum(rho, 0.0)
         error = delta_e_2000(lab, working_to_lab(inside))
+        under = f" with the light at {light_deg:g}°" if several else ""
         for index in np.flatnonzero(rho.min(axis=-1) < 0.0).tolist():
             notices.append(
-                f"The colour at {aspecular_deg[index]:g}° is more saturated than the working space holds; "
+                f"The colour at {aspecular_deg[index]:g}°{under} is more saturated than the working space holds; "
                 f"it is shown with ΔE00 {error[index]:.2f}."
             )
         rho = inside
-    if len(used) < 3:
-        raise UnreachableError(
-            f"{paint.name}: at least 3 readings with the same light angle are needed, "
-            f"there are at most {len(used)} (at {light_deg:g}°)."
-        )
     return _Readings(
         light_deg,
         aspecular_deg,
@@ -126,14 +150,44 @@ def _collect(paint: Paint) -> _Readings:
     )
 
 
-def _base_under(paint: Paint, readings: _Readings, coat: CoatLobe) -> tuple[AspecularBase, tuple[str, ...]]:
+def _base_under(
+    paint: Paint, lights: tuple[_Readings, ...], coat: CoatLobe
+) -> tuple[AspecularBase | SeveralLights, tuple[str, ...]]:
     """The base that is left under ``coat``; what would be negative is 0 here and refused at the end."""
+    first, notices = _base_of_light(paint, lights[0], coat, None)
+    if len(lights) == 1:
+        return first, notices
+    bases = [first]
+    for readings in lights[1:]:
+        base, more = _base_of_light(paint, readings, coat, first.rule)
+        bases.append(base)
+        notices += tuple(f"Light at {readings.illumination_deg:g}°: {notice}" for notice in more)
+    bases.sort(key=lambda base: base.illumination)
+    return SeveralLights(tuple(bases)), notices
+
+
+def _base_of_light(
+    paint: Paint, readings: _Readings, coat: CoatLobe, lent: Rule | None
+) -> tuple[AspecularBase, tuple[str, ...]]:
+    """The base from one light's readings; fewer than three borrow the rule ``lent`` by another light."""
     left = np.maximum(readings.rho - _coat_share(readings, coat), 0.0)
     gamma, left = _by_unsigned_angle(readings.aspecular_deg, left)
     light = math.radians(readings.illumination_deg)
-    rule, notices = _rule(paint, gamma, left, light, coat.ior)
-    base = AspecularBase(rule, float(gamma[0]), float(gamma[-1]), paint.near_specular, light, coat.ior)
-    return base, notices
+    rule: Rule
+    notices: tuple[str, ...]
+    if lent is not None and len(gamma) < 3:
+        rule, notices = BorrowedRule.through(lent, gamma, left), ()
+    else:
+        rule, notices = _rule(paint, gamma, left, light, coat.ior)
+    by_half_vector = paint.out_of_plane == "half_vector"
+    if by_half_vector and not isinstance(rule, FlakeRule):
+        by_half_vector = False
+        notices += (
+            "The tilt of the half vector belongs to the flake rule; here the aspecular angle is used.",
+        )
+    return AspecularBase(
+        rule, float(gamma[0]), float(gamma[-1]), paint.near_specular, light, coat.ior, by_half_vector
+    ), notices
 
 
 def _coat_share(readings: _Readings, coat: CoatLobe) -> Floats:
@@ -207,7 +261,7 @@ def _spread_notice(rule: FlakeRule) -> tuple[str, ...]:
     )
 
 
-def _albedo_notice(base: AspecularBase) -> tuple[str, ...]:
+def _albedo_notice(base: AspecularBase | SeveralLights) -> tuple[str, ...]:
     albedo = float(normal_albedo(base).max()) + float(fresnel_dielectric(1.0, base.ior))
     if albedo <= 1.0:
         return ()

@@ -9,15 +9,26 @@ rational fit of Walter et al. 2007 (within .0035 of the exact one). Reciprocal a
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
+from typing import ClassVar
 
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.documents.parameter import Parameter
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 
 _TINY = 1e-300
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        "ior": Parameter("Index", "", 1.0, 3.0, 1.5, "Index of refraction of the clearcoat"),
+        "roughness": Parameter("Roughness", "", 0.001, 1.0, 0.005, "Beckmann α of the clearcoat"),
+    }
+)
 
 
 @dataclass(frozen=True)
@@ -26,6 +37,14 @@ class CoatLobe:
 
     ior: float
     roughness: float
+    parameters: ClassVar[Mapping[str, Parameter]] = PARAMETERS
+    reciprocal: ClassVar[bool] = True
+    energy_conserving: ClassVar[bool] = True
+
+    @property
+    def normal_fresnel(self) -> float:
+        """Return F along the normal."""
+        return float(fresnel_dielectric(1.0, self.ior))
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""

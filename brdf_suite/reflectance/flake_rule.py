@@ -42,6 +42,20 @@ def squared_tilt(gamma: Floats, illumination: float, ior: float) -> Floats:
     return np.asarray(tilt * tilt)
 
 
+def squared_tilt_between(wi: Floats, wo: Floats, ior: float) -> Floats:
+    """Return tan²δ (...) of the flake under the coat that mirrors ``wi`` to ``wo`` (..., 3), in any plane.
+
+    Inside the coat a direction's part across the normal is 1/n of that outside (Snell); the flake's normal is
+    along the sum of the two. In the readings' plane that is :func:`squared_tilt`.
+    """
+    across_i = wi[..., 0] ** 2 + wi[..., 1] ** 2
+    across_o = wo[..., 0] ** 2 + wo[..., 1] ** 2
+    n2 = ior * ior
+    up = np.sqrt(n2 - across_i) + np.sqrt(n2 - across_o)
+    across = (wi[..., 0] + wo[..., 0]) ** 2 + (wi[..., 1] + wo[..., 1]) ** 2
+    return np.asarray(across / (up * up))
+
+
 @dataclass(frozen=True)
 class FlakeRule:
     """ρ(γ) = ρ_d + A exp(-u tan²δ) per channel; ``ground``, ``height`` and ``u`` are (3,) arrays."""
@@ -54,7 +68,10 @@ class FlakeRule:
 
     def __call__(self, gamma: Floats) -> Floats:
         """Return ρ (..., 3) at aspecular angles (...), radians; it may be negative."""
-        x = squared_tilt(gamma, self.illumination, self.ior)
+        return self.at_squared_tilt(squared_tilt(gamma, self.illumination, self.ior))
+
+    def at_squared_tilt(self, x: Floats) -> Floats:
+        """Return ρ (..., 3) of flakes tilted by tan²δ = ``x`` (...), whatever light and view; may be negative."""
         return np.asarray(self.ground + self.height * np.exp(x[..., None] * -self.u))
 
     @property

@@ -40,7 +40,7 @@ def refused(tmp_path: Path, content: bytes | str) -> DocumentError:
     ("keys", "value", "place", "words"),
     [
         (("format",), "brdfview", "format", '"brdfpaint" is wanted'),
-        (("version",), 2, "version", "newer than this program"),
+        (("version",), 3, "version", "newer than this program"),
         (("version",), 0, "version", "whole number"),
         (("version",), 1.0, "version", "whole number"),
         (("version",), True, "version", "whole number"),
@@ -63,6 +63,7 @@ def refused(tmp_path: Path, content: bytes | str) -> DocumentError:
         (("flakes", "size_um"), -1, "flakes.size_um", "outside the range"),
         (("flakes",), [], "flakes", "an object is wanted"),
         (("interpolation",), "spline", "interpolation", "flake"),
+        (("out_of_plane",), "tilt", "out_of_plane", "half_vector"),
         (("observer_deg",), 2, "observer_deg", "10°"),
         (("surprise",), 1, "the top level", "'surprise' is unknown"),
     ],

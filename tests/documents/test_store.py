@@ -10,11 +10,28 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from brdf_suite.documents import cook_torrance as cook_torrance_module
 from brdf_suite.documents import paint as paint_module
 from brdf_suite.documents import view as view_module
-from brdf_suite.documents.paint import INTERPOLATIONS, Flakes, Gloss, Measurement, Paint, solid_paint
+from brdf_suite.documents.cook_torrance import (
+    DISTRIBUTION_NORMS,
+    Clearcoat,
+    CookTorranceLobe,
+    CookTorrancePaint,
+)
+from brdf_suite.documents.paint import (
+    INTERPOLATIONS,
+    OUT_OF_PLANE,
+    Flakes,
+    Gloss,
+    Measurement,
+    Paint,
+    solid_paint,
+)
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.documents.store import (
+    any_paint_from_json,
+    load_any_paint,
     load_paint,
     load_view,
     paint_from_json,
@@ -25,6 +42,7 @@ from brdf_suite.documents.store import (
     view_to_json,
 )
 from brdf_suite.documents.view import BACKGROUNDS, TONE_CURVES, Camera, View
+from brdf_suite.errors import DocumentError
 
 
 def numbers(parameter: Parameter) -> st.SearchStrategy[float]:
@@ -57,6 +75,26 @@ paints = st.builds(
     interpolation=st.sampled_from(INTERPOLATIONS),
     near_specular=numbers(P["near_specular"]),
     notes=st.just("") | line(80) | st.just("two\nlines\tand a tab"),
+    source=st.just("") | line(80),
+    out_of_plane=st.sampled_from(OUT_OF_PLANE),
+)
+C = cook_torrance_module.PARAMETERS
+lobes = st.builds(
+    CookTorranceLobe,
+    st.tuples(*[numbers(C["lobes[].ks"])] * 3),
+    numbers(C["lobes[].m"]),
+    numbers(C["lobes[].r"]),
+)
+cook_torrance_paints = st.builds(
+    CookTorrancePaint,
+    name=line(200),
+    kd=st.tuples(*[numbers(C["kd"])] * 3),
+    lobes=st.lists(lobes, max_size=16).map(tuple),
+    d_norm=st.sampled_from(DISTRIBUTION_NORMS),
+    clearcoat=st.none()
+    | st.builds(Clearcoat, numbers(C["clearcoat.ior"]), numbers(C["clearcoat.roughness"])),
+    flakes=st.none() | st.builds(Flakes, numbers(P["flakes.density_per_mm2"])),
+    notes=st.just("") | line(80),
     source=st.just("") | line(80),
 )
 cameras = st.builds(
@@ -91,6 +129,52 @@ def test_a_paint_survives_the_file(tmp_path: Path, paint: Paint) -> None:
 
 
 @few
+@given(cook_torrance_paints)
+def test_a_cook_torrance_paint_survives_the_file(tmp_path: Path, paint: CookTorrancePaint) -> None:
+    path = tmp_path / "a.brdfpaint"
+    save_paint(paint, path)
+    assert load_any_paint(path) == paint
+    assert any_paint_from_json(json.loads(json.dumps(paint_to_json(paint)))) == paint
+
+
+def test_any_paint_may_be_aspecular(tmp_path: Path) -> None:
+    path = tmp_path / "a.brdfpaint"
+    save_paint(solid_paint("white", (95.0, 0.0, 1.0)), path)
+    assert load_any_paint(path) == load_paint(path)
+
+
+def test_a_paint_of_another_kind_is_refused_where_readings_are_wanted(tmp_path: Path) -> None:
+    path = tmp_path / "a.brdfpaint"
+    save_paint(CookTorrancePaint("fit", (0.1, 0.1, 0.1)), path)
+    with pytest.raises(DocumentError, match="kind: holds a Cook-Torrance paint"):
+        load_paint(path)
+
+
+@pytest.mark.parametrize(
+    ("fields", "place"),
+    [
+        ({"kd": [0.1, 0.1]}, "kd"),
+        ({"kd": [0.1, 0.1, -0.1]}, r"kd\[2\]"),
+        ({"lobes": [{"ks": [0, 0, 0], "m": 0.0, "r": 0.5}]}, r"lobes\[0\]\.m"),
+        ({"lobes": [{"ks": [0, 0, 0], "m": 0.1, "r": 1.5}]}, r"lobes\[0\]\.r"),
+        ({"lobes": [{"ks": [0, float("nan"), 0], "m": 0.1, "r": 0.5}]}, r"lobes\[0\]\.ks\[1\]"),
+        ({"lobes": [{"m": 0.1, "r": 0.5}]}, r"lobes\[0\]"),
+        ({"lobes": {}}, "lobes"),
+        ({"lobes": [{"ks": [0, 0, 0], "m": 0.1, "r": 0.5}] * 17}, "lobes"),
+        ({"d_norm": "half"}, "d_norm"),
+        ({"clearcoat": {"ior": 0.5}}, r"clearcoat\.ior"),
+        ({"clearcoat": 3}, "clearcoat"),
+        ({"flakes": []}, "flakes"),
+        ({"gloss": {"gu_20": 90}}, "the top level"),
+    ],
+)
+def test_a_bad_field_of_a_cook_torrance_paint_is_named(fields: dict, place: str) -> None:
+    value = {**paint_to_json(CookTorrancePaint("fit", (0.1, 0.1, 0.1))), **fields}
+    with pytest.raises(DocumentError, match=f"x, at {place}:"):
+        any_paint_from_json(value, "x")
+
+
+@few
 @given(views)
 def test_a_view_survives_the_file(tmp_path: Path, view: View) -> None:
     path = tmp_path / "a.brdfview"
@@ -106,7 +190,7 @@ def test_the_file_is_what_the_format_says(tmp_path: Path) -> None:
     assert "Weiß" in text, "readable, not escaped"
     assert text.endswith("}\n")
     value = json.loads(text)
-    assert (value["format"], value["version"], value["kind"]) == ("brdfpaint", 1, "aspecular")
+    assert (value["format"], value["version"], value["kind"]) == ("brdfpaint", 2, "aspecular")
     assert value["measurements"][2] == {
         "illumination_deg": 45.0,
         "aspecular_deg": 110.0,

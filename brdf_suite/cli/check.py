@@ -1,0 +1,80 @@
+"""``brdf-suite check``: reciprocity, sign and energy of anything that reflects."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from brdf_suite.cli.output import print_json
+
+if TYPE_CHECKING:
+    from brdf_suite.reflectance.checks import Report
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "check",
+        help="check a paint, a measured file or a model: reciprocity, sign, energy",
+        description="Measure whether a reflectance is reciprocal, never negative, and sends back no more light than "
+        "arrives: its directional albedo (light at an angle) and the white furnace (view at an angle). What a model "
+        "claims and does not keep is a fault; what it does not claim is listed with its size.",
+        epilog="exit status: 0 every claim held, 1 one did not",
+    )
+    command.add_argument(
+        "what",
+        metavar="PAINT|FILE|MODEL",
+        nargs="?",
+        help="a .brdfpaint or measured file, the name of a shipped or Table 1 paint, or of a model",
+    )
+    command.add_argument("--models", action="store_true", help="check every registered model")
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Check and print."""
+    from brdf_suite.errors import SuiteError
+
+    if options.models == (options.what is not None):
+        raise SuiteError("Name one paint, file or model to check, or give --models for every model.")
+    reports = _all_models() if options.models else [_report(options.what)]
+    if options.json:
+        print_json({"reports": [r.to_json() for r in reports]} if options.models else reports[0].to_json())
+    else:
+        for report in reports:
+            _print(report)
+    return 0 if all(report.passed for report in reports) else 1
+
+
+def _all_models() -> list[Report]:
+    from brdf_suite.reflectance.checks import check_model
+    from brdf_suite.reflectance.registry import MODELS
+
+    return [check_model(entry) for entry in MODELS.values()]
+
+
+def _report(what: str) -> Report:
+    from brdf_suite.reflectance.checks import check_model, check_reflectance
+    from brdf_suite.reflectance.registry import MODELS
+
+    if what in MODELS:
+        return check_model(MODELS[what])
+    from brdf_suite.pipeline.measuring import load_measurable
+
+    item = load_measurable(what)
+    return check_reflectance(item.reflectance, item.name)
+
+
+def _print(report: Report) -> None:
+    print(f"{report.name}: {'held' if report.passed else 'NOT held'}")
+    print(f"{'check':>20}  {'violation':>10}  outcome")
+    for finding in report.findings:
+        where = f", {finding.where}" if finding.size > 0.0 else ""
+        if finding.typical:
+            where += f"; median {finding.typical:.2g}"
+        print(f"{finding.check:>20}  {finding.size:10.3g}  {finding.outcome} ({finding.unit}{where})")
+    print(f"{'polar angle °':>20}  {'directional albedo r, g, b':^32}  {'white furnace r, g, b':^32}")
+    for angle, light, view in zip(report.incidence_deg, report.albedo, report.furnace, strict=True):
+        albedo, furnace = ("".join(f"{value:10.4f}" for value in row) for row in (light, view))
+        print(f"{angle:20.0f}  {albedo:^32}  {furnace:^32}")

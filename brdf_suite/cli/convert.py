@@ -1,0 +1,78 @@
+"""``brdf-suite convert IN OUT``: from one format of measured reflectance to another."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Mapping
+from pathlib import Path
+
+from brdf_suite.cli.output import print_json
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "convert",
+        help="convert a measured file, or a paint, to a format of measured reflectance",
+        description="Read a measured file by its content and write it in the format that the ending of OUT names. "
+        "What a format cannot hold is refused, and OUT is left as it was.",
+    )
+    command.add_argument(
+        "source", metavar="IN", type=Path, help="a measured file, a .brdfpaint, or a paint's name"
+    )
+    command.add_argument("target", metavar="OUT", type=Path, help="the file to write")
+    command.add_argument(
+        "--observer",
+        type=int,
+        choices=(2, 10),
+        default=10,
+        help="the observer through which spectra become colour, where OUT holds no spectra (default: 10)",
+    )
+    command.add_argument(
+        "--scale-factors",
+        choices=("yes", "no"),
+        help="whether a MERL table carries its scale factors (default: found by its energy, and said)",
+    )
+    command.add_argument(
+        "--average-reciprocal",
+        action="store_true",
+        help="average a pair and its swap, where a MERL table holds both (φd over 360°)",
+    )
+    command.add_argument("--json", action="store_true", help="print what was done as one JSON object")
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Convert and print a line or a JSON object."""
+    from brdf_suite.pipeline.measuring import convert
+
+    done = convert(
+        options.source,
+        options.target,
+        observer_deg=options.observer,
+        scale_factors=None if options.scale_factors is None else options.scale_factors == "yes",
+        average_reciprocal=options.average_reciprocal,
+    )
+    size = done.target.stat().st_size
+    if options.json:
+        print_json(
+            {
+                "input": str(done.source),
+                "output": str(done.target),
+                "format": done.format,
+                "bytes": size,
+                "facts": {key: str(value) for key, value in done.facts.items() if key != "notes"},
+                "notes": [*_read_notes(done.facts), *done.notes],
+            }
+        )
+        return 0
+    print(f"{done.target}: {done.format}, {size:,} bytes, from {done.source}")
+    for note in (*_read_notes(done.facts), *done.notes):
+        print(f"  {note}")
+    return 0
+
+
+def _read_notes(facts: Mapping[str, object]) -> tuple[str, ...]:
+    """What the reader assumed or repaired."""
+    notes = facts.get("notes", ())
+    return tuple(str(note) for note in notes) if isinstance(notes, (tuple, list)) else (str(notes),)

@@ -1,0 +1,111 @@
+"""A paint as Cook-Torrance lobes: what a fit to measured data gives (Günther et al. 2005, section 4.2).
+
+Values only; the reflectance room evaluates them. A bad value raises :class:`ValueRangeError` whose ``place``
+names the field (``lobes[1].ks[0]``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Literal, get_args
+
+from brdf_suite.documents.paint import Flakes
+from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.errors import ValueRangeError
+
+DistributionNorm = Literal["full", "quarter"]
+DISTRIBUTION_NORMS: tuple[str, ...] = get_args(DistributionNorm)
+Rgb = tuple[float, float, float]
+
+# The paper uses three; a fit with more than a dozen is a damaged file.
+_MOST_LOBES = 16
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        "kd": Parameter("Diffuse", "", 0.0, 10.0, 0.1, "Diffuse reflectance, linear Rec. 2020"),
+        "lobes[].ks": Parameter("Specular", "", 0.0, 100.0, 0.1, "Weight of the lobe, linear Rec. 2020"),
+        "lobes[].m": Parameter("Slope", "", 1e-4, 10.0, 0.2, "Root-mean-square slope of the facets"),
+        "lobes[].r": Parameter("Reflectance", "", 0.0, 1.0, 0.04, "Fresnel reflectance along the normal"),
+        "clearcoat.ior": Parameter("Index", "", 1.0, 3.0, 1.5, "Index of refraction of the clearcoat"),
+        "clearcoat.roughness": Parameter("Roughness", "", 0.001, 1.0, 0.002, "Beckmann α of the clearcoat"),
+    }
+)
+
+
+@dataclass(frozen=True)
+class CookTorranceLobe:
+    """One lobe: weight ``ks`` (linear Rec. 2020), facet slope ``m``, Fresnel reflectance ``r`` at the normal."""
+
+    ks: Rgb
+    m: float
+    r: float
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "ks", checked_rgb(self.ks, "ks", PARAMETERS["lobes[].ks"]))
+        for name in ("m", "r"):
+            object.__setattr__(self, name, PARAMETERS[f"lobes[].{name}"].check(getattr(self, name), name))
+
+
+@dataclass(frozen=True)
+class Clearcoat:
+    """A clear dielectric layer over the paint: index of refraction and Beckmann roughness."""
+
+    ior: float = 1.5
+    roughness: float = 0.002
+
+    def __post_init__(self) -> None:
+        for name in ("ior", "roughness"):
+            checked = PARAMETERS[f"clearcoat.{name}"].check(getattr(self, name), name)
+            object.__setattr__(self, name, checked)
+
+
+@dataclass(frozen=True)
+class CookTorrancePaint:
+    """Diffuse part and lobes, with a clearcoat over them where ``clearcoat`` is given.
+
+    ``d_norm`` says which normalisation of the facet distribution the weights belong to: ``full`` that of
+    equation 1 of the paper, ``quarter`` that of its section 5.1.3, a fourth of it.
+
+    >>> CookTorrancePaint("grey", (0.2, 0.2, 0.2)).kd
+    (0.2, 0.2, 0.2)
+    """
+
+    name: str
+    kd: Rgb
+    lobes: tuple[CookTorranceLobe, ...] = ()
+    d_norm: DistributionNorm = "full"
+    clearcoat: Clearcoat | None = None
+    flakes: Flakes | None = None
+    notes: str = ""
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        check_text(self.name, "name", longest=200, lines=False, empty=False)
+        object.__setattr__(self, "kd", checked_rgb(self.kd, "kd", PARAMETERS["kd"]))
+        if not isinstance(self.lobes, (tuple, list)):
+            raise ValueRangeError("lobes", f"a list is wanted, not {describe(self.lobes)}")
+        if len(self.lobes) > _MOST_LOBES:
+            raise ValueRangeError("lobes", f"at most {_MOST_LOBES} are wanted, there are {len(self.lobes)}")
+        for index, lobe in enumerate(self.lobes):
+            if not isinstance(lobe, CookTorranceLobe):
+                raise ValueRangeError(f"lobes[{index}]", f"a lobe is wanted, not {describe(lobe)}")
+        object.__setattr__(self, "lobes", tuple(self.lobes))
+        check_choice(self.d_norm, "d_norm", DISTRIBUTION_NORMS)
+        if self.clearcoat is not None and not isinstance(self.clearcoat, Clearcoat):
+            raise ValueRangeError(
+                "clearcoat", f"a clearcoat or nothing is wanted, not {describe(self.clearcoat)}"
+            )
+        if self.flakes is not None and not isinstance(self.flakes, Flakes):
+            raise ValueRangeError("flakes", f"flakes or nothing are wanted, not {describe(self.flakes)}")
+        check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
+        check_text(self.source, "source", longest=10_000, lines=True, empty=True)
+
+
+def checked_rgb(value: object, place: str, parameter: Parameter) -> Rgb:
+    """Return three numbers in the parameter's range; raise :class:`ValueRangeError` naming the channel."""
+    if not isinstance(value, (tuple, list)) or len(value) != 3:
+        raise ValueRangeError(place, f"three numbers red, green, blue are wanted, not {describe(value)}")
+    red, green, blue = (parameter.check(value[i], f"{place}[{i}]") for i in range(3))
+    return (red, green, blue)

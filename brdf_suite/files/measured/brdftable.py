@@ -1,0 +1,172 @@
+"""Our own tables and samples (.brdftable), read and written; see :mod:`.array_container` for the bytes.
+
+The header is ``{"format": "brdftable", "version": 1, "kind", "source", "facts", ...}``. Kinds, with their arrays:
+
+- ``isotropic``: ``values`` <f4 (θh, θd, φd, 3), ``holes`` |u1 (θh, θd, φd), 1 where not measured; header
+  ``reciprocal``: φd over [0, π) or, if false, [0, 2π).
+- ``anisotropic``: ``values`` <f4 (θi, φi, θo, φo, 3), ``theta_i`` and ``theta_o`` <f8, radians.
+- ``scattered``: ``wi`` and ``wo`` <f8 (n, 3), ``values`` <f8 (n, 3), and where there are spectra
+  ``spectra`` <f8 (n, k) and ``wavelengths_nm`` <f8 (k,); header ``isotropic``.
+
+Values are f_r in 1/sr without the cosine, linear Rec. 2020 with D65 white.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.files.measured.array_container import MAGIC, Array, read_container, write_container
+from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.files.measured.tabulation import tabulation_notes
+from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+
+VERSION = 1
+
+Table = IsotropicTable | AnisotropicTable | ScatteredSamples
+
+#: kind -> arrays that must be there, header fields of its own, arrays that may be there
+_KINDS: dict[str, tuple[set[str], dict[str, type], set[str]]] = {
+    "isotropic": ({"values", "holes"}, {"reciprocal": bool}, set()),
+    "anisotropic": ({"values", "theta_i", "theta_o"}, {}, set()),
+    "scattered": ({"wi", "wo", "values"}, {"isotropic": bool}, {"spectra", "wavelengths_nm"}),
+}
+
+
+def write_brdftable(value: Reflectance, path: PathLike) -> tuple[str, ...]:
+    """Write a table or samples as they are; any other reflectance is tabulated as 90 × 90 × 180 isotropic bins.
+
+    Returns notes: what was lost, each a clause for the user.
+
+    Raises
+    ------
+    FileError
+        The file cannot be written, or the facts of the table are not plain values.
+    """
+    table: Table
+    notes: tuple[str, ...] = ()
+    if isinstance(value, (IsotropicTable, AnisotropicTable, ScatteredSamples)):
+        table = value
+    else:
+        facts = dict(getattr(value, "facts", {}))
+        notes = tabulation_notes(value)
+        facts["notes"] = (*facts.get("notes", ()), *notes)
+        table = IsotropicTable.from_reflectance(value, source=getattr(value, "source", ""), facts=facts)
+    kind, own, arrays = _parts(table)
+    header = {
+        "format": "brdftable",
+        "version": VERSION,
+        "kind": kind,
+        "source": table.source,
+        "facts": _plain(table.facts),
+        **own,
+    }
+    write_container(path, header, arrays)
+    return notes
+
+
+def read_brdftable(path: PathLike) -> Table:
+    """Return what :func:`write_brdftable` wrote.
+
+    Raises
+    ------
+    FileError
+        The file is missing, damaged, of a newer version, or holds what is no reflectance; the message says where.
+    """
+    header, arrays = read_container(path)
+    if header.pop("format", None) != "brdftable":
+        raise FileError(path, 'the format "brdftable" is wanted', "header, format")
+    version = header.pop("version", None)
+    if version != VERSION:
+        raise FileError(
+            path, f"has version {str(version)[:20]}; this program reads {VERSION}", "header, version"
+        )
+    kind = header.pop("kind", None)
+    if not isinstance(kind, str) or kind not in _KINDS:
+        raise FileError(path, f"one of {', '.join(_KINDS)} is wanted", "header, kind")
+    needed, own, optional = _KINDS[kind]
+    if missing := needed - set(arrays):
+        raise FileError(path, f"lacks the array {min(missing)!r}", "header, arrays")
+    if unknown := set(arrays) - needed - optional:
+        raise FileError(path, f"has an unknown array {min(unknown)[:40]!r}", "header, arrays")
+    fields = {**own, "source": str, "facts": dict}
+    for name, kind_of in fields.items():
+        if not isinstance(header.get(name), kind_of):
+            raise FileError(path, f"is missing or no {kind_of.__name__}", f"header, {name}")
+    if unknown := set(header) - set(fields):
+        raise FileError(path, "is unknown", f"header, {min(unknown)[:40]}")
+    header["facts"] = {name: tuple(v) if isinstance(v, list) else v for name, v in header["facts"].items()}
+    try:
+        return _value(kind, header, arrays)
+    except ValueRangeError as error:
+        raise FileError(path, error.reason, f"array {error.place}") from error
+
+
+def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, Array]]:
+    """Return kind, header fields of its own, and arrays."""
+    if isinstance(table, IsotropicTable):
+        holes = np.asarray(table.holes).view(np.uint8)
+        own = {"reciprocal": table.reciprocal}
+        return "isotropic", own, {"values": table.values, "holes": holes}
+    if isinstance(table, AnisotropicTable):
+        arrays: dict[str, Array] = {
+            "values": table.values,
+            "theta_i": table.theta_i,
+            "theta_o": table.theta_o,
+        }
+        return "anisotropic", {}, arrays
+    arrays = {"wi": table.wi, "wo": table.wo, "values": table.values}
+    if table.spectra is not None and table.wavelengths_nm is not None:
+        arrays |= {"spectra": table.spectra, "wavelengths_nm": table.wavelengths_nm}
+    return "scattered", {"isotropic": table.isotropic}, arrays
+
+
+def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table:
+    for name, array in arrays.items():
+        wanted = {"holes": "|u1", "values": "<f8" if kind == "scattered" else "<f4"}.get(name, "<f8")
+        if array.dtype.str != wanted:
+            raise ValueRangeError(name, f"holds {array.dtype.str}; {wanted} is wanted")
+    if kind == "isotropic":
+        holes = arrays["holes"]
+        if holes.max(initial=0) > 1:
+            raise ValueRangeError("holes", "holds something else than 0 and 1")
+        return IsotropicTable(arrays["values"], holes.view(np.bool_), **header)
+    if kind == "anisotropic":
+        return AnisotropicTable(arrays["values"], arrays["theta_i"], arrays["theta_o"], **header)
+    return ScatteredSamples(
+        arrays["wi"],
+        arrays["wo"],
+        arrays["values"],
+        arrays.get("spectra"),
+        arrays.get("wavelengths_nm"),
+        **header,
+    )
+
+
+def _plain(value: Any) -> Any:
+    """Return facts as JSON holds them; what it cannot hold is refused when it is written."""
+    if isinstance(value, Mapping):
+        return {str(name): _plain(item) for name, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _read(path: PathLike, _: ReadOptions) -> Table:
+    return read_brdftable(path)
+
+
+FORMAT = MeasuredFormat(
+    "brdftable",
+    "BRDF Suite table",
+    (".brdftable",),
+    lambda head, _: head.startswith(MAGIC),
+    _read,
+    write_brdftable,
+)

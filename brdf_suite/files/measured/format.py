@@ -1,0 +1,88 @@
+"""What the registry knows of one format of measured reflectance."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy.typing as npt
+
+from brdf_suite.geometry.directions import Floats
+
+PathLike = str | os.PathLike[str]
+
+
+class MeasuredReflectance(Protocol):
+    """What a reader returns: a Reflectance that knows where it came from."""
+
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return f_r (..., 3), working space, 1/sr, without the cosine."""
+        ...
+
+    @property
+    def facts(self) -> dict[str, object]:
+        """Return what is known of the measurement, by name."""
+        ...
+
+
+@dataclass(frozen=True)
+class ReadOptions:
+    """What a file does not say and the user may.
+
+    Parameters
+    ----------
+    observer_deg
+        2 or 10: the observer through which spectra become colour (under D65).
+    scale_factors
+        MERL: whether values carry its scale factors; None detects it, and the facts say what was found.
+    average_reciprocal
+        MERL with φd over 360°: take the mean of a pair and its swap.
+    srgb_encoded
+        UTIA: whether values were passed through the sRGB curve.
+    """
+
+    observer_deg: int = 10
+    scale_factors: bool | None = None
+    average_reciprocal: bool = False
+    srgb_encoded: bool = False
+
+
+@dataclass(frozen=True)
+class MeasuredFormat:
+    """One format.
+
+    Parameters
+    ----------
+    name
+        Short, as a command-line word.
+    title
+        For dialogs.
+    endings
+        Lower case, with the dot; the first is the usual one.
+    sniff
+        ``(head, size) -> bool``: whether the first bytes (up to 64 KiB) of a file of ``size`` bytes are of
+        this format. It may not raise.
+    read
+        ``(path, options) -> value``; raises :class:`~brdf_suite.errors.FileError`, imports nothing partly.
+    write
+        ``(value, path)``, or None for formats that are only read; whole file or none. What the format could
+        not hold is returned as notes, each a clause for the user.
+    """
+
+    name: str
+    title: str
+    endings: tuple[str, ...]
+    sniff: Callable[[bytes, int], bool]
+    # A reader's own value class; the registry hands it through.
+    read: Callable[[PathLike, ReadOptions], Any]
+    write: Callable[[Any, PathLike], tuple[str, ...] | None] | None = None
+
+
+@dataclass(frozen=True)
+class Written:
+    """In which format a value was written, and what of it that format could not hold."""
+
+    format: MeasuredFormat
+    notes: tuple[str, ...] = ()

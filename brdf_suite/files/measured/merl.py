@@ -1,0 +1,245 @@
+"""MERL's isotropic tables (.binary), read and written.
+
+Layout (Matusik, Pfister, Brand and McMillan, "A Data-Driven Reflectance Model", 2003), little-endian: three int32,
+the bins along (θh, θd, φd); then three planes of float64, red, green and blue, each with the place
+φd + n_φd·(θd + n_θd·θh). A stored value is f_r·1500 / (1, 1.15, 1.66) of linear Rec. 709; a negative one, in any
+channel, is a hole. Met as well: φd over 360° (both orders of a pair apart, or with MERL's own header of 360 above
+180 bins), and tables that hold f_r itself. Which of the two is told apart by energy: a surface of more than
+0.2 % reflectance, taken without the factors, would send back more light than it got.
+"""
+
+from __future__ import annotations
+
+import os
+import struct
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.appearance.colorimetry import REC709_TO_WORKING, WORKING_TO_SRGB
+from brdf_suite.documents.atomic import replacing
+from brdf_suite.errors import FileError
+from brdf_suite.files.measured.bounded_reading import open_plain
+from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.files.measured.tabulation import tabulation_notes
+from brdf_suite.geometry.directions import spherical
+from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
+from brdf_suite.reflectance.tabulated.holes import fill_holes
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+
+Planes = npt.NDArray[np.float64]
+
+SCALE = np.array([1.0, 1.15, 1.66]) / 1500.0
+"""f_r of a stored 1, per channel."""
+
+_HEADER = struct.Struct("<3i")
+_LARGEST = 1 << 30
+_MOST_ALONG = 4096
+# No reflectance is larger: a mirror of the finest bin has 1e8 per steradian.
+_LARGEST_VALUE = 1e20
+_BLOCK = 1 << 15
+
+# Taken without factors: real tables of f_r stay below the first albedo, tables with factors above the second.
+_SURELY_PLAIN, _DIVIDE, _SURELY_SCALED = 1.5, 3.0, 9.0
+
+
+def read_merl(
+    path: PathLike, *, scale_factors: bool | None = None, average_reciprocal: bool = False
+) -> IsotropicTable:
+    """Return the table in the file, in the working space, its holes filled from their neighbours.
+
+    Parameters
+    ----------
+    path
+        A file as described above.
+    scale_factors
+        Whether the stored values carry MERL's factors; ``None``: detect it. What was found is said in the
+        ``facts`` of the table.
+    average_reciprocal
+        Take the mean of a pair and its swap, where the table holds both (φd over 360°).
+
+    Raises
+    ------
+    FileError
+        The file is missing, truncated, of another kind, holds a value that is not finite, or no value.
+    """
+    grid, planes, notes = _read_planes(path)
+    known = planes.min(axis=0) >= 0.0
+    if not known.any():
+        raise FileError(path, "every bin is negative, which means not measured", "byte 12")
+    albedo = stored_albedo(planes, grid)
+    found = scale_factors is None
+    if scale_factors is None:
+        scale_factors = albedo > _DIVIDE
+        if _SURELY_PLAIN < albedo < _SURELY_SCALED:
+            notes.append(
+                f"whether it carries MERL's scale factors is uncertain (its reflectance without them is {albedo:.3g}); "
+                f"it was read as {'carrying them' if scale_factors else 'plain f_r'}"
+            )
+        elif not scale_factors:
+            notes.append("it holds plain f_r, without MERL's scale factors, judged by its energy")
+    values = _to_working(planes, SCALE if scale_factors else np.ones(3), grid)
+    holes = ~known.reshape(grid.shape)
+    filled = fill_holes(values, holes, grid)
+    missing = int(np.count_nonzero(holes & grid.above_horizon()))
+    if missing:
+        notes.append(
+            f"{missing:,} bins above the horizon were not measured and were filled from their neighbours"
+        )
+    facts: dict[str, Any] = {
+        "format": "MERL",
+        "bins": " × ".join(str(n) for n in grid.shape),
+        "phi_d_range_deg": 180 if grid.reciprocal else 360,
+        "colour": "RGB, Rec. 709",
+        "scale_factors": bool(scale_factors),
+        "scale_factors_found_by": "energy" if found else "the user",
+        "holes": int(np.count_nonzero(holes)),
+        "holes_above_horizon": missing,
+        "bins_filled": filled,
+    }
+    if average_reciprocal and not grid.reciprocal:
+        notes.append("a pair and its swap were averaged")
+    facts["notes"] = tuple(notes)
+    table = IsotropicTable(values, holes, grid.reciprocal, os.fspath(path), facts)
+    return table.made_reciprocal() if average_reciprocal else table
+
+
+def write_merl(value: Reflectance, path: PathLike, *, scale_factors: bool = True) -> tuple[str, ...]:
+    """Write ``value`` in MERL's layout, 90 × 90 × 180 unless it is a table of other bins; return notes.
+
+    Anything but a table is tabulated first, at the centres of the bins. A table whose holes are known is
+    written with them. Rec. 709 is narrower than the working space: negative channels become 0, because a
+    negative one would read as a hole; a note tells how many.
+
+    Raises
+    ------
+    FileError
+        The file cannot be written; the old one, if any, is as it was.
+    """
+    notes: list[str] = []
+    if isinstance(value, IsotropicTable):
+        table = value
+    else:
+        table = IsotropicTable.from_reflectance(value)
+        notes += tabulation_notes(value)
+    if not table.reciprocal:
+        table = table.made_reciprocal()
+        notes.append("a pair and its swap were averaged: the layout holds φd from 0 to 180°")
+    planes = np.empty((3, table.grid.bins), "<f8")
+    rows = table.values.reshape(-1, 3)
+    matrix = WORKING_TO_SRGB / (SCALE if scale_factors else np.ones(3))[:, None]
+    for start in range(0, len(rows), _BLOCK):
+        part = slice(start, start + _BLOCK)
+        planes[:, part] = matrix @ rows[part].T.astype(np.float64)
+    # Rounding of a grey leaves a channel at -1e-17: that is a 0, no lost colour.
+    lost = int(np.count_nonzero((planes < -1e-6 * planes.max(axis=0)).any(axis=0)))
+    np.maximum(planes, 0.0, out=planes)
+    planes[:, np.asarray(table.holes).reshape(-1)] = -1.0
+    if lost:
+        notes.append(
+            f"{lost:,} bins are too saturated for Rec. 709; their negative channels were written as 0"
+        )
+    with replacing(path) as temporary, temporary.open("wb") as stream:
+        stream.write(_HEADER.pack(*table.grid.shape))
+        stream.write(planes.data)
+    return tuple(notes)
+
+
+def stored_albedo(planes: Planes, grid: HalfAngleGrid) -> float:
+    """Return the mean reflectance (per 1, over channels) at 45° incidence if the stored values were f_r.
+
+    From the nearest bins of 4,096 cosine-weighted views; holes are left out.
+    """
+    side = 64
+    u = (np.arange(side) + 0.5) / side
+    views = spherical(np.arcsin(np.sqrt(u))[:, None], 2.0 * np.pi * u[None, :]).reshape(-1, 3)
+    lights = np.broadcast_to(spherical(np.pi / 4.0, 0.0), views.shape)
+    h, d, p = grid.index_of(np.ascontiguousarray(lights.T), np.ascontiguousarray(views.T))
+    h, d, p = (np.minimum(x.astype(np.intp), n - 1) for x, n in zip((h, d, p), grid.shape, strict=True))
+    stored = planes[:, (h * grid.theta_d + d) * grid.phi_d + p]
+    stored = stored[:, (stored >= 0.0).all(axis=0)]
+    # Nothing measured around 45°: all there is then decides.
+    stored = stored if stored.size else planes[:, (planes >= 0.0).all(axis=0)]
+    return float(np.pi * stored.mean())
+
+
+def _read_planes(path: PathLike) -> tuple[HalfAngleGrid, Planes, list[str]]:
+    """Return the bins, the stored values (3, bins), and notes."""
+    with open_plain(path, _LARGEST) as stream:
+        try:
+            size = os.fstat(stream.fileno()).st_size
+            head = stream.read(_HEADER.size)
+            grid, notes = _grid_of(path, head, size)
+            stored = np.fromfile(stream, "<f8", 3 * grid.bins)
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    if stored.size != 3 * grid.bins:
+        raise FileError(path, "became shorter while it was read")
+    planes = stored.reshape(3, grid.bins)
+    # A NaN fails the comparison, as it should.
+    if not (planes.max() <= _LARGEST_VALUE and planes.min() >= -_LARGEST_VALUE):
+        at = int(np.argmax(~(np.abs(planes.reshape(-1)) <= _LARGEST_VALUE)))
+        raise FileError(path, "holds a value that is no finite reflectance", f"byte {_HEADER.size + 8 * at}")
+    return grid, planes, notes
+
+
+def _grid_of(path: PathLike, head: bytes, size: int) -> tuple[HalfAngleGrid, list[str]]:
+    if len(head) < _HEADER.size:
+        raise FileError(path, f"is cut off: {size} bytes are less than a header", "byte 0")
+    theta_h, theta_d, phi_d = _HEADER.unpack(head)
+    if not all(2 <= n <= _MOST_ALONG for n in (theta_h, theta_d, phi_d)):
+        raise FileError(
+            path, f"claims {theta_h} × {theta_d} × {phi_d} bins, so it is not a MERL table", "byte 0"
+        )
+    wanted = _HEADER.size + 24 * theta_h * theta_d * phi_d
+    round_ = phi_d == 4 * theta_d
+    if size == wanted and (round_ or phi_d == 2 * theta_d):
+        return HalfAngleGrid(theta_h, theta_d, phi_d, reciprocal=not round_), []
+    if round_ and size == _HEADER.size + 12 * theta_h * theta_d * phi_d:
+        note = f"its header names {phi_d} bins of φd; the file holds {phi_d // 2}, over 180°"
+        return HalfAngleGrid(theta_h, theta_d, phi_d // 2), [note]
+    if size == wanted:
+        raise FileError(
+            path,
+            f"has {phi_d} bins of φd beside {theta_d} of θd; {2 * theta_d} (over 180°) or {4 * theta_d} are known",
+            "byte 8",
+        )
+    state = "cut off" if size < wanted else "too long"
+    raise FileError(
+        path,
+        f"is {state}: {theta_h} × {theta_d} × {phi_d} bins take {wanted:,} bytes, the file has {size:,}",
+        f"byte {min(size, wanted)}",
+    )
+
+
+def _to_working(
+    planes: Planes, scale: npt.NDArray[np.float64], grid: HalfAngleGrid
+) -> npt.NDArray[np.float32]:
+    """Return (θh, θd, φd, 3) float32, f_r in the working space; what a hole becomes does not matter."""
+    values = np.empty((grid.bins, 3), np.float32)
+    matrix = REC709_TO_WORKING * scale
+    for start in range(0, grid.bins, _BLOCK):
+        part = slice(start, start + _BLOCK)
+        values[part] = (matrix @ planes[:, part]).T
+    return values.reshape(*grid.shape, 3)
+
+
+def _sniff(head: bytes, size: int) -> bool:
+    if len(head) < _HEADER.size:
+        return False
+    theta_h, theta_d, phi_d = _HEADER.unpack_from(head)
+    if not all(2 <= n <= _MOST_ALONG for n in (theta_h, theta_d, phi_d)):
+        return False
+    whole = 24 * theta_h * theta_d * phi_d
+    # A cut-off file of the usual size is still one, and its reader says what is wrong.
+    usual = (theta_h, theta_d) == (90, 90) and phi_d in (180, 360)
+    return usual or size - _HEADER.size in (whole, whole // 2)
+
+
+def _read(path: PathLike, options: ReadOptions) -> IsotropicTable:
+    return read_merl(path, scale_factors=options.scale_factors, average_reciprocal=options.average_reciprocal)
+
+
+FORMAT = MeasuredFormat("merl", "MERL isotropic table", (".binary",), _sniff, _read, write_merl)

@@ -1,0 +1,322 @@
+"""Measuring and comparing anything that reflects: a paint, shipped or in a file, or a measured file."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
+from brdf_suite.appearance.light_colour import LightColour
+from brdf_suite.appearance.spaces import in_display_gamut
+from brdf_suite.appearance.tolerance import DIFFERENCES, Tolerances, Verdict, judge
+from brdf_suite.documents.paint import Paint
+from brdf_suite.errors import SuiteError
+from brdf_suite.fitting.metrics import ErrorFigures, error_figures
+from brdf_suite.geometry.directions import Floats, angle_between, mirror, spherical
+from brdf_suite.pipeline.scene import find_any_paint
+from brdf_suite.reflectance.aperture import POINT, Aperture
+from brdf_suite.reflectance.build import build_reflectance
+from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.spectrophotometer import Reading, Report, measure
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+from brdf_suite.reflectance.through_aperture import build_through
+from brdf_suite.reflectance.under_light import has_spectra, metamerism, readings_under
+
+if TYPE_CHECKING:
+    from brdf_suite.files.measured import MeasuredReflectance
+
+PAINT_ENDING = ".brdfpaint"
+
+ANGLE_SET = "8 light directions by 16 x 32 views, even in solid angle over both hemispheres (midpoints in cos θ and φ)"
+NEAR_MIRROR_DEG = 5.0
+_SCATTERED = (
+    "Scattered samples are interpolated: gloss, and colours far from any sample, are only as good as the "
+    "samples near them."
+)
+_LIGHTS, _VIEW_RINGS, _VIEW_AZIMUTHS = 8, 16, 32
+
+
+@dataclass(frozen=True)
+class Measurable:
+    """Something that reflects, and what is known of it.
+
+    ``observer_deg`` is the observer through which its spectra became colour.
+    """
+
+    name: str
+    reflectance: Reflectance
+    paint: Paint | None = None
+    facts: Mapping[str, object] = field(default_factory=dict)
+    notices: tuple[str, ...] = ()
+    observer_deg: int = 10
+
+    def under(self, report: Report, illuminant: str) -> tuple[LightColour, ...]:
+        """Return the report's readings under another light, each labelled with how it was found."""
+        return readings_under(self.reflectance, report, illuminant, self.observer_deg)
+
+
+def load_measurable(
+    name_or_path: str | os.PathLike[str], *, observer_deg: int = 10, solved_through: Aperture | None = None
+) -> Measurable:
+    """Return a paint by name or file, or a measured file, as something that can be measured.
+
+    Parameters
+    ----------
+    observer_deg
+        2 or 10: the observer through which the spectra of a measured file become colour.
+    solved_through
+        The aperture with which a designed paint's own colours were read; ``None`` for none.
+
+    Raises
+    ------
+    SuiteError
+        There is nothing of that name, the file is not valid, or the paint cannot be built; the message says why.
+    """
+    path = Path(name_or_path)
+    if _is_measured_file(path):
+        from brdf_suite.files.measured import ReadOptions, read_measured
+
+        value = read_measured(path, options=ReadOptions(observer_deg=observer_deg))
+        return Measurable(
+            path.name,
+            value,
+            facts=dict(value.facts),
+            notices=_told(value, observer_deg),
+            observer_deg=observer_deg,
+        )
+    paint = find_any_paint(name_or_path)
+    if isinstance(paint, Paint):
+        solved = build_through(paint, solved_through or POINT)
+        return Measurable(paint.name, solved.reflectance, paint, notices=solved.notices)
+    return Measurable(paint.name, build_reflectance(paint))
+
+
+def _told(value: MeasuredReflectance, observer_deg: int) -> tuple[str, ...]:
+    """What a user should know of a measured file."""
+    notes = value.facts.get("notes", ())
+    told = [str(note) for note in notes] if isinstance(notes, (tuple, list)) else [str(notes)]
+    if observer_deg != 10 and has_spectra(value):
+        told.append(
+            f"Its spectra are seen through the {observer_deg}° observer; L*a*b* follows from the working space, as for "
+            "every reading."
+        )
+    if isinstance(value, ScatteredSamples):
+        told.append(_SCATTERED)
+    return tuple(told)
+
+
+def measurement_json(item: Measurable, report: Report, illuminant: str = "D65") -> dict[str, object]:
+    """Return a report as plain values: degrees, gloss units, L*a*b* of D65 and 10° unless said otherwise."""
+    flop, path = report.flop, report.travel
+    answer: dict[str, object] = {
+        "name": item.name,
+        "facts": {key: _plain(value) for key, value in item.facts.items() if key != "notes"},
+        "illuminant": "D65",
+        "observer_deg": 10,
+        "spectra_observer_deg": item.observer_deg if has_spectra(item.reflectance) else None,
+        "geometry": report.geometry_set.name,
+        "geometry_title": report.geometry_set.title,
+        "aperture": {
+            "name": report.aperture.name,
+            "light_half_angle_deg": report.aperture.light_deg,
+            "receptor_half_angle_deg": report.aperture.receptor_deg,
+        },
+        "readings": [_reading_json(reading) for reading in report.readings],
+        "gloss": {f"gu_{angle}": value for angle, value in report.gloss.items()},
+        "haze": report.haze,
+        "flop_index": None if flop is None or not math.isfinite(flop.value) else flop.value,
+        "travel": None if path is None else {k: v for k, v in asdict(path).items() if k != "notice"},
+        "notices": [*item.notices, *report.notices],
+    }
+    if illuminant != "D65":
+        colours = item.under(report, illuminant)
+        answer["under"] = {
+            "illuminant": illuminant,
+            "label": colours[0].label,
+            "recomputed": colours[0].road == "recomputed",
+            "readings": [
+                {"geometry": reading.geometry.name, "xyz": colour.xyz.tolist(), "lab": colour.lab.tolist()}
+                for reading, colour in zip(report.readings, colours, strict=True)
+            ],
+        }
+    return answer
+
+
+def _plain(value: object) -> object:
+    """A fact as JSON holds it; anything else than a number, a text or nothing by its words."""
+    if value is None or isinstance(value, (bool, int, str)):
+        return value
+    if isinstance(value, float):
+        return value if math.isfinite(value) else str(value)
+    return str(value)
+
+
+def _reading_json(reading: Reading) -> dict[str, object]:
+    geometry = reading.geometry
+    return {
+        "geometry": geometry.name,
+        "illumination_deg": geometry.illumination_deg,
+        "aspecular_deg": geometry.aspecular_deg,
+        "view_deg": geometry.view_deg,
+        "xyz": list(reading.xyz),
+        "lab": list(reading.lab),
+        "lch": list(reading.lch),
+        "rho": list(reading.rho),
+        "reflectance_factor": reading.factor,
+        "in_srgb": bool(in_display_gamut(reading.lab)),
+        "in_display_p3": bool(in_display_gamut(reading.lab, "Display P3")),
+    }
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Two reflectances side by side: ΔE per geometry by every formula, and errors over all directions.
+
+    ``away`` leaves out views within 5° of the light's mirror direction, where a clearcoat's lobe outweighs
+    everything else. ``metamerism`` is ΔE*ab per geometry and test light, where both know their spectra.
+    """
+
+    first: Report
+    second: Report
+    differences: Mapping[str, tuple[float, ...]]
+    figures: ErrorFigures
+    away: ErrorFigures
+    verdict: Verdict | None
+    metamerism: Mapping[str, tuple[float, ...]] | None
+
+    def to_json(self) -> dict[str, object]:
+        """Return the comparison as plain values."""
+        rows: list[dict[str, object]] = []
+        for k, (one, two) in enumerate(zip(self.first.readings, self.second.readings, strict=True)):
+            rows.append(
+                {
+                    "geometry": one.geometry.name,
+                    "illumination_deg": one.geometry.illumination_deg,
+                    "aspecular_deg": one.geometry.aspecular_deg,
+                    "lab_a": list(one.lab),
+                    "lab_b": list(two.lab),
+                    **{f"delta_e_{name}": values[k] for name, values in self.differences.items()},
+                }
+            )
+        answer: dict[str, object] = {
+            "geometry": self.first.geometry_set.name,
+            "angles": rows,
+            "gloss_difference": {
+                f"gu_{angle}": self.second.gloss[angle] - value for angle, value in self.first.gloss.items()
+            },
+            "angle_set": ANGLE_SET,
+            **asdict(self.figures),
+            "away_from_mirror": {"left_out_deg": NEAR_MIRROR_DEG, **asdict(self.away)},
+        }
+        if self.metamerism is not None:
+            answer["metamerism_index"] = {light: list(values) for light, values in self.metamerism.items()}
+        if self.verdict is not None:
+            answer["verdict"] = {
+                "difference": self.verdict.difference,
+                "passes": self.verdict.passes,
+                "angles": [asdict(row) for row in self.verdict.angles],
+            }
+        return answer
+
+
+def compare(
+    first: Measurable,
+    second: Measurable,
+    geometry_set: GeometrySet = GEOMETRY_SETS[DEFAULT_SET],
+    aperture: Aperture = POINT,
+    tolerances: Tolerances | None = None,
+) -> Comparison:
+    """Return how ``second`` differs from ``first``, the reference."""
+    one, two = (measure(item.reflectance, geometry_set, aperture) for item in (first, second))
+    differences = {name: tuple(formula(one.lab, two.lab).tolist()) for name, formula in DIFFERENCES.items()}
+    wi, wo, weight = hemisphere_pairs()
+    near = angle_between(mirror(wi), wo) < math.radians(NEAR_MIRROR_DEG)
+    angles = [geometry.aspecular_deg for geometry in geometry_set.geometries]
+    lights = None
+    if has_spectra(first.reflectance) and has_spectra(second.reflectance):
+        known = (first.reflectance, second.reflectance)
+        lights = {
+            light: tuple(
+                metamerism(*known, geometry, aperture, light) for geometry in geometry_set.geometries
+            )
+            for light in ("A", "F11")
+        }
+    return Comparison(
+        one,
+        two,
+        differences,
+        error_figures(first.reflectance, second.reflectance, wi, wo, weight),
+        error_figures(first.reflectance, second.reflectance, wi, wo, np.where(near, 0.0, weight)),
+        None if tolerances is None else judge(angles, one.lab, two.lab, tolerances),
+        lights,
+    )
+
+
+def hemisphere_pairs() -> tuple[Floats, Floats, Floats]:
+    """Return wi, wo (n, 3) and the weights (n,), all alike, of :data:`ANGLE_SET`."""
+    cos_light = (np.arange(_LIGHTS) + 0.5) / _LIGHTS
+    cos_view = (np.arange(_VIEW_RINGS) + 0.5) / _VIEW_RINGS
+    phi = 2.0 * math.pi * (np.arange(_VIEW_AZIMUTHS) + 0.5) / _VIEW_AZIMUTHS
+    light, view, azimuth = np.meshgrid(np.arccos(cos_light), np.arccos(cos_view), phi, indexing="ij")
+    wi = spherical(light.ravel(), math.pi)
+    wo = spherical(view.ravel(), azimuth.ravel())
+    return wi, wo, np.full(len(wi), (2.0 * math.pi) ** 2 / len(wi))
+
+
+@dataclass(frozen=True)
+class Conversion:
+    """What a conversion did."""
+
+    source: Path
+    target: Path
+    format: str
+    facts: Mapping[str, object]
+    #: what the target's format could not hold, each a clause for the user
+    notes: tuple[str, ...] = ()
+
+
+def convert(
+    source: str | os.PathLike[str],
+    target: str | os.PathLike[str],
+    *,
+    observer_deg: int = 10,
+    scale_factors: bool | None = None,
+    average_reciprocal: bool = False,
+) -> Conversion:
+    """Read a measured file, or take a paint, and write it in the format that the target's ending names.
+
+    A paint (a ``.brdfpaint``, or a shipped or Table 1 name) is tabulated by formats that hold tables.
+    ``scale_factors`` and ``average_reciprocal`` say how MERL tables are read, as
+    :class:`~brdf_suite.files.measured.ReadOptions` has them.
+
+    Raises
+    ------
+    SuiteError
+        One of the files cannot be read or written, or the target's format cannot hold the data.
+    """
+    from brdf_suite.files.measured import ReadOptions, read_measured, write_measured
+
+    read_from, write_to = Path(source), Path(target)
+    if write_to.exists() and read_from.exists() and write_to.samefile(read_from):
+        raise SuiteError(f"{write_to}: the target is the source itself; name another file.")
+    options = ReadOptions(
+        observer_deg=observer_deg, scale_factors=scale_factors, average_reciprocal=average_reciprocal
+    )
+    if _is_measured_file(read_from):
+        value = read_measured(read_from, options=options)
+        written = write_measured(value, write_to)
+        return Conversion(read_from, write_to, written.format.name, dict(value.facts), written.notes)
+    item = load_measurable(source)
+    written = write_measured(item.reflectance, write_to)
+    told = (*item.notices, *written.notes)
+    return Conversion(read_from, write_to, written.format.name, {"name": item.name}, told)
+
+
+def _is_measured_file(path: Path) -> bool:
+    return path.is_file() and path.suffix.lower() != PAINT_ENDING

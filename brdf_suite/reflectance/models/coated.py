@@ -1,0 +1,152 @@
+"""A clear dielectric coat over any base: Fresnel in and out, internal reflection, one bookkeeping of energy.
+
+    f_r = coat + base · T(θi) T(θo) / T̄ · (1 - K) / (1 - K E_b)
+
+T = 1 - F is what the coat lets through. Light that the base sends up is reflected back down by the inside of
+the coat with the share K, falls on the base of albedo E_b again, and so on: a geometric series.
+
+A matt base (``spread`` 1) sends up light in all directions, of which K = K_r = 1 - (1 - E_F)/n² stays inside,
+E_F being the coat's mean F for even light; T̄ = 1 - E_F, so that (1 - K)/T̄ = 1/n² is the widening of the solid
+angle at the surface. A mirror below (``spread`` 0) sends up one direction, K = 1 - √(T(θi) T(θo)), which there
+is F, and T̄ = 1 - K: the sum over all bounces of a mirror pair, T²/(1 - F E_b). Between them K and T̄ are mixed.
+So a white base of either kind sends back all light; nothing is made and nothing lost (without T̄, which some
+renderers leave out, a white matt base under n = 1.5 would lose 9 % of what enters). In between it is a model, and
+``energy_conserving`` says where it is sure.
+
+Not for a base that was measured through its coat: that one has been through all this.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
+from types import MappingProxyType
+from typing import ClassVar
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.documents.parameter import Parameter
+from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reflectance import coat_lobe
+from brdf_suite.reflectance.albedo import directional_albedo, hemispherical_albedo
+from brdf_suite.reflectance.coat_lobe import CoatLobe
+from brdf_suite.reflectance.models import mixture
+from brdf_suite.reflectance.models.channels import luminance
+from brdf_suite.reflectance.protocol import Reflectance
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        **coat_lobe.PARAMETERS,
+        "spread": Parameter("Spread", "", 0.0, 1.0, 1.0, "How far the base spreads light: 0 mirror, 1 matt"),
+    }
+)
+
+_BOUND_DEG = np.array([0.0, 20.0, 40.0, 50.0, 60.0, 70.0, 75.0, 80.0, 85.0, 88.0])
+
+
+@dataclass(frozen=True, eq=False)
+class Coated:
+    """``base`` under a clearcoat; reciprocal where the base is."""
+
+    base: Reflectance
+    ior: float = 1.5
+    roughness: float = 0.005
+    spread: float = 1.0
+    parameters: ClassVar[Mapping[str, Parameter]] = PARAMETERS
+
+    def __post_init__(self) -> None:
+        for name in ("ior", "roughness", "spread"):
+            object.__setattr__(self, name, PARAMETERS[name].check(getattr(self, name), name))
+
+    @property
+    def reciprocal(self) -> bool:
+        """Return whether light and view may be exchanged."""
+        return bool(getattr(self.base, "reciprocal", False))
+
+    @cached_property
+    def energy_conserving(self) -> bool:
+        """Return whether the whole certainly sends back no more than it gets.
+
+        The series knows the base by its mean albedo and its spread only. Between a matt base and a mirror, or with
+        the wrong spread, it may give a white base a few per cent too much. So this bounds the base's part: its
+        factor grows with T(θi), which is largest along the normal, and multiplies the largest albedo of the base.
+        """
+        if not getattr(self.base, "energy_conserving", False):
+            return False
+        theta = np.radians(_BOUND_DEG)
+        fresnel = fresnel_dielectric(np.cos(theta), self.ior)
+        largest = directional_albedo(self.base, spherical(theta, math.pi), 32).max(axis=0)
+        through = (1.0 - fresnel) * (1.0 - float(fresnel_dielectric(1.0, self.ior)))
+        return bool(np.all(fresnel[:, None] + self._series(through) * largest <= 1.0))
+
+    @property
+    def coat(self) -> CoatLobe:
+        """The coat's own lobe."""
+        return CoatLobe(self.ior, self.roughness)
+
+    @cached_property
+    def base_albedo(self) -> Floats:
+        """E_b (3,), at most 1, of the base without its coat."""
+        return np.minimum(hemispherical_albedo(self.base), 1.0)
+
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
+        wi, wo = np.asarray(wi, float), np.asarray(wo, float)
+        through = (1.0 - fresnel_dielectric(wi[..., 2], self.ior)) * (
+            1.0 - fresnel_dielectric(wo[..., 2], self.ior)
+        )
+        value = self.base.eval(wi, wo) * self._series(through)
+        return np.asarray(value + self.coat.eval_grey(wi, wo)[..., None])
+
+    def _series(self, through: Floats) -> Floats:
+        """What the base is multiplied by (..., 3), for the product T(θi) T(θo) (...)."""
+        even = mean_fresnel(self.ior)
+        one_way = np.sqrt(np.maximum(through, 1e-30))
+        inner = 1.0 - (1.0 - even) / self.ior**2
+        stays = (1.0 - self.spread) * (1.0 - one_way) + self.spread * inner
+        mean = (1.0 - self.spread) * one_way + self.spread * (1.0 - even)
+        return np.asarray(
+            (through / mean * (1.0 - stays))[..., None] / (1.0 - stays[..., None] * self.base_albedo)
+        )
+
+    def _parts(self) -> list[mixture.Part]:
+        base, coat = luminance(self.base_albedo), 0.02 + 2.0 * float(fresnel_dielectric(1.0, self.ior))
+        draw, density = getattr(self.base, "sample", None), getattr(self.base, "pdf", None)
+        own = mixture.diffuse(max(base, 0.05))
+        if draw is not None and density is not None:
+            # Two numbers are left for the base, which wants three: the second is spread over two.
+            own = mixture.Part(max(base, 0.05), lambda wo, u: draw(wo, _three(u)), density)
+        return [own, mixture.beckmann(coat, self.roughness)]
+
+    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+        """Return directions (..., 3) as the base draws them (matt where it cannot), or of the coat's lobe."""
+        return mixture.sample(self._parts(), wo, u)
+
+    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...) of :meth:`sample` per solid angle."""
+        return mixture.pdf(self._parts(), wi, wo)
+
+
+def _three(u: Floats) -> Floats:
+    """Three even numbers (n, 3) from two: the choice takes the leading digits of the second, and leaves the rest."""
+    cells = 4096.0
+    scaled = u[:, 1] * cells
+    choice = np.floor(scaled)
+    return np.stack((u[:, 0], scaled - choice, (choice + 0.5) / cells), axis=-1)
+
+
+@cache
+def mean_fresnel(ior: float) -> float:
+    """Return E_F, the share of even light that a smooth surface of index ``ior`` reflects: 2 ∫ F cosθ sinθ dθ.
+
+    >>> round(mean_fresnel(1.5), 3)
+    0.092
+    """
+    nodes, shares = np.polynomial.legendre.leggauss(64)
+    # With cosθ = x², the steep end at grazing gets most of the points.
+    x = 0.5 * (nodes + 1.0)
+    return math.fsum((0.5 * shares * 4.0 * x**3 * fresnel_dielectric(x * x, ior)).tolist())

@@ -1,0 +1,89 @@
+"""A rough metal: GGX facets, Smith's height-correlated shadowing, Schlick's Fresnel from a colour, over a matt part.
+
+    f_r = D G F / (4 cosθi cosθo) + kd/π (1 - F(θi)) (1 - F(θo)),
+    D = α² / (π (cos²θh (α² - 1) + 1)²),    F(c) = f0 + (1 - f0) (1 - c)⁵.
+
+G / (4 cosθi cosθo) = ½ / (cosθo √(α² + (1-α²) cos²θi) + cosθi √(α² + (1-α²) cos²θo)) (Walter et al. 2007,
+Heitz 2014). The matt part gets what the facets let through on the way in and out. Reciprocal. A metal has no
+single real index, so Schlick's form with the colour along the normal is used, not that of a dielectric.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import ClassVar
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.documents.parameter import Parameter
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.reflectance.blocks import in_blocks
+from brdf_suite.reflectance.models import mixture
+from brdf_suite.reflectance.models.channels import luminance, rgb
+from brdf_suite.reflectance.models.half_vector_terms import HalfVectorTerms
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        "kd": Parameter("Diffuse", "", 0.0, 1.0, 0.0, "Diffuse reflectance, linear Rec. 2020"),
+        "f0": Parameter("Metal", "", 0.0, 1.0, 0.8, "Fresnel reflectance along the normal, linear Rec. 2020"),
+        "alpha": Parameter("Roughness", "", 0.001, 1.0, 0.3, "GGX width α"),
+    }
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Ggx:
+    """GGX facets of colour ``f0`` and width ``alpha`` over a matt part ``kd``."""
+
+    kd: npt.ArrayLike = 0.0
+    f0: npt.ArrayLike = 0.8
+    alpha: float = 0.3
+    parameters: ClassVar[Mapping[str, Parameter]] = PARAMETERS
+    reciprocal: ClassVar[bool] = True
+    energy_conserving: ClassVar[bool] = True
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "kd", rgb(self.kd, "kd", PARAMETERS["kd"]))
+        object.__setattr__(self, "f0", rgb(self.f0, "f0", PARAMETERS["f0"]))
+        object.__setattr__(self, "alpha", PARAMETERS["alpha"].check(self.alpha, "alpha"))
+
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
+        return in_blocks(self._eval_block, wi, wo)
+
+    def _eval_block(self, wi: Floats, wo: Floats) -> Floats:
+        terms = HalfVectorTerms.of(wi, wo)
+        cos_i, cos_o, a2 = terms.cos_i, terms.cos_o, self.alpha**2
+        # cos²θh (α² - 1) + 1 = cos²θh (α² + tan²θh), exact beside the normal.
+        cos2 = 1.0 / (1.0 + terms.tan2_h)
+        facets = a2 / (math.pi * (cos2 * (a2 + terms.tan2_h)) ** 2)
+        seen = cos_o * np.sqrt(a2 + (1.0 - a2) * cos_i * cos_i)
+        seen = seen + cos_i * np.sqrt(a2 + (1.0 - a2) * cos_o * cos_o)
+        lobe = facets * 0.5 / np.maximum(np.where(terms.above, seen, 1.0), 1e-300)
+        passed = (1.0 - self._fresnel(cos_i)) * (1.0 - self._fresnel(cos_o))
+        value = lobe[:, None] * self._fresnel(terms.cos_d) + np.asarray(self.kd) / math.pi * passed
+        return np.where(terms.above[:, None], value, 0.0)
+
+    def _fresnel(self, cosine: Floats) -> Floats:
+        f0 = np.asarray(self.f0)
+        rest = np.clip(1.0 - cosine, 0.0, 1.0)
+        square = rest * rest
+        return np.asarray(f0 + (1.0 - f0) * (square * square * rest)[:, None])
+
+    def _parts(self) -> list[mixture.Part]:
+        f0, kd = luminance(np.asarray(self.f0)), luminance(np.asarray(self.kd))
+        # 1/21 is the mean of (1 - c)⁵ over a matt surface.
+        lobe = f0 + (1.0 - f0) / 21.0
+        return [mixture.diffuse(kd * (1.0 - f0) + 0.05 * lobe), mixture.ggx(lobe, self.alpha)]
+
+    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+        """Return directions (..., 3) of the matt part, or mirrored at a facet that the view sees."""
+        return mixture.sample(self._parts(), wo, u)
+
+    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...) of :meth:`sample` per solid angle."""
+        return mixture.pdf(self._parts(), wi, wo)

@@ -1,0 +1,136 @@
+"""Generalised cosine lobes (Lafortune, Foo, Torrance and Greenberg 1997).
+
+    f_r = kd/π + Σ ks max(0, Cx ix ox + Cy iy oy + Cz iz oz)ⁿ
+
+Cx = Cy = -1, Cz = 1 is the mirror lobe of Phong; unequal |Cx| and Cz shift the lobe off the mirror direction,
+Cx > 0 makes it look back at the light, Cx ≠ Cy makes it anisotropic. The product is the same with light and
+view exchanged, so the model is reciprocal.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import ClassVar
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.documents.parameter import Parameter, describe
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry import warps
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.reflectance.models import mixture
+from brdf_suite.reflectance.models.channels import luminance, rgb
+
+_SIZE = "Weight of the product of the {} parts of light and view"
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        "kd": Parameter("Diffuse", "", 0.0, 1.0, 0.2, "Diffuse reflectance, linear Rec. 2020"),
+        "lobes[].ks": Parameter(
+            "Weight", "1/sr", 0.0, 1e6, 1.0, "f_r where the product is 1, linear Rec. 2020"
+        ),
+        "lobes[].cx": Parameter("Cx", "", -2.0, 2.0, -1.0, _SIZE.format("x")),
+        "lobes[].cy": Parameter("Cy", "", -2.0, 2.0, -1.0, _SIZE.format("y")),
+        "lobes[].cz": Parameter("Cz", "", -2.0, 2.0, 1.0, _SIZE.format("z")),
+        "lobes[].exponent": Parameter("Exponent", "", 0.0, 1e5, 20.0, "Sharpness n of the lobe"),
+    }
+)
+
+
+@dataclass(frozen=True, eq=False)
+class LafortuneLobe:
+    """One lobe: weight ``ks`` (3,), direction (``cx``, ``cy``, ``cz``) and ``exponent``."""
+
+    ks: npt.ArrayLike
+    cx: float = -1.0
+    cy: float = -1.0
+    cz: float = 1.0
+    exponent: float = 20.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "ks", rgb(self.ks, "ks", PARAMETERS["lobes[].ks"]))
+        for name in ("cx", "cy", "cz", "exponent"):
+            object.__setattr__(self, name, PARAMETERS[f"lobes[].{name}"].check(getattr(self, name), name))
+
+    @property
+    def direction(self) -> Floats:
+        """(Cx, Cy, Cz)."""
+        return np.array([self.cx, self.cy, self.cz])
+
+    def part(self) -> mixture.Part:
+        """Return the sampler: a cosine lobe about the direction that the lobe gives the view."""
+        longest = float(np.abs(self.direction).max())
+        # Along the normal the lobe holds |Cz|ⁿ 2π/(n+2); where it leans elsewhere, its largest stretch counts.
+        stretch = longest**self.exponent
+        weight = luminance(np.asarray(self.ks)) * stretch * 2.0 * math.pi / (self.exponent + 2.0)
+        return mixture.Part(
+            weight,
+            lambda wo, u: warps.cosine_lobe(u, self._axis(wo), self.exponent),
+            lambda wi, wo: warps.cosine_lobe_pdf(wi, self._axis(wo), self.exponent),
+        )
+
+    def _axis(self, wo: Floats) -> Floats:
+        turned = wo * self.direction
+        length = np.sqrt(np.einsum("...i,...i", turned, turned))[..., None]
+        return np.where(length > 1e-12, turned / np.maximum(length, 1e-12), np.array([0.0, 0.0, 1.0]))
+
+
+@dataclass(frozen=True, eq=False)
+class Lafortune:
+    """Diffuse part and generalised cosine lobes."""
+
+    kd: npt.ArrayLike = 0.2
+    lobes: tuple[LafortuneLobe, ...] = ()
+    parameters: ClassVar[Mapping[str, Parameter]] = PARAMETERS
+    reciprocal: ClassVar[bool] = True
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "kd", rgb(self.kd, "kd", PARAMETERS["kd"]))
+        if not isinstance(self.lobes, (tuple, list)):
+            raise ValueRangeError("lobes", f"a list is wanted, not {describe(self.lobes)}")
+        for index, lobe in enumerate(self.lobes):
+            if not isinstance(lobe, LafortuneLobe):
+                raise ValueRangeError(f"lobes[{index}]", f"a lobe is wanted, not {describe(lobe)}")
+        object.__setattr__(self, "lobes", tuple(self.lobes))
+
+    @property
+    def energy_conserving(self) -> bool:
+        """Return whether the weights certainly keep the energy.
+
+        A lobe is at most longestⁿ cosⁿ about its axis, which with the light's cosine holds at most 2π/(n+1).
+        """
+        total = np.array(self.kd)
+        for lobe in self.lobes:
+            longest = float(np.abs(lobe.direction).max())
+            total = total + np.asarray(lobe.ks) * longest**lobe.exponent * 2.0 * math.pi / (
+                lobe.exponent + 1.0
+            )
+        return bool(np.all(total <= 1.0))
+
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
+        wi, wo = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
+        above = (wi[..., 2] > 0.0) & (wo[..., 2] > 0.0)
+        product = wi * wo
+        value = np.zeros(wi.shape) + np.asarray(self.kd) / math.pi
+        for lobe in self.lobes:
+            value += (np.maximum(product @ lobe.direction, 0.0) ** lobe.exponent)[..., None] * np.asarray(
+                lobe.ks
+            )
+        return np.where(above[..., None], value, 0.0)
+
+    def _parts(self) -> list[mixture.Part]:
+        parts = [lobe.part() for lobe in self.lobes]
+        kd = luminance(np.asarray(self.kd))
+        return [mixture.diffuse(max(kd, 0.05 * sum(part.weight for part in parts))), *parts]
+
+    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+        """Return directions (..., 3) of the diffuse part or of a lobe about its own axis."""
+        return mixture.sample(self._parts(), wo, u)
+
+    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...) of :meth:`sample` per solid angle."""
+        return mixture.pdf(self._parts(), wi, wo)

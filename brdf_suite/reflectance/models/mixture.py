@@ -1,0 +1,93 @@
+"""Sampling a sum of parts: choose one by its share, draw from it; the density is the shares' mean.
+
+Every model's sampler is such a mixture, so one place holds the bookkeeping.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.geometry import warps
+from brdf_suite.geometry.directions import Floats, mirror
+
+
+@dataclass(frozen=True)
+class Part:
+    """One part: its ``weight``, ``draw(wo, u)`` from u (n, 2), and the density ``pdf(wi, wo)``; all on (n, 3)."""
+
+    weight: float
+    draw: Callable[[Floats, Floats], Floats]
+    pdf: Callable[[Floats, Floats], Floats]
+
+
+def sample(parts: Sequence[Part], wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+    """Return directions (..., 3) for views ``wo`` (..., 3) and ``u`` (..., 3): two numbers to draw, one to choose."""
+    wo, u = np.broadcast_arrays(np.asarray(wo, float), np.asarray(u, float))
+    shape = wo.shape
+    view, even = wo.reshape(-1, 3), u.reshape(-1, 3)
+    choice = np.searchsorted(_shares(parts).cumsum()[:-1], even[:, 2], side="right")
+    out = np.empty_like(view)
+    for index, part in enumerate(parts):
+        mine = choice == index
+        if mine.any():
+            out[mine] = part.draw(view[mine], even[mine, :2])
+    return out.reshape(shape)
+
+
+def pdf(parts: Sequence[Part], wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+    """Return the density (...) per solid angle of :func:`sample`; 0 where either direction is below the horizon."""
+    wi, wo = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
+    light, view = wi.reshape(-1, 3), wo.reshape(-1, 3)
+    total = np.zeros(len(light))
+    for share, part in zip(_shares(parts).tolist(), parts, strict=True):
+        if share > 0.0:
+            total += share * part.pdf(light, view)
+    above = (light[:, 2] > 0.0) & (view[:, 2] > 0.0)
+    return np.where(above, total, 0.0).reshape(wi.shape[:-1])
+
+
+def diffuse(weight: float) -> Part:
+    """Return a part even in the projected solid angle, whatever the view."""
+    return Part(
+        weight, lambda _wo, u: warps.cosine_hemisphere(u), lambda wi, _wo: warps.cosine_hemisphere_pdf(wi)
+    )
+
+
+def mirror_lobe(weight: float, exponent: float) -> Part:
+    """Return a cosine lobe about the mirror direction of the view."""
+    return Part(
+        weight,
+        lambda wo, u: warps.cosine_lobe(u, mirror(wo), exponent),
+        lambda wi, wo: warps.cosine_lobe_pdf(wi, mirror(wo), exponent),
+    )
+
+
+def beckmann(weight: float, m: float) -> Part:
+    """Return mirrors whose normals are spread as a Beckmann surface of slope ``m``."""
+
+    def density(wi: Floats, wo: Floats) -> Floats:
+        h = warps.half_vector(wi, wo)
+        return warps.mirrored_pdf(warps.beckmann_normal_pdf(h, m), wo, h)
+
+    return Part(weight, lambda wo, u: warps.mirrored_at(wo, warps.beckmann_normal(u, m)), density)
+
+
+def ggx(weight: float, alpha: float) -> Part:
+    """Return mirrors at the normals of a GGX surface that the view sees."""
+
+    def density(wi: Floats, wo: Floats) -> Floats:
+        h = warps.half_vector(wi, wo)
+        return warps.mirrored_pdf(warps.ggx_visible_normal_pdf(h, wo, alpha), wo, h)
+
+    return Part(weight, lambda wo, u: warps.mirrored_at(wo, warps.ggx_visible_normal(u, wo, alpha)), density)
+
+
+def _shares(parts: Sequence[Part]) -> Floats:
+    weights = np.array([part.weight for part in parts])
+    total = weights.sum()
+    # A black model may be sampled in any way.
+    return np.asarray(weights / total if total > 0.0 else np.full(len(parts), 1.0 / len(parts)))

@@ -1,0 +1,250 @@
+"""Every model by name, with a usual example of it; tests, checks and parameter panels walk over this list.
+
+The examples are made when they are asked for, so that listing the models costs nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from types import MappingProxyType
+from typing import Literal
+
+from brdf_suite.documents.paint import Interpolation, OutOfPlane
+from brdf_suite.documents.parameter import Parameter
+from brdf_suite.reflectance.protocol import Reflectance
+
+
+@dataclass(frozen=True)
+class ModelEntry:
+    """A model and one example of it.
+
+    Parameters
+    ----------
+    make
+        Makes the example.
+    reciprocal, energy_conserving
+        What the example claims.
+    source
+        Where the model is from.
+    violations
+        For a known violator: the size that each check finds, as docs and tests state it.
+    """
+
+    name: str
+    title: str
+    make: Callable[[], Reflectance]
+    reciprocal: bool
+    energy_conserving: bool
+    source: str
+    violations: Mapping[str, float] = field(default_factory=dict)
+
+    @cached_property
+    def default(self) -> Reflectance:
+        """The example."""
+        return self.make()
+
+    @property
+    def parameters(self) -> Mapping[str, Parameter]:
+        """What the model declares of its parameters, by field."""
+        declared: Mapping[str, Parameter] = getattr(self.default, "parameters", {})
+        return declared
+
+
+def _aspecular(
+    interpolation: Interpolation = "flake", out_of_plane: OutOfPlane = "aspecular", second_light: bool = False
+) -> Reflectance:
+    from brdf_suite.documents.paint import Gloss, Measurement, Paint
+    from brdf_suite.reflectance.build import build_paint
+
+    # A blue metallic paint; the second light's readings turn it to violet, as a colour-shifting pigment does.
+    readings = [
+        Measurement(45.0, 15.0, (62.0, -4.0, -45.0)),
+        Measurement(45.0, 45.0, (25.0, 4.0, -38.0)),
+        Measurement(45.0, 110.0, (9.0, 8.0, -28.0)),
+    ]
+    if second_light:
+        readings += [
+            Measurement(15.0, 15.0, (60.0, 14.0, -46.0)),
+            Measurement(15.0, 45.0, (25.0, 12.0, -37.0)),
+            Measurement(15.0, 80.0, (14.0, 9.0, -32.0)),
+        ]
+    paint = Paint("Blue", tuple(readings), Gloss(90.0))
+    return build_paint(replace(paint, interpolation=interpolation, out_of_plane=out_of_plane))
+
+
+def _cosine_lobes() -> Reflectance:
+    from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
+
+    return CosineLobes(
+        kd=(0.01, 0.015, 0.03),
+        exponents=(5.0, 20.0, 2000.0),
+        kdd=((0.05, 0.06, 0.1), (0.03, 0.04, 0.06), (0.0, 0.0, 0.0)),
+        kg=((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (12.0, 12.0, 12.0)),
+    )
+
+
+def _phong(form: Literal["modified", "original"]) -> Reflectance:
+    from brdf_suite.reflectance.models.phong import Phong
+
+    return Phong((0.1, 0.2, 0.4), 0.4, 50.0, form)
+
+
+def _lafortune() -> Reflectance:
+    from brdf_suite.reflectance.models.lafortune import Lafortune, LafortuneLobe
+
+    # A forward lobe that leans beyond the mirror direction, an anisotropic one, and one back to the light.
+    return Lafortune(
+        (0.1, 0.2, 0.3),
+        (
+            LafortuneLobe((0.5, 0.45, 0.4), -1.0, -1.0, 0.9, 20.0),
+            LafortuneLobe(0.05, -0.9, -0.6, 0.95, 8.0),
+            LafortuneLobe(0.05, 0.7, 0.7, 0.7, 4.0),
+        ),
+    )
+
+
+def _coated_phong() -> Reflectance:
+    from brdf_suite.reflectance.models.coated_phong import CoatedPhong
+
+    return CoatedPhong((0.03, 0.05, 0.15), (0.2, 0.25, 0.4))
+
+
+def _cook_torrance(name: str) -> Reflectance:
+    from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+    from brdf_suite.reflectance.models.table_1 import TABLE_1
+
+    return CookTorrance(TABLE_1[name])
+
+
+def _ggx() -> Reflectance:
+    from brdf_suite.reflectance.models.ggx import Ggx
+
+    return Ggx(0.05, (0.9, 0.7, 0.4), 0.3)
+
+
+def _ggx_clearcoat() -> Reflectance:
+    from brdf_suite.reflectance.models.coated import Coated
+    from brdf_suite.reflectance.models.ggx import Ggx
+
+    return Coated(Ggx(0.02, (0.5, 0.3, 0.3), 0.35), 1.5, 0.005, spread=0.5)
+
+
+def _coated_matt() -> Reflectance:
+    from brdf_suite.reflectance.models.coated import Coated
+    from brdf_suite.reflectance.models.lambertian import Lambertian
+
+    return Coated(Lambertian((0.6, 0.3, 0.2)), 1.5, 0.005)
+
+
+def _poulin_fournier() -> Reflectance:
+    from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
+
+    return PoulinFournier((0.1, 0.1, 0.12), (0.6, 0.55, 0.5))
+
+
+def _lambertian() -> Reflectance:
+    from brdf_suite.reflectance.models.lambertian import Lambertian
+
+    return Lambertian((0.8, 0.5, 0.2))
+
+
+def _coat() -> Reflectance:
+    from brdf_suite.reflectance.coat_lobe import CoatLobe
+
+    return CoatLobe(1.5, 0.01)
+
+
+_ASPECULAR_SOURCE = "Westlund and Meyer 2001; Shimizu, Meyer and Wingard 2003"
+_TABLE_1_SOURCE = "Günther et al. 2005, equation 1 and Table 1"
+
+_ENTRIES = (
+    ModelEntry("aspecular", "Aspecular paint, flake rule", _aspecular, True, False, _ASPECULAR_SOURCE),
+    ModelEntry(
+        "aspecular_monotone",
+        "Aspecular paint, monotone rule",
+        lambda: _aspecular("monotone"),
+        True,
+        False,
+        _ASPECULAR_SOURCE,
+    ),
+    ModelEntry(
+        "aspecular_polynomial",
+        "Aspecular paint, polynomial rule",
+        lambda: _aspecular("polynomial"),
+        True,
+        False,
+        _ASPECULAR_SOURCE,
+    ),
+    ModelEntry(
+        "aspecular_half_vector",
+        "Aspecular paint, flake rule by the half vector's tilt",
+        lambda: _aspecular("flake", "half_vector"),
+        True,
+        False,
+        _ASPECULAR_SOURCE,
+    ),
+    ModelEntry(
+        "aspecular_two_lights",
+        "Aspecular paint, two light angles",
+        lambda: _aspecular(second_light=True),
+        True,
+        False,
+        _ASPECULAR_SOURCE,
+    ),
+    ModelEntry("coat", "Clearcoat alone", _coat, True, True, "Beckmann; Walter et al. 2007"),
+    ModelEntry("coated_matt", "Matt base under a clearcoat", _coated_matt, True, True, "Saunderson 1942"),
+    ModelEntry(
+        "coated_phong",
+        "Phong with a clearcoat by Fresnel",
+        _coated_phong,
+        True,
+        True,
+        "after Günther et al. 2005, section 6.1",
+    ),
+    ModelEntry(
+        "cook_torrance",
+        "Cook-Torrance, three lobes (Polaris Silver)",
+        lambda: _cook_torrance("table1_polaris_silver"),
+        True,
+        False,
+        _TABLE_1_SOURCE,
+    ),
+    ModelEntry(
+        "cosine_lobes",
+        "Sum of cosine lobes",
+        _cosine_lobes,
+        False,
+        False,
+        "BRDF approximation for interactive colour appearance design, equations 1 to 3",
+        {"reciprocity": 0.998},
+    ),
+    ModelEntry("ggx", "GGX metal over a matt part", _ggx, True, True, "Walter et al. 2007; Heitz 2014"),
+    ModelEntry(
+        "ggx_clearcoat", "GGX metal under a clearcoat", _ggx_clearcoat, True, True, "Walter et al. 2007"
+    ),
+    ModelEntry("lafortune", "Generalised cosine lobes", _lafortune, True, True, "Lafortune et al. 1997"),
+    ModelEntry("lambertian", "Matt", _lambertian, True, True, "Lambert 1760"),
+    ModelEntry("phong", "Phong, modified", lambda: _phong("modified"), True, True, "Lewis 1994"),
+    ModelEntry(
+        "phong_original",
+        "Phong, original",
+        lambda: _phong("original"),
+        False,
+        False,
+        "Phong 1975",
+        {"reciprocity": 0.999, "directional_albedo": 0.868},
+    ),
+    ModelEntry(
+        "poulin_fournier",
+        "Brushed metal of cylinders",
+        _poulin_fournier,
+        True,
+        True,
+        "Poulin and Fournier 1990",
+    ),
+)
+
+MODELS: Mapping[str, ModelEntry] = MappingProxyType({entry.name: entry for entry in _ENTRIES})
+"""Every model with an example of it, by name."""

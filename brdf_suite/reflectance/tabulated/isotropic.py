@@ -1,0 +1,186 @@
+"""An isotropic reflectance tabulated in half-angle coordinates: MERL's layout, and our own measurements'."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from types import MappingProxyType
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.documents.parameter import Parameter
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.reflectance.blocks import in_blocks
+from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
+from brdf_suite.reflectance.tabulated.holes import fill_holes
+from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
+from brdf_suite.reflectance.tabulated.trilinear import trilinear
+
+Singles = npt.NDArray[np.float32]
+Bools = npt.NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class IsotropicTable:
+    """Values in bins of (θh, θd, φd), looked up trilinearly between the centres of the bins.
+
+    Attributes
+    ----------
+    values
+        (θh, θd, φd, 3) float32, f_r in 1/sr, working space, without the cosine, finite, not negative. The
+        bins are those of :class:`HalfAngleGrid`; at full size, 90 × 90 × 180, this is 17.5 MB.
+    holes
+        (θh, θd, φd) bool: bins that were not measured; what ``values`` holds there was filled in.
+    reciprocal
+        Whether φd covers [0, π), a pair and its swap being one, or [0, 2π).
+    source
+        Where the data come from, for the user.
+    facts
+        What the reader learned from the file, for the user.
+
+    Raises
+    ------
+    ValueRangeError
+        A shape does not fit, or a value is not finite or negative.
+    """
+
+    values: Singles
+    holes: Bools | None = None
+    reciprocal: bool = True
+    source: str = ""
+    facts: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+
+    parameters: ClassVar[Mapping[str, Parameter]] = MappingProxyType({})
+
+    def __post_init__(self) -> None:
+        # Views, so that the caller's own arrays stay writable and nothing of 17 MB is copied without need.
+        values = np.ascontiguousarray(self.values, np.float32).view()
+        if values.ndim != 4 or values.shape[3] != 3:
+            raise ValueRangeError("values", f"has the shape {values.shape}; (θh, θd, φd, 3) is wanted")
+        grid_of(values, self.reciprocal)
+        # A NaN is neither.
+        if not (values.min() >= 0.0 and values.max() < np.inf):
+            at = np.argwhere(~((values >= 0.0) & (values < np.inf)))[0].tolist()
+            raise ValueRangeError(f"values{at}", "is not finite or is negative; a reflectance is neither")
+        holes = self.holes
+        holes = np.zeros(values.shape[:3], np.bool_) if holes is None else np.asarray(holes, np.bool_).view()
+        if holes.shape != values.shape[:3]:
+            raise ValueRangeError("holes", f"has the shape {holes.shape}; {values.shape[:3]} is wanted")
+        values.flags.writeable = False
+        holes.flags.writeable = False
+        object.__setattr__(self, "values", values)
+        object.__setattr__(self, "holes", holes)
+
+    @classmethod
+    def from_bins(
+        cls,
+        values: npt.ArrayLike,
+        holes: npt.ArrayLike,
+        *,
+        reciprocal: bool = True,
+        source: str = "",
+        facts: Mapping[str, Any] | None = None,
+    ) -> IsotropicTable:
+        """Return a table of ``values`` with ``holes`` filled from their neighbours; the arguments are kept as is.
+
+        What ``values`` holds in a hole does not matter.
+
+        Raises
+        ------
+        ValueRangeError
+            As the class; or every bin is a hole.
+        """
+        own, mask = np.array(values, np.float32, order="C"), np.array(holes, np.bool_)
+        if own.ndim != 4 or mask.shape != own.shape[:3]:
+            raise ValueRangeError("holes", f"has the shape {mask.shape}, values {own.shape}")
+        if mask.all():
+            raise ValueRangeError("holes", "every bin is a hole; nothing was measured")
+        fill_holes(own, mask, grid_of(own, reciprocal))
+        return cls(own, mask, reciprocal, source, facts or {})
+
+    @classmethod
+    def from_reflectance(
+        cls,
+        reflectance: Reflectance,
+        grid: HalfAngleGrid | None = None,
+        *,
+        reciprocity: Literal["assume", "average"] = "average",
+        source: str = "",
+        facts: Mapping[str, Any] | None = None,
+    ) -> IsotropicTable:
+        """Tabulate ``reflectance`` at the centres of the bins.
+
+        Bins whose centre lies below the horizon are holes. In a reciprocal ``grid`` (the default, 90 × 90 ×
+        180) a bin stands for a pair and its swap: ``"average"`` takes the mean of both, ``"assume"`` the one
+        with φd in [0, π). The azimuth of the half vector is 0: what is tabulated of an anisotropic
+        reflectance is that cut.
+        """
+        grid = grid or HalfAngleGrid()
+        values = np.empty((*grid.shape, 3), np.float32)
+        for h in range(grid.theta_h):
+            wi, wo = grid.pairs(h)
+            value = np.asarray(reflectance.eval(wi, wo))
+            if grid.reciprocal and reciprocity == "average":
+                value = 0.5 * (value + reflectance.eval(wo, wi))
+            values[h] = value
+        holes = ~grid.above_horizon()
+        fill_holes(values, holes, grid)
+        return cls(values, holes, grid.reciprocal, source, facts or {})
+
+    @cached_property
+    def grid(self) -> HalfAngleGrid:
+        """Return the bins."""
+        return grid_of(self.values, self.reciprocal)
+
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return f_r (..., 3) in 1/sr, working space, without the cosine; 0 below the horizon."""
+
+        def block(light: Floats, view: Floats) -> Floats:
+            return look_up_above(lambda i, o: trilinear(self.values, self.grid, i, o), light, view)
+
+        return in_blocks(block, wi, wo)
+
+    def holes_above_horizon(self) -> int:
+        """Return how many bins with their centre above the horizon were not measured."""
+        return int(np.count_nonzero(self.measured_mask(False)))
+
+    def measured_mask(self, measured: bool = True) -> Bools:
+        """Return (θh, θd, φd): bins above the horizon that were measured (or were not)."""
+        holes = np.asarray(self.holes)
+        mask: Bools = self.grid.above_horizon() & (~holes if measured else holes)
+        return mask
+
+    def made_reciprocal(self) -> IsotropicTable:
+        """Return the table with φd over [0, π): each bin the mean of a pair and its swap.
+
+        Where only one of the two was measured, that one is taken; where neither was, the bin stays a hole and is filled
+        again. A reciprocal table is returned as it is.
+
+        Raises
+        ------
+        ValueRangeError
+            φd has an odd number of bins, so that no bin is another's swap.
+        """
+        if self.reciprocal:
+            return self
+        half, odd = divmod(self.values.shape[2], 2)
+        if odd or half < 2:
+            raise ValueRangeError("values", f"φd has {self.values.shape[2]} bins; an even number is wanted")
+        known = ~np.asarray(self.holes)
+        first, second = known[:, :, :half, None], known[:, :, half:, None]
+        one, other = self.values[:, :, :half], self.values[:, :, half:]
+        values = np.where(first & second, 0.5 * (one + other), np.where(first, one, other))
+        holes = ~(first | second)[..., 0]
+        fill_holes(values, holes, grid_of(values, True))
+        return replace(self, values=values, holes=holes, reciprocal=True)
+
+
+def grid_of(values: npt.NDArray[Any], reciprocal: bool) -> HalfAngleGrid:
+    """Return the bins of an array (θh, θd, φd, ...)."""
+    theta_h, theta_d, phi_d = values.shape[:3]
+    return HalfAngleGrid(theta_h, theta_d, phi_d, reciprocal)

@@ -1,0 +1,126 @@
+"""How true the virtual instruments are: designed paints measured back, and how long a measurement takes.
+
+The paints are the shipped ones and 60 random ones that a clearcoat can be found for (L* at 15° 45 to 130, any hue,
+20° gloss 5 to 95). Gloss is read by integrating the whole reflectance over the receptor, not by the formula that the
+coat was solved with.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+
+import numpy as np
+
+from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.geometries import geometry_set, measured_set
+from brdf_suite.appearance.gloss import gloss_units
+from brdf_suite.documents.paint import Gloss, Measurement, Paint
+from brdf_suite.errors import UnreachableError
+from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
+from brdf_suite.progress import Progress, report
+from brdf_suite.reflectance.aperture import APERTURES, POINT, WIDE
+from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.coat_lobe import CoatLobe
+from brdf_suite.reflectance.glossmeter import gloss_reading
+from brdf_suite.reflectance.spectrophotometer import measure
+from brdf_suite.reflectance.through_aperture import build_through
+
+NAME = "measure"
+
+#: key: (comparison, bound, unit, meaning)
+BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
+    "point_delta_e": ("<=", 0.05, "ΔE00", "worst reading against the document, no aperture"),
+    "narrow_delta_e": (
+        "<=",
+        0.05,
+        "ΔE00",
+        "the same, solved and read with half-angles of 1° (light) and 2° (receptor)",
+    ),
+    "wide_delta_e": ("<=", 0.05, "ΔE00", "the same with 2° and 4°"),
+    "wide_unsolved_delta_e": (
+        "",
+        None,
+        "ΔE00",
+        "the same with 2° and 4°, the paint not solved through the aperture",
+    ),
+    "gloss_20_gu": ("<=", 0.5, "GU", "worst total 20° gloss, integrated, against the document"),
+    "coat_formula_gu": (
+        "",
+        None,
+        "GU",
+        "worst difference, coat integrated against formula, α .002 to .05, 20 and 60°",
+    ),
+    "refused": ("", None, "", "random paints left out because no clearcoat gives their gloss"),
+    "report_ms": ("", None, "ms", "one report: six angles, three gloss angles; no aperture, median"),
+    "report_wide_ms": ("", None, "ms", "the same through 2° and 4°"),
+}
+
+_RANDOM = 60
+_SEED = 27
+
+
+def paints() -> Iterator[Paint]:
+    """Yield the shipped paints, then random ones without end."""
+    yield from (load_shipped_paint(name) for name in paint_names())
+    rng = np.random.default_rng(_SEED)
+    while True:
+        light = rng.uniform(45.0, 130.0)
+        middle = light * rng.uniform(0.35, 0.75)
+        dark = middle * rng.uniform(0.2, 0.8)
+        hue, chroma = rng.uniform(0.0, 2.0 * np.pi), rng.uniform(0.0, 0.5)
+        labs = [
+            (level, chroma * level * np.cos(hue + turn), chroma * level * np.sin(hue + turn))
+            for level, turn in zip((light, middle, dark), rng.normal(0.0, 0.3, 3), strict=True)
+        ]
+        readings = [
+            Measurement(45.0, angle, lab) for angle, lab in zip((15.0, 45.0, 110.0), labs, strict=True)
+        ]
+        yield Paint("random", tuple(readings), Gloss(float(rng.uniform(5.0, 95.0))))
+
+
+def run(progress: Progress | None) -> dict[str, float | None]:
+    """Return the figures."""
+    worst = dict.fromkeys(APERTURES, 0.0)
+    unsolved, gloss, refused, used = 0.0, 0.0, 0, 0
+    times: dict[str, list[float]] = {"point": [], "wide": []}
+    wanted = len(paint_names()) + _RANDOM
+    for paint in paints():
+        if used == wanted:
+            break
+        report(progress, used / wanted, "paints")
+        asked = np.array([m.lab for m in paint.measurements])
+        angles = measured_set([(m.illumination_deg, m.aspecular_deg) for m in paint.measurements])
+        try:
+            plain = build_paint(paint)
+        except UnreachableError:
+            refused += 1
+            continue
+        # A colour that the working space does not hold is shown as the nearest one, and that is told.
+        if any("more saturated" in notice for notice in plain.notices):
+            continue
+        used += 1
+        for name, through in APERTURES.items():
+            solved = build_through(paint, through).reflectance
+            found = delta_e_2000(asked, measure(solved, angles, through).lab).max()
+            worst[name] = max(worst[name], float(found))
+        unsolved = max(unsolved, float(delta_e_2000(asked, measure(plain, angles, WIDE).lab).max()))
+        gloss = max(gloss, abs(gloss_reading(plain, 20) - paint.gloss.gu_20))
+        for through in (POINT, WIDE):
+            start = time.perf_counter()
+            measure(plain, geometry_set("six"), through)
+            times[through.name].append(time.perf_counter() - start)
+    formula = max(
+        abs(gloss_reading(CoatLobe(1.53, alpha), angle) - gloss_units(angle, 1.53, alpha))
+        for alpha in (0.002, 0.003, 0.005, 0.01, 0.02, 0.05)
+        for angle in (20, 60)
+    )
+    return {
+        **{f"{name}_delta_e": value for name, value in worst.items()},
+        "wide_unsolved_delta_e": unsolved,
+        "gloss_20_gu": gloss,
+        "coat_formula_gu": formula,
+        "refused": float(refused),
+        "report_ms": 1e3 * float(np.median(times["point"])),
+        "report_wide_ms": 1e3 * float(np.median(times["wide"])),
+    }

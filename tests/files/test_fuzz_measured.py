@@ -1,0 +1,99 @@
+"""A few hundred damaged copies of each real file; ``tests/benchmarks/fuzz_measured.py`` makes ten thousand."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
+from brdf_suite.documents.store import paint_to_json
+
+pytest.importorskip("resource", reason="memory limits are set through the Unix module resource")
+if not Path("/proc/self/statm").exists():
+    pytest.skip("the memory in use is read from /proc", allow_module_level=True)
+
+MUTATIONS = 150
+
+
+@pytest.fixture(scope="module")
+def fuzzing(checkout: Path) -> ModuleType:
+    path = checkout / "tests" / "benchmarks" / "fuzz_measured.py"
+    spec = importlib.util.spec_from_file_location("fuzz_measured", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "bird_example.json",
+        "cayman.brdf",
+        "krylon_blue.brdf",
+        "paper_white_rgb.bsdf",
+        "retro-gray-tape.dat",
+        "vch_golden_yellow_rgb.bsdf",
+    ],
+)
+def test_damaged_files_are_refused_or_read_within_the_limits(
+    shared_data: Path, tmp_path: Path, fuzzing: ModuleType, name: str
+) -> None:
+    counts, longest = fuzzing.fuzz(shared_data / "brdf" / name, MUTATIONS, seed=7, keep=tmp_path)
+    assert not [result for result in counts if result.startswith("FAULT")]
+    assert counts["read"] > 0  # some damage does no harm, so the readers were really reached
+    assert counts["refused"] > MUTATIONS // 2
+    assert longest < fuzzing.SECONDS
+
+
+SMALL = {
+    "chip.astm": "NUM_POINTS 2\nVARS theta_i,phi_i,theta_s,phi_s,465nm,525nm,630nm\n"
+    "0.1,0,0.2,3.0,0.5,0.25,0.125\n0.3,0,0.4,1.0,1,1,1\n",
+    "foil.dat": "#format: theta phi DSF\n#intheta 30\n#inphi 0\n60 180 0.5\n30 180 4.0\n150 0 9\n",
+    "pair.alta": "#DIM 6 3\n#PARAM_IN CARTESIAN\n#PARAM_OUT RGB_COLOR\n0 0 1 0.6 0 0.8 1.0 0.5 0.2\n",
+    "half.alta": "#DIM 4 1\n#VS 1\n#PARAM_IN RUSIN_TH_PH_TD_PD\n0.2 0.3 0.4 1.5 1.0 0.1\n0.2 0.3 0.5 1.5 1.0 0.1\n",
+    "lobes.brdfpaint": json.dumps(
+        paint_to_json(
+            CookTorrancePaint("L", (0.1, 0.05, 0.02), (CookTorranceLobe((0.2, 0.3, 0.4), 0.3, 0.05),))
+        )
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SMALL)
+def test_formats_without_a_real_file_at_hand(tmp_path: Path, fuzzing: ModuleType, name: str) -> None:
+    path = tmp_path / name
+    path.write_text(SMALL[name])
+    counts, longest = fuzzing.fuzz(path, MUTATIONS, seed=3)
+    assert not [result for result in counts if result.startswith("FAULT")]
+    assert counts["read"] > 0
+    assert longest < fuzzing.SECONDS
+
+
+def test_the_limits_bite(fuzzing: ModuleType, tmp_path: Path) -> None:
+    from brdf_suite.files.measured.format import MeasuredFormat
+
+    path = tmp_path / "any"
+    path.write_bytes(b"x")
+
+    def greedy(_path: object, _options: object) -> object:
+        return bytearray(400 << 20)
+
+    def endless(_path: object, _options: object) -> object:
+        while True:
+            pass
+
+    fuzzing.SECONDS, before = 0.1, fuzzing.SECONDS
+    try:
+        for read, word in ((greedy, "memory"), (endless, "over")):
+            known = MeasuredFormat("x", "x", (".x",), lambda _head, _size: True, read)
+            assert word in fuzzing.outcome(path, known)
+    finally:
+        fuzzing.SECONDS = before
