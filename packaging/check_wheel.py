@@ -22,6 +22,7 @@ NEEDED = (
     "brdf_suite/_resources/paints/blue.brdfpaint",
     "brdf_suite/_resources/meshes/speed_form.glb",
     "brdf_suite/_resources/environments/booth.exr",
+    "brdf_suite/_resources/colour/cie.csv",
     "brdf_suite/realtime/shaders/",
     "brdf_designer/__main__.py",
     "brdf_viewer/__main__.py",

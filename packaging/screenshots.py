@@ -29,7 +29,17 @@ PROGRAMS = {
 }  # fmt: skip
 RENDERS = {
     "render_speed_form": ["blue", "--environment", "booth", "--mesh", "speed_form"],
-    "render_car": ["champagne", "--environment", "sunny", "--mesh", "car"],
+    "render_car": [
+        "gold_metallic",
+        "--environment",
+        "sunny",
+        "--mesh",
+        "car",
+        "--rotation",
+        "120",
+        "--exposure",
+        "0.6",
+    ],
     "render_overcast": ["red", "--environment", "overcast", "--mesh", "car", "--azimuth", "215"],
 }
 
