@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import argparse
+import math
+from collections.abc import Iterable, Sequence
 
 from brdf_suite.cli.measure import ANYTHING, add_instrument
 from brdf_suite.cli.output import print_json
+from brdf_suite.errors import SuiteError
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -47,6 +50,14 @@ def tolerance(text: str) -> tuple[float | None, float]:
         ) from None
 
 
+def _check_angles(wanted: Iterable[float], read: Sequence[float]) -> None:
+    """Refuse a tolerance at an angle that is not read: it would judge nothing, and the sample would pass."""
+    for angle in wanted:
+        if not any(math.isclose(angle, one, abs_tol=1e-6) for one in read):
+            angles = ", ".join(f"{one:g}" for one in dict.fromkeys(read))
+            raise SuiteError(f"tolerance at {angle:g}°: nothing is read there; the geometry has {angles}°.")
+
+
 def run(options: argparse.Namespace) -> int:
     """Compare and print; 1 where a tolerance is exceeded."""
     from brdf_suite.appearance.geometries import geometry_set
@@ -54,13 +65,15 @@ def run(options: argparse.Namespace) -> int:
     from brdf_suite.pipeline.measuring import compare, load_measurable
     from brdf_suite.reflectance.aperture import aperture
 
+    geometry = geometry_set(options.geometry)
     tolerances = None
     if options.tolerance:
         by_angle = {angle: value for angle, value in options.tolerance if angle is not None}
+        _check_angles(by_angle, [one.aspecular_deg for one in geometry.geometries])
         others = [value for angle, value in options.tolerance if angle is None]
         tolerances = Tolerances(by_angle, others[-1] if others else None, options.difference)
     first, second = (load_measurable(what, observer_deg=options.observer) for what in (options.a, options.b))
-    result = compare(first, second, geometry_set(options.geometry), aperture(options.aperture), tolerances)
+    result = compare(first, second, geometry, aperture(options.aperture), tolerances)
     failed = result.verdict is not None and result.verdict.passes is False
     if options.json:
         print_json({"a": first.name, "b": second.name, **result.to_json()})

@@ -266,6 +266,8 @@ def test_bad_requests_are_refused_in_one_line(asked, shared_data: Path, tmp_path
         (("measure", document), "broken.brdfpaint"),
         (("compare", "blue", "no_such_paint"), "no_such_paint"),
         (("compare", "blue", "blue", "--tolerance", "-1"), "a number from 0"),
+        (("compare", "blue", "red", "--tolerance", "33=1"), "nothing is read there"),
+        (("compare", "blue", "red", "--tolerance", "nan=1"), "-15, 15, 25, 45, 75, 110"),
         (("convert", blue, tmp_path / "out.nothing"), ".nothing"),
         (("convert", tmp_path / "missing.brdf", tmp_path / "out.dat"), "missing.brdf"),
         (("convert", blue, blue), "the source itself"),
