@@ -1,7 +1,8 @@
 """``brdf-suite bench NAME``: the measured figures, from the benchmarks beside the tests.
 
 A benchmark is a module ``tests/benchmarks/bench_*.py`` with ``NAME``, ``BOUNDS`` (key -> comparison, bound,
-unit, meaning) and ``run(progress) -> {key: number or None}``; it may add ``NOTES`` (key -> text) as it runs.
+unit, meaning) and ``run(progress) -> {key: number or None}``; it may add as it runs ``NOTES`` (key -> text) and
+``TABLES`` (key -> values by name), which only ``--json`` prints.
 """
 
 from __future__ import annotations
@@ -54,6 +55,7 @@ class Result:
     figures: dict[str, float | None]
     bounds: dict[str, Bound]
     notes: dict[str, str] = field(default_factory=dict)
+    tables: dict[str, dict[str, object]] = field(default_factory=dict)
 
     def to_json(self) -> dict[str, object]:
         """Return the one object that ``--json`` prints."""
@@ -64,6 +66,8 @@ class Result:
         }
         if self.notes:
             answer["notes"] = self.notes
+        if self.tables:
+            answer["tables"] = self.tables
         return answer
 
     def rows(self) -> Iterator[tuple[str, str, str, str, str]]:
@@ -138,7 +142,11 @@ def measure(module: ModuleType, progress: Progress | None) -> Result:
         if value is not None and not math.isfinite(value):
             raise SuiteError(f"Benchmark {module.NAME}: {key} is {value}.")
     return Result(
-        module.NAME, {key: figures[key] for key in bounds}, bounds, dict(getattr(module, "NOTES", {}))
+        module.NAME,
+        {key: figures[key] for key in bounds},
+        bounds,
+        dict(getattr(module, "NOTES", {})),
+        dict(getattr(module, "TABLES", {})),
     )
 
 

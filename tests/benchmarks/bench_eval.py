@@ -35,6 +35,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
 }
 
 NOTES: dict[str, str] = {}
+TABLES: dict[str, dict[str, object]] = {}
 
 PAIRS = 1_000_000
 PAINT = "table1_polaris_silver"
@@ -77,6 +78,12 @@ def largest_albedo(progress: Progress | None) -> float:
     for index, (name, entry) in enumerate(MODELS.items()):
         report(progress, index / len(MODELS), f"albedo of {name}")
         checked = check_model(entry)
+        TABLES.setdefault("check", {})[name] = {
+            "claims_energy": entry.energy_conserving,
+            "polar_deg": list(checked.incidence_deg),
+            "albedo": checked.albedo.tolist(),
+            "white_furnace": checked.furnace.tolist(),
+        }
         albedo = float(max(checked.albedo.max(), checked.furnace.max()))
         shown.append(f"{name} {albedo:.3f}" + ("" if entry.energy_conserving else " (claims nothing)"))
         if entry.energy_conserving:

@@ -43,6 +43,13 @@ def test_figures_are_held_against_their_bounds() -> None:
     assert answer["figures"] == {"fast_ms": 4.0, "info": None}
 
 
+def test_tables_go_into_the_object_that_json_prints() -> None:
+    bench = module(fast_ms=4.0, info=None)
+    bench.TABLES = {"info": {"matt": {"albedo": [[0.5, 0.5, 0.5]]}}}
+    answer = measure(bench, None).to_json()
+    assert answer["tables"] == {"info": {"matt": {"albedo": [[0.5, 0.5, 0.5]]}}}
+
+
 def test_undeclared_or_infinite_figures_are_a_fault() -> None:
     with pytest.raises(SuiteError, match="declares"):
         measure(module(fast_ms=1.0), None)
