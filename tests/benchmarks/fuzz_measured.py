@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import hashlib
 import random
 import resource
 import signal
@@ -83,7 +84,17 @@ def mutate(content: bytes, random_: random.Random) -> bytes:
         else:
             other = random_.randrange(len(data))
             data[at : at + 16] = data[other : other + 16]
-    return bytes(data)
+    return restamped(bytes(data)) if random_.random() < 0.8 else bytes(data)
+
+
+def restamped(data: bytes) -> bytes:
+    """Return a damaged ``.brdftable`` with its checksum made right, so that what lies behind the checksum is reached.
+
+    Other content is returned as it is.
+    """
+    if not data.startswith(b"BRDFTABL") or len(data) < 48:
+        return data
+    return data[:16] + hashlib.sha256(data[48:]).digest() + data[48:]
 
 
 @contextlib.contextmanager

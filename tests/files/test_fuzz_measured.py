@@ -8,10 +8,16 @@ import sys
 from pathlib import Path
 from types import ModuleType
 
+import numpy as np
 import pytest
 
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.store import paint_to_json
+from brdf_suite.files.measured import read_measured, write_measured
+from brdf_suite.reflectance.models.lambertian import Lambertian
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 pytest.importorskip("resource", reason="memory limits are set through the Unix module resource")
 if not Path("/proc/self/statm").exists():
@@ -74,6 +80,40 @@ def test_formats_without_a_real_file_at_hand(tmp_path: Path, fuzzing: ModuleType
     counts, longest = fuzzing.fuzz(path, MUTATIONS, seed=3)
     assert not [result for result in counts if result.startswith("FAULT")]
     assert counts["read"] > 0
+    assert longest < fuzzing.SECONDS
+
+
+@pytest.fixture(scope="module")
+def tables(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a table of each layout, small or of the one size that the format knows."""
+    folder = tmp_path_factory.mktemp("tables")
+    matt = Lambertian(0.5)
+    write_measured(
+        IsotropicTable.from_reflectance(matt, HalfAngleGrid(6, 6, 12)), folder / "isotropic.brdftable"
+    )
+    write_measured(IsotropicTable.from_reflectance(matt, HalfAngleGrid(20, 20, 40)), folder / "small.binary")
+    rng = np.random.default_rng(4)
+    directions = rng.normal(size=(2, 40, 3))
+    directions[..., 2] = np.abs(directions[..., 2]) + 0.1
+    directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
+    write_measured(
+        ScatteredSamples(directions[0], directions[1], rng.random((40, 3))), folder / "scattered.brdftable"
+    )
+    rng.uniform(0.01, 0.2, (3, 288, 288)).astype("<f8").tofile(folder / "cloth.bin")
+    write_measured(read_measured(folder / "cloth.bin"), folder / "anisotropic.brdftable")
+    return folder
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["isotropic.brdftable", "scattered.brdftable", "anisotropic.brdftable", "small.binary", "cloth.bin"],
+)
+def test_damaged_tables(tables: Path, tmp_path: Path, fuzzing: ModuleType, name: str) -> None:
+    counts, longest = fuzzing.fuzz(tables / name, MUTATIONS, seed=5, keep=tmp_path)
+    assert not [result for result in counts if result.startswith("FAULT")]
+    # Past the checksum, too: without a right one next to nothing of our own tables would be read.
+    assert counts["read"] > MUTATIONS // 10
+    assert counts["refused"] > 0
     assert longest < fuzzing.SECONDS
 
 
