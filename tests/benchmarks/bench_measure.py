@@ -2,7 +2,7 @@
 
 The paints are the shipped ones and 60 random ones that a clearcoat can be found for (L* at 15° 45 to 130, any hue,
 20° gloss 5 to 95). Gloss is read by integrating the whole reflectance over the receptor, not by the formula that the
-coat was solved with.
+coat was solved with. The readings of the eight paints of Table 1 stand in [table1.md](table1.md).
 """
 
 from __future__ import annotations
