@@ -87,7 +87,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("brdf-suite: cancelled", file=sys.stderr)
         return CANCELLED
     except SuiteError as error:
-        print(f"brdf-suite: {error}", file=sys.stderr)
+        # One line, also where a name that was typed has line breaks.
+        print("brdf-suite: " + " ".join(str(error).splitlines()), file=sys.stderr)
         return FAILED
 
 

@@ -260,6 +260,7 @@ def test_bad_requests_are_refused_in_one_line(asked, shared_data: Path, tmp_path
     document.write_text("{")
     for arguments, words in (
         (("measure", "no_such_paint"), "fine_silver"),
+        (("measure", "two\nlines"), "two lines"),
         (("measure", "blue", "--geometry", "45:160"), "below the surface"),
         (("measure", "blue", "--aperture", "huge"), "point, narrow, wide"),
         (("measure", broken), "broken.brdf"),
