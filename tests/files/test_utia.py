@@ -98,3 +98,10 @@ def test_values_that_are_none_are_refused_by_place(path: Path, planes: np.ndarra
     path.write_bytes(broken.astype("<f8").tobytes())
     with pytest.raises(FileError, match="byte 800"):
         read_utia(path)
+
+
+def test_a_file_of_nothing_but_negative_values_is_refused(tmp_path: Path, planes: np.ndarray) -> None:
+    file = tmp_path / "below.bin"
+    np.full(planes.shape, -1.0).astype("<f8").tofile(file)
+    with pytest.raises(FileError, match="every value is negative"):
+        read_utia(file)

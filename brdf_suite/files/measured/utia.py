@@ -39,7 +39,7 @@ def read_utia(path: PathLike, *, srgb_encoded: bool = False) -> AnisotropicTable
     Raises
     ------
     FileError
-        The file is missing, of another size, or holds a value that is no finite reflectance.
+        The file is missing, of another size, holds a value that is no finite reflectance, or only negative ones.
     """
     data = read_bytes(path, 4 * _SIZE)
     if len(data) != _SIZE:
@@ -54,6 +54,8 @@ def read_utia(path: PathLike, *, srgb_encoded: bool = False) -> AnisotropicTable
         )
     notes = []
     negative = int(np.count_nonzero(stored < 0.0))
+    if negative == stored.size:
+        raise FileError(path, "every value is negative, which no reflectance is", "byte 0")
     if negative:
         notes.append(f"{negative:,} negative values became 0")
     rgb = np.maximum(stored, 0.0).reshape(3, _POLAR, _AZIMUTHS, _POLAR, _AZIMUTHS)
