@@ -159,23 +159,43 @@ class Paint:
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
         check_text(self.source, "source", longest=10_000, lines=True, empty=True)
 
-    def lab_at(self, aspecular_deg: float) -> Lab:
-        """Return the measured L*a*b* at ``aspecular_deg``; raise :class:`ValueRangeError` where none is."""
-        return self.measurements[self._index(aspecular_deg)].lab
+    def lab_at(self, aspecular_deg: float, illumination_deg: float | None = None) -> Lab:
+        """Return the measured L*a*b* at a geometry as :meth:`index_of` finds it."""
+        return self.measurements[self.index_of(aspecular_deg, illumination_deg)].lab
 
-    def with_lab(self, aspecular_deg: float, lab: Lab) -> Paint:
-        """Return this paint with the L*a*b* at one of its measured angles replaced."""
-        index = self._index(aspecular_deg)
+    def with_lab(self, aspecular_deg: float, lab: Lab, illumination_deg: float | None = None) -> Paint:
+        """Return this paint with the L*a*b* at one of its measured geometries replaced; see :meth:`index_of`."""
+        index = self.index_of(aspecular_deg, illumination_deg)
         changed = list(self.measurements)
         changed[index] = replace(changed[index], lab=lab)
         return replace(self, measurements=tuple(changed))
 
-    def _index(self, aspecular_deg: float) -> int:
-        for index, measurement in enumerate(self.measurements):
+    def index_of(self, aspecular_deg: float, illumination_deg: float | None = None) -> int:
+        """Return which measurement was read at an aspecular angle and under a light, degrees.
+
+        Without a light it is the first at the angle. Raises :class:`ValueRangeError` where there is none.
+        """
+        used = [
+            (index, m)
+            for index, m in enumerate(self.measurements)
+            if illumination_deg is None or abs(m.illumination_deg - illumination_deg) <= _SAME_ANGLE_DEG
+        ]
+        if not used:
+            known = ", ".join(
+                f"{light:g}" for light in sorted({m.illumination_deg for m in self.measurements})
+            )
+            raise ValueRangeError(
+                "illumination_deg",
+                f"nothing is measured with the light at {illumination_deg:g}°; there are {known}°",
+            )
+        for index, measurement in used:
             if abs(measurement.aspecular_deg - aspecular_deg) <= _SAME_ANGLE_DEG:
                 return index
-        known = ", ".join(f"{m.aspecular_deg:g}" for m in self.measurements)
-        raise ValueRangeError("aspecular_deg", f"{aspecular_deg:g}° is not measured; there are {known}°")
+        known = ", ".join(f"{m.aspecular_deg:g}" for _, m in used)
+        under = "" if illumination_deg is None else f" with the light at {illumination_deg:g}°"
+        raise ValueRangeError(
+            "aspecular_deg", f"{aspecular_deg:g}° is not measured{under}; there are {known}°"
+        )
 
 
 def solid_paint(name: str, lab: Lab, gloss: Gloss | None = None) -> Paint:

@@ -21,6 +21,7 @@ from brdf_suite.fitting.fitter import LobeFit, LobeFitter
 from brdf_suite.fitting.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.misses import told_misses
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.several_lights import SeveralLights
 
@@ -63,8 +64,18 @@ class PaintFit:
 
     @property
     def achieved_lab(self) -> dict[float, Lab]:
-        """L*a*b* that the lobes give, by aspecular angle in degrees."""
-        return {row.aspecular_deg: row.fitted for row in self.angles}
+        """L*a*b* that the lobes give, by aspecular angle in degrees.
+
+        Where an angle was read under several lights, the first reading's; :meth:`achieved_at` tells them apart.
+        """
+        return {row.aspecular_deg: row.fitted for row in reversed(self.angles)}
+
+    def achieved_at(self, aspecular_deg: float, illumination_deg: float | None = None) -> Lab:
+        """Return the L*a*b* that the lobes give at a measured geometry, degrees.
+
+        Without a light, the first reading at the angle. Raises :class:`ValueRangeError` where none is.
+        """
+        return self.angles[self.paint.index_of(aspecular_deg, illumination_deg)].fitted
 
     @property
     def worst_delta_e(self) -> float:
@@ -132,7 +143,9 @@ class PaintFitter:
         reflectance = build_paint(paint)
         fit = self._fitter.fit(reflectance)
         seconds = perf_counter() - start
-        notices = reflectance.notices + _light_notice(reflectance, fit.weights)
+        notices = (
+            reflectance.notices + told_misses(paint, reflectance) + _light_notice(reflectance, fit.weights)
+        )
         return PaintFit(paint, reflectance, fit, _results(paint, fit.weights), notices, seconds)
 
 

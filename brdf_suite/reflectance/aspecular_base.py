@@ -5,8 +5,10 @@ T = 1 - F. At other directions with the same aspecular angle the light passes wi
 
     f_r(wi, wo) = ρ(γ)/π · T(θi) T(θo) / (T(θ0) T(θ0 - γ)).
 
-So a reading is returned as it was taken, and towards grazing the base dims as the coat reflects more. γ is
-the unsigned angle between the view and the light's mirror direction, also out of the plane of incidence
+ρ(γ) is that of the normal's side; a reading beyond the mirror direction, at -γ, is referred to it by the same
+transmissions before it becomes part of the rule. So a reading is returned as it was taken, and towards grazing
+the base dims as the coat reflects more. γ is the unsigned angle between the view and the light's mirror
+direction, also out of the plane of incidence
 (Westlund and Meyer 2001). Or, for the flake rule, ρ is taken at the tilt of the flake that mirrors the light to
 the view, which is what flakes do; in the readings' plane and light the two agree. Both are reciprocal.
 """

@@ -24,7 +24,7 @@ from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.albedo import normal_albedo
 from brdf_suite.reflectance.aspecular_base import AspecularBase, Rule
 from brdf_suite.reflectance.coat_lobe import CoatLobe
-from brdf_suite.reflectance.flake_rule import FlakeRule
+from brdf_suite.reflectance.flake_rule import FlakeRule, squared_tilt
 from brdf_suite.reflectance.gloss_reading import base_gloss
 from brdf_suite.reflectance.monotone_rule import MonotoneRule
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
@@ -171,15 +171,22 @@ def _base_of_light(
 ) -> tuple[AspecularBase, tuple[str, ...]]:
     """The base from one light's readings; fewer than three borrow the rule ``lent`` by another light."""
     left = np.maximum(readings.rho - _coat_share(readings, coat), 0.0)
-    gamma, left = _by_unsigned_angle(readings.aspecular_deg, left)
+    by_half_vector = paint.out_of_plane == "half_vector"
     light = math.radians(readings.illumination_deg)
+    gamma, joined, weight = _by_unsigned_angle(readings, left, coat.ior)
+    tilted = (
+        _through_own_tilts(readings, left, coat.ior)
+        if by_half_vector and paint.interpolation == "flake"
+        else None
+    )
     rule: Rule
     notices: tuple[str, ...]
     if lent is not None and len(gamma) < 3:
-        rule, notices = BorrowedRule.through(lent, gamma, left), ()
+        rule, notices = BorrowedRule.through(lent, gamma, joined), ()
+    elif tilted is not None:
+        rule, notices = tilted, _spread_notice(tilted)
     else:
-        rule, notices = _rule(paint, gamma, left, light, coat.ior)
-    by_half_vector = paint.out_of_plane == "half_vector"
+        rule, notices = _rule(paint, gamma, joined, weight, light, coat.ior)
     if by_half_vector and not isinstance(rule, FlakeRule):
         by_half_vector = False
         notices += (
@@ -209,21 +216,54 @@ def _refuse_negative(readings: _Readings, coat: CoatLobe) -> None:
     )
 
 
-def _by_unsigned_angle(aspecular_deg: Floats, rho: Floats) -> tuple[Floats, Floats]:
-    """Rising |γ|, radians, with the mean of readings that lie on both sides of the mirror direction."""
-    size = np.abs(aspecular_deg)
+def _share_beyond(readings: _Readings, ior: float) -> Floats:
+    """What the coat lets out (n,) to each view, as a share of that to the view at +|γ|: 1 on the normal's side.
+
+    A view beyond the mirror direction is nearer to grazing, so less light leaves the coat to it.
+    """
+    towards = np.cos(math.radians(readings.illumination_deg) - np.radians(np.abs(readings.aspecular_deg)))
+    return np.asarray(
+        (1.0 - fresnel_dielectric(readings.wo[:, 2], ior)) / (1.0 - fresnel_dielectric(towards, ior))
+    )
+
+
+def _by_unsigned_angle(readings: _Readings, rho: Floats, ior: float) -> tuple[Floats, Floats, Floats]:
+    """Rising |γ|, radians, one ρ (n, 3) each for the view on the normal's side, and its weight (n,).
+
+    Of readings r on both sides that ρ is taken which misses the r by least squares, Σ s r / Σ s² with the share s
+    that the coat lets out; so a view at grazing, which says little of the base, counts little.
+    """
+    size = np.abs(readings.aspecular_deg)
     gamma = np.radians(size)
-    if np.all(np.diff(size) > _SAME_ANGLE_DEG):
-        return gamma, rho
+    if readings.aspecular_deg.min() >= 0.0:
+        return gamma, rho, np.ones(len(gamma))
+    share = _share_beyond(readings, ior)
     keep = np.concatenate(([True], np.diff(size) > _SAME_ANGLE_DEG))
     group = np.cumsum(keep) - 1
-    count = np.bincount(group)[:, None]
-    total = np.zeros((len(count), 3))
-    np.add.at(total, group, rho)
-    return gamma[keep], total / count
+    weight = np.asarray(np.bincount(group, share * share), np.float64)
+    total = np.zeros((len(weight), 3))
+    np.add.at(total, group, share[:, None] * rho)
+    return gamma[keep], total / weight[:, None], weight
 
 
-def _rule(paint: Paint, gamma: Floats, rho: Floats, light: float, ior: float) -> tuple[Rule, tuple[str, ...]]:
+def _through_own_tilts(readings: _Readings, rho: Floats, ior: float) -> FlakeRule | None:
+    """The flake rule through readings on both sides, each at the tilt of the flakes that it sees, or None.
+
+    The two sides see flakes of different tilts, which matters where the rule is taken at the tilt.
+    """
+    if len(rho) < 3 or readings.aspecular_deg.min() >= 0.0:
+        return None
+    light = math.radians(readings.illumination_deg)
+    x = squared_tilt(np.radians(readings.aspecular_deg), light, ior)
+    order = np.argsort(x)
+    share = _share_beyond(readings, ior)
+    referred = rho / share[:, None]
+    return FlakeRule.through_tilts(x[order], referred[order], light, ior, (share * share)[order])
+
+
+def _rule(
+    paint: Paint, gamma: Floats, rho: Floats, weight: Floats, light: float, ior: float
+) -> tuple[Rule, tuple[str, ...]]:
     """The paint's rule through the base's readings, and what to say about it."""
     if len(gamma) < 3:
         return MonotoneRule.through(gamma, rho), (
@@ -234,7 +274,7 @@ def _rule(paint: Paint, gamma: Floats, rho: Floats, light: float, ior: float) ->
         return polynomial, _polynomial_notice(polynomial, gamma)
     if paint.interpolation == "monotone":
         return MonotoneRule.through(gamma, rho), ()
-    flakes = FlakeRule.through(gamma, rho, light, ior)
+    flakes = FlakeRule.through_tilts(squared_tilt(gamma, light, ior), rho, light, ior, weight)
     if flakes is None:
         return MonotoneRule.through(gamma, rho), (
             "No spread of flakes gives these colours: between the angles the monotone rule is used.",

@@ -30,7 +30,7 @@ from brdf_suite.geometry.directions import Floats
 # u = 1/m²: from m = 5 (no bell at all) to m = 0.01 (a mirror).
 _LOW_U, _HIGH_U = 0.04, 1e4
 # A channel that varies by less than this share of its size is flat, and any bell of height 0 fits it.
-_FLAT = 1e-9
+_FLAT = 1e-6
 # Where even the first reading sees less than this share of the bell, its top is a guess, not a measurement.
 _FAINTEST = 0.01
 
@@ -89,11 +89,21 @@ class FlakeRule:
 
         None: no spread of flakes gives these readings, or it would need a negative reflectance.
         """
-        x = squared_tilt(gamma, illumination, ior)
+        return cls.through_tilts(squared_tilt(gamma, illumination, ior), rho, illumination, ior)
+
+    @classmethod
+    def through_tilts(
+        cls, x: Floats, rho: Floats, illumination: float, ior: float, weight: Floats | None = None
+    ) -> FlakeRule | None:
+        """Return the rule for readings ``rho`` (n, 3) at rising tan²δ ``x`` (n,), n ≥ 3, or None as :meth:`through`.
+
+        ``weight`` (n,) is that of each reading in the least squares that more than three need; left out, all equal.
+        """
         if np.any(np.diff(x) <= 0.0):
             return None
         tilts = x.tolist()
-        channels = [_solve(tilts, channel) for channel in rho.T.tolist()]
+        weights = np.ones(len(tilts)) if weight is None else weight
+        channels = [_solve(tilts, channel, weights) for channel in rho.T.tolist()]
         solved = [channel for channel in channels if channel is not None]
         if len(solved) < 3:
             return None
@@ -104,13 +114,13 @@ class FlakeRule:
         return cls(ground, height, u, illumination, ior)
 
 
-def _solve(x: list[float], rho: list[float]) -> tuple[float, float, float] | None:
+def _solve(x: list[float], rho: list[float], weight: Floats) -> tuple[float, float, float] | None:
     """(ρ_d, A, u) of one channel, or None."""
     size = max(abs(value) for value in rho)
     if max(rho) - min(rho) <= _FLAT * size:
         return sum(rho) / len(rho), 0.0, 1.0
     if len(x) > 3:
-        return _least_squares(x, rho)
+        return _least_squares(x, rho, weight)
     x1, x2, x3 = x
     first, second = rho[0] - rho[1], rho[1] - rho[2]
     if first * second <= 0.0:
@@ -157,16 +167,19 @@ def _root(a: float, b: float, ratio: float) -> float | None:
     return u
 
 
-def _least_squares(x: list[float], rho: list[float]) -> tuple[float, float, float] | None:
+def _least_squares(x: list[float], rho: list[float], weight: Floats) -> tuple[float, float, float] | None:
     """The best (ρ_d, A, u) for more than three readings: linear in two of them, a search in the third."""
     tilts, values = np.array(x), np.array(rho)
+    weight = weight / weight.sum()
+    mean = float(weight @ values)
 
     def best_line(u: Floats) -> tuple[Floats, Floats, Floats]:
         bell = np.exp(-np.outer(u, tilts))
-        centred = bell - bell.mean(axis=1, keepdims=True)
-        height = (centred @ values) / np.maximum(np.sum(centred * centred, axis=1), 1e-300)
-        ground = values.mean() - height * bell.mean(axis=1)
-        error = np.sum((ground[:, None] + height[:, None] * bell - values) ** 2, axis=1)
+        middle = bell @ weight
+        centred = bell - middle[:, None]
+        height = (centred @ (weight * values)) / np.maximum((centred * centred) @ weight, 1e-300)
+        ground = mean - height * middle
+        error = (ground[:, None] + height[:, None] * bell - values) ** 2 @ weight
         return error, ground, height
 
     low, high = math.log(_LOW_U), math.log(_HIGH_U)

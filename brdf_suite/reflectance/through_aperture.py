@@ -23,10 +23,8 @@ from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.reflectance.aperture import POINT, Aperture, reflectance_factor
 from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.misses import TOLERANCE_DELTA_E, miss_notice
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
-
-TOLERANCE_DELTA_E = 0.05
-"""The largest ΔE00 between a reading that was asked for and what the solved paint reads."""
 
 _SETTLED_DELTA_E = 0.005
 _MOST_TURNS = 12
@@ -52,13 +50,10 @@ class SolvedPaint:
     @property
     def notices(self) -> tuple[str, ...]:
         """What to tell the user: how it was built, and by how much the rule misses the readings."""
-        worst = max(self.missed)
-        if worst <= TOLERANCE_DELTA_E:
-            return self.reflectance.notices
-        told = f"The rule does not pass through every reading of this paint: ΔE00 up to {worst:.2f}."
-        if self.aperture != POINT:
-            told += f" Through the aperture its own colours are met to {max(self.delta_e):.2f}."
-        return (*self.reflectance.notices, told)
+        told = miss_notice(self.paint, self.missed)
+        if told and self.aperture != POINT:
+            told += (f"Through the aperture the rule's own colours are met to ΔE00 {max(self.delta_e):.2f}.",)
+        return self.reflectance.notices + told
 
 
 def build_through(paint: Paint, aperture: Aperture) -> SolvedPaint:

@@ -81,3 +81,18 @@ def test_a_solid_paint_has_one_colour() -> None:
     assert {m.lab for m in paint.measurements} == {(95.0, 0.0, 1.0)}
     assert [m.aspecular_deg for m in paint.measurements] == [15.0, 45.0, 110.0]
     assert paint.gloss.gu_20 == 88.0
+
+
+def test_two_lights_at_one_aspecular_angle_are_told_apart() -> None:
+    first, second = (50.0, 1.0, 2.0), (40.0, 3.0, 4.0)
+    solid = solid_paint("p", first)
+    paint = dataclasses.replace(solid, measurements=(*solid.measurements, Measurement(15.0, 15.0, second)))
+    assert paint.lab_at(15.0) == paint.lab_at(15.0, 45.0) == first
+    assert paint.lab_at(15.0, 15.0) == second
+    changed = paint.with_lab(15.0, (30.0, 0.0, 0.0), illumination_deg=15.0)
+    assert changed.lab_at(15.0, 45.0) == first
+    assert changed.lab_at(15.0, 15.0) == (30.0, 0.0, 0.0)
+    with pytest.raises(ValueRangeError, match="45° is not measured with the light at 15°; there are 15°"):
+        paint.lab_at(45.0, 15.0)
+    with pytest.raises(ValueRangeError, match="light at 20°; there are 15, 45°"):
+        paint.lab_at(15.0, 20.0)

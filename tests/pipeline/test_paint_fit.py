@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from brdf_suite.documents.paint import Gloss
+from brdf_suite.documents.paint import Gloss, Measurement
 from brdf_suite.errors import UnreachableError
 from brdf_suite.pipeline.paint import PaintFitter
 from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
@@ -54,3 +55,14 @@ def test_an_unreachable_gloss_is_refused_by_name(fitter: PaintFitter) -> None:
 
     with pytest.raises(UnreachableError, match="180"):
         fitter.fit(replace(load_shipped_paint("blue"), gloss=Gloss(180.0)))
+
+
+def test_what_is_achieved_under_two_lights_is_told_apart() -> None:
+    silver = load_shipped_paint("fine_silver")
+    paint = replace(silver, measurements=(*silver.measurements, Measurement(15.0, 15.0, (40.0, 3.0, 4.0))))
+    fit = PaintFitter().fit(paint)
+    assert (
+        fit.achieved_at(15.0) == fit.achieved_at(15.0, 45.0) == fit.achieved_lab[15.0] == fit.angles[0].fitted
+    )
+    assert fit.achieved_at(15.0, 15.0) == fit.angles[3].fitted
+    assert fit.angles[3].fitted != fit.angles[0].fitted
