@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
+from brdf_suite.reflectance.lobe_sum import lobe_sums
 
 FloatArray = NDArray[np.float64]
 
@@ -66,9 +67,7 @@ class LobeWeights:
         ``wi``, ``wo``: unit directions ``(..., 3)`` to light and view, local frame with the normal as z; they
         broadcast. Result ``(..., 3)``, 0 where either is at or below the horizon.
         """
-        cos_light, lit, base, gloss = self._sums(wi, wo)
-        result: FloatArray = np.where(lit[..., None], cos_light[..., None] * base + gloss, 0.0)
-        return result
+        return lobe_sums(wi, wo, self.exponents, self.kd, self.kdd, self.kg).reflected()
 
     def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
         """Return the lobes' f_r in 1/sr, **without** the cosine: ``reflected`` over ``N·L``.
@@ -76,21 +75,7 @@ class LobeWeights:
         Shapes as for :meth:`reflected`; 0 at or below the horizon. The gloss part grows without bound as
         light goes to grazing, as the representation says; use :meth:`reflected` for radiance.
         """
-        cos_light, lit, base, gloss = self._sums(wi, wo)
-        safe = np.where(lit, cos_light, 1.0)[..., None]
-        result: FloatArray = np.where(lit[..., None], base + gloss / safe, 0.0)
-        return result
-
-    def _sums(
-        self, wi: FloatArray, wo: FloatArray
-    ) -> tuple[FloatArray, NDArray[np.bool_], FloatArray, FloatArray]:
-        light, view = np.broadcast_arrays(np.asarray(wi, np.float64), np.asarray(wo, np.float64))
-        cos_light = light[..., 2]
-        lit = (cos_light > 0.0) & (view[..., 2] > 0.0)
-        # R·V with R = (-x, -y, z): the mirror direction of the light about the normal.
-        dot = light[..., 2] * view[..., 2] - light[..., 0] * view[..., 0] - light[..., 1] * view[..., 1]
-        lobes = np.clip(dot, 0.0, 1.0)[..., None] ** self.exponents
-        return cos_light, lit, self.kd + lobes @ self.kdd, lobes @ self.kg
+        return lobe_sums(wi, wo, self.exponents, self.kd, self.kdd, self.kg).brdf()
 
     def coat_energy(self) -> FloatArray:
         """Return ``(3,)`` what the gloss lobes reflect of a constant environment: ``Σ KG_i·2π/(E_i+1)``.

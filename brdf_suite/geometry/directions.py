@@ -36,6 +36,12 @@ def mirror(w: npt.ArrayLike) -> Floats:
     return mirrored
 
 
+def mirror_cosine(wi: Floats, wo: Floats) -> Floats:
+    """Return R·V (...), the cosine between the light's mirror direction and the view; 0 behind it."""
+    dot = wi[..., 2] * wo[..., 2] - wi[..., 0] * wo[..., 0] - wi[..., 1] * wo[..., 1]
+    return np.clip(dot, 0.0, 1.0)
+
+
 def illumination(illumination_deg: npt.ArrayLike) -> Floats:
     """Return ``wi`` (..., 3) of a light at a polar angle in degrees, on the -x side."""
     theta = np.radians(np.asarray(illumination_deg, float))

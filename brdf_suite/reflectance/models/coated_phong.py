@@ -21,11 +21,10 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.documents.parameter import Parameter
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.directions import Floats, mirror_cosine
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import luminance, rgb
-from brdf_suite.reflectance.models.phong import mirror_cosine
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     {

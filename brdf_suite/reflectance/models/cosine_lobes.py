@@ -20,9 +20,9 @@ import numpy.typing as npt
 from brdf_suite.documents.parameter import Parameter, describe
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats
+from brdf_suite.reflectance.lobe_sum import lobe_sums
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import luminance, rgb
-from brdf_suite.reflectance.models.phong import mirror_cosine
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     {
@@ -77,13 +77,8 @@ class CosineLobes:
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
-        wi, wo = np.asarray(wi, float), np.asarray(wo, float)
-        cos_i = wi[..., 2]
-        above = (cos_i > 0.0) & (wo[..., 2] > 0.0)
-        lobes = mirror_cosine(wi, wo)[..., None] ** np.asarray(self.exponents)
-        gloss = (lobes @ np.asarray(self.kg)) / np.where(above, cos_i, 1.0)[..., None]
-        value = np.asarray(self.kd) + lobes @ np.asarray(self.kdd) + gloss
-        return np.where(above[..., None], value, 0.0)
+        weights = (np.asarray(value) for value in (self.exponents, self.kd, self.kdd, self.kg))
+        return lobe_sums(wi, wo, *weights).brdf()
 
     def _parts(self) -> list[mixture.Part]:
         parts = [mixture.diffuse(math.pi * luminance(np.asarray(self.kd)))]

@@ -20,7 +20,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.documents.parameter import Parameter, check_choice
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.directions import Floats, mirror_cosine
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import luminance, rgb
 
@@ -86,9 +86,3 @@ class Phong:
     def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return the density (...) of :meth:`sample` per solid angle."""
         return mixture.pdf(self._parts(), wi, wo)
-
-
-def mirror_cosine(wi: Floats, wo: Floats) -> Floats:
-    """Return R·V (...), the cosine between the light's mirror direction and the view; 0 behind it."""
-    dot = wi[..., 2] * wo[..., 2] - wi[..., 0] * wo[..., 0] - wi[..., 1] * wo[..., 1]
-    return np.clip(dot, 0.0, 1.0)
