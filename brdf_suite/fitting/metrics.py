@@ -1,7 +1,7 @@
 """How far a fit is from its target: the error figures that the suite quotes.
 
 The target is a reflectance (anything with ``eval``), the fit a
-:class:`~brdf_suite.fitting.weights.LobeWeights`; both give f_r in 1/sr, linear Rec. 2020.
+:class:`~brdf_suite.fitting.lobes.weights.LobeWeights`; both give f_r in 1/sr, linear Rec. 2020.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colorimetry import working_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
-from brdf_suite.fitting.samples import CoatSamples
+from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.geometry.directions import aspecular_view, illumination
 
 FloatArray = NDArray[np.float64]

@@ -16,9 +16,9 @@ from brdf_suite.appearance.colorimetry import working_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.documents.paint import Lab, Paint
 from brdf_suite.errors import FittingError, UnreachableError
-from brdf_suite.fitting.basis import LobeBasis
-from brdf_suite.fitting.fitter import LobeFit, LobeFitter
-from brdf_suite.fitting.weights import LobeWeights
+from brdf_suite.fitting.lobes.basis import LobeBasis
+from brdf_suite.fitting.lobes.fitter import LobeFit, LobeFitter
+from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.misses import told_misses

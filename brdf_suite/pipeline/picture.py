@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
-from brdf_suite.fitting.weights import LobeWeights
+from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.pipeline.paint import PaintFit, fit_patiently
 from brdf_suite.pipeline.scene import PreparedEnvironment, find_paint, load_environment, load_surface

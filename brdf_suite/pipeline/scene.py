@@ -11,7 +11,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.fitting.basis import LobeBasis, default_basis
+from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.prefilter import LobeMaps

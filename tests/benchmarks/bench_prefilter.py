@@ -8,7 +8,7 @@ from time import perf_counter
 
 import numpy as np
 
-from brdf_suite.fitting.basis import default_basis
+from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.cubemap import texel_directions
 from brdf_suite.lighting.environment import Environment

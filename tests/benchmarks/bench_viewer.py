@@ -16,7 +16,7 @@ import numpy as np
 
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.fitting.basis import default_basis
+from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.lighting.prefilter import face_size
 from brdf_suite.pipeline.paint import PaintFitter
 from brdf_suite.pipeline.scene import default_paint

@@ -16,9 +16,9 @@ from brdf_suite.documents.paint import Gloss
 from brdf_suite.documents.store import load_paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.fitting import LobeBasis, LobeFitter, log_spaced
-from brdf_suite.fitting.basis import DEFAULT_EXPONENTS
+from brdf_suite.fitting.lobes.basis import DEFAULT_EXPONENTS
+from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS, BaseSamples, CoatSamples
 from brdf_suite.fitting.metrics import aspecular_delta_e, directional_reflectance
-from brdf_suite.fitting.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS, BaseSamples, CoatSamples
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance

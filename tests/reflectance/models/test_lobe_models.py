@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.fitting.weights import LobeWeights
+from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import illumination, mirror, spherical
 from brdf_suite.geometry.fresnel import fresnel_at
 from brdf_suite.reflectance.albedo import directional_albedo, white_furnace

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.program import PartProgram
+from brdf_suite.fitting.lobes.program import PartProgram
 
 FloatArray = NDArray[np.float64]
 

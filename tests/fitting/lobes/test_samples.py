@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.fitting import default_basis
-from brdf_suite.fitting.samples import BaseSamples, CoatSamples
+from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
 from brdf_suite.geometry.directions import aspecular_angle
 
 

@@ -14,7 +14,7 @@ import time
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.fitting.program import PartProgram
+from brdf_suite.fitting.lobes.program import PartProgram
 
 FloatArray = NDArray[np.float64]
 

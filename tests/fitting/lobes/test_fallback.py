@@ -5,8 +5,8 @@ import time
 import numpy as np
 from scipy.optimize import nnls
 
-from brdf_suite.fitting.fallback import FallbackSolver
-from brdf_suite.fitting.program import build_program
+from brdf_suite.fitting.lobes.fallback import FallbackSolver
+from brdf_suite.fitting.lobes.program import build_program
 
 
 def test_the_gradient_reaches_the_non_negative_least_squares_answer() -> None:

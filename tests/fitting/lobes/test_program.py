@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.program import build_program
+from brdf_suite.fitting.lobes.program import build_program
 
 
 def test_scaling_keeps_the_residual() -> None:

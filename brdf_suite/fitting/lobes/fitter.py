@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.basis import LobeBasis, default_basis
-from brdf_suite.fitting.fallback import FallbackSolver
-from brdf_suite.fitting.program import PartProgram, build_program
-from brdf_suite.fitting.samples import BaseSamples, CoatSamples
-from brdf_suite.fitting.solver import BlockSolver
-from brdf_suite.fitting.weights import LobeWeights
+from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
+from brdf_suite.fitting.lobes.fallback import FallbackSolver
+from brdf_suite.fitting.lobes.program import PartProgram, build_program
+from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
+from brdf_suite.fitting.lobes.solver import BlockSolver
+from brdf_suite.fitting.lobes.weights import LobeWeights
 
 FloatArray = NDArray[np.float64]
 
