@@ -96,11 +96,16 @@ class Coated:
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
         wi, wo = np.asarray(wi, float), np.asarray(wo, float)
+        value = self.base.eval(wi, wo) * self.base_factor(wi, wo)
+        return np.asarray(value + self.coat.eval_grey(wi, wo)[..., None])
+
+    def base_factor(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return (..., 3) what the base's f_r is multiplied by, seen through the coat; 0 at the horizon."""
+        wi, wo = np.asarray(wi, float), np.asarray(wo, float)
         through = (1.0 - fresnel_dielectric(wi[..., 2], self.ior)) * (
             1.0 - fresnel_dielectric(wo[..., 2], self.ior)
         )
-        value = self.base.eval(wi, wo) * self._series(through)
-        return np.asarray(value + self.coat.eval_grey(wi, wo)[..., None])
+        return self._series(through)
 
     def _series(self, through: Floats) -> Floats:
         """What the base is multiplied by (..., 3), for the product T(θi) T(θo) (...)."""

@@ -79,8 +79,10 @@ class CookTorrance:
         c, tan2 = terms.cos_d, terms.tan2_h
         low = np.minimum(terms.cos_i, terms.cos_o)
         grooves = np.minimum(1.0, 2.0 * terms.cos_h * low / c)
+        # Below the horizon tan⁴ is huge and the product of cosines no divisor.
+        cosines = np.where(terms.above, np.maximum(terms.cos_i * terms.cos_o, 1e-300), 1.0)
         # 1/cos⁴θh = (1 + tan²θh)².
-        shared = grooves * (1.0 + tan2) ** 2 / np.maximum(terms.cos_i * terms.cos_o, 1e-300)
+        shared = grooves * (1.0 + tan2) ** 2 / cosines
         shared[~terms.above] = 0.0
         c2 = c * c
         lobes = np.empty((len(self._lobes), len(c)))
