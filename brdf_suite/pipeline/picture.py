@@ -226,6 +226,7 @@ def _material(weights: LobeWeights) -> MaterialWeights:
         kg=weights.kg,
         theta_fit_rad=weights.theta_fit_rad,
         ior=weights.ior,
+        coat="dielectric" if weights.base_under_coat else "facets",
     )
 
 

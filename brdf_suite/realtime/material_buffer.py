@@ -9,7 +9,7 @@ import numpy as np
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.values import MAX_LOBES, MaterialWeights
 
-_KINDS = {"none": 0, "dielectric": 1, "metal": 2}
+_KINDS = {"none": 0, "dielectric": 1, "metal": 2, "facets": 3}
 
 
 BLOCK_SIZE = (3 + 2 * MAX_LOBES) * 16
@@ -34,7 +34,7 @@ def pack(weights: MaterialWeights) -> PackedMaterial:
     block[0, :3] = np.pi * weights.kd
     reflected = float(fresnel_dielectric(np.cos(weights.theta_fit_rad), weights.ior))
     kind = _KINDS[weights.coat]
-    if kind == _KINDS["dielectric"] and reflected < 1e-6:
+    if weights.coat in ("dielectric", "facets") and reflected < 1e-6:
         kind = _KINDS["none"]  # no interface: its ratios would be 0/0
     block[1] = (kind, weights.ior, 1.0 / max(reflected, 1e-6), 1.0 / (1.0 - reflected) ** 2)
     albedo = (weights.kg * solid_angle).sum(axis=0)

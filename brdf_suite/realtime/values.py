@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +13,7 @@ from brdf_suite.errors import ValueRangeError
 MAX_LOBES = 12
 """With the diffuse map and the background this leaves two of the 16 texture units that OpenGL 3.3 grants."""
 
-Coat: TypeAlias = Literal["none", "dielectric", "metal"]
+Coat: TypeAlias = Literal["none", "dielectric", "facets", "metal"]
 
 Floats: TypeAlias = NDArray[np.float64]
 
@@ -117,10 +117,11 @@ class MaterialWeights:
     theta_fit_rad
         Incidence of the fit, 0 to below π/2; the Fresnel gains are 1 there.
     ior
-        Index of refraction of a dielectric coat, 1 to 5; 1 is no coat.
+        Index of refraction of a dielectric coat, 1 to 100; 1 is no coat.
     coat
-        ``dielectric``: gloss follows F(θ)/F(θ_fit) and the base T(θ)²/T(θ_fit)²; ``metal``: gloss rises from
-        its own albedo to 1 at grazing; ``none``: the weights hold at every angle.
+        ``dielectric``: gloss follows F(θ)/F(θ_fit) and the base T(θ)²/T(θ_fit)²; ``facets``: gloss follows
+        F(θ)/F(θ_fit), the base stays; ``metal``: gloss rises from its own albedo to 1 at grazing; ``none``: the
+        weights hold at every angle.
     """
 
     exponents: tuple[float, ...]
@@ -141,10 +142,10 @@ class MaterialWeights:
             object.__setattr__(self, name, value)
         if not 0 <= self.theta_fit_rad < np.pi / 2:
             raise ValueRangeError("theta_fit_rad", f"0 to below π/2 is wanted, not {self.theta_fit_rad!r}")
-        if not 1 <= self.ior <= 5:
-            raise ValueRangeError("ior", f"1 to 5 is wanted, not {self.ior!r}")
-        if self.coat not in ("none", "dielectric", "metal"):
-            raise ValueRangeError("coat", f"none, dielectric or metal is wanted, not {self.coat!r}")
+        if not 1 <= self.ior <= 100:
+            raise ValueRangeError("ior", f"1 to 100 is wanted, not {self.ior!r}")
+        if self.coat not in get_args(Coat):
+            raise ValueRangeError("coat", f"none, dielectric, facets or metal is wanted, not {self.coat!r}")
 
 
 def checked_exponents(exponents: ArrayLike) -> tuple[float, ...]:

@@ -78,6 +78,18 @@ def test_base_is_dimmed_by_the_coat(renderer, scenes):
     assert np.abs(image[seen].mean(-1) - codes(0.6 * t**2)).max() <= CODE + 0.5
 
 
+@pytest.mark.parametrize("ior", [2.4, 38.0])
+def test_facet_lobes_follow_fresnel_and_leave_the_base(renderer, scenes, ior):
+    base = scenes.weights(kd=0.3, ior=ior, coat="facets")
+    image, cos, _, _ = draw(renderer, scenes, scenes.constant(), base)
+    seen = np.isfinite(cos) & (cos > 0.25)
+    assert np.abs(image[seen].mean(-1) - codes(0.3)).max() <= CODE
+    gloss = scenes.weights(gloss=0.2, ior=ior, coat="facets")
+    image, _, _, _ = draw(renderer, scenes, scenes.constant(), gloss)
+    gain = fresnel_dielectric(cos[seen], ior) / fresnel_dielectric(np.cos(np.pi / 4), ior)
+    assert np.abs(image[seen].mean(-1) - codes(0.2 * gain)).max() <= CODE + 0.5
+
+
 def test_metal_rises_to_one(renderer, scenes):
     image, cos, _, _ = draw(
         renderer, scenes, scenes.constant(), scenes.weights(gloss=0.55, coat="metal", ior=1.0)

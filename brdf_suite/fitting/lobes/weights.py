@@ -31,7 +31,11 @@ class LobeWeights:
     theta_fit_rad
         Incidence angle of the fit, from which Fresnel factors are taken towards grazing.
     ior
-        Refractive index of the coat.
+        Refractive index of the coat; 1 is none: the weights hold at every angle.
+    base_under_coat
+        Light for the base crosses the coat, so that the base darkens towards grazing by T(θ)²/T(θ_fit)² as the
+        gloss gains F(θ)/F(θ_fit). False where gloss and base are parts of one sum that take nothing from each
+        other (Cook-Torrance): the gloss still follows F, the base stays.
     time_limited
         The time limit came before the optimum: the best weights at hand, not the best there are.
 
@@ -48,6 +52,7 @@ class LobeWeights:
     theta_fit_rad: float
     ior: float
     time_limited: bool = False
+    base_under_coat: bool = True
 
     def __post_init__(self) -> None:
         count = np.asarray(self.exponents).size

@@ -1,4 +1,4 @@
-// Provides: uniform block Material (one buffer per material), COAT_NONE, COAT_DIELECTRIC, COAT_METAL,
+// Provides: uniform block Material (one buffer per material), COAT_NONE, COAT_DIELECTRIC, COAT_METAL, COAT_FACETS,
 //           void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
 // Needs:    LOBES (number of look-ups), uniform bool fresnel_on
 #include "fresnel.glsl"
@@ -6,6 +6,7 @@
 const int COAT_NONE = 0;
 const int COAT_DIELECTRIC = 1;
 const int COAT_METAL = 2;
+const int COAT_FACETS = 3;
 
 // Written whole by material_buffer.py (std140). A lobe (R.V)^E holds 2 pi / (E + 1) of solid angle, and the
 // weights come here multiplied by it, so that they weigh the unit-gain maps directly. Lobe i of the basis is in
@@ -31,6 +32,8 @@ layout(std140) uniform Material
 //
 // Light that comes from the base crossed the coat twice, hence T(theta)^2 / T(theta_fit)^2, T = 1 - F.
 //
+// Facet lobes of a sum (Cook-Torrance) gain by F too, but take nothing from the base: it stays.
+//
 // A metal has no base to lower, and its reflectance rises from G to 1, not by a ratio:
 //     G + (1 - G) (1 - cos(theta))^5 for each channel (Schlick's form, which is meant for metals).
 void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
@@ -40,11 +43,12 @@ void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
     if (!fresnel_on)
         return;
     int kind = int(coat.x);
-    if (kind == COAT_DIELECTRIC)
+    if (kind == COAT_DIELECTRIC || kind == COAT_FACETS)
     {
         float f = fresnel_dielectric(cos_theta, coat.y);
         float t = 1.0 - f;
-        base_gain = vec3(t * t * coat.w);
+        if (kind == COAT_DIELECTRIC)
+            base_gain = vec3(t * t * coat.w);
         gloss_gain = vec3(min(f * coat.z, max(gloss_albedo.a, 1.0)));
     }
     else if (kind == COAT_METAL)
