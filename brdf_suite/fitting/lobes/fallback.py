@@ -1,9 +1,12 @@
 """Feasible answers in bounded time, for when the time limit comes before the optimum.
 
 Two candidates per channel: the last accepted weights rescaled to the new target, and non-negative least squares
-by an accelerated projected gradient on a kept Gram matrix. Both are non-negative by construction; the caller
-takes the one with the least L1 error. The gradient moves all columns and channels at once: in numpy, coordinate
-descent, which moves one column after the other, cost 1 ms for ten lobes and 30 ms for 300.
+by alternating directions on a kept, factored Gram matrix. Both are non-negative by construction; the caller takes
+the one with the least L1 error.
+
+Alternating directions, because few steps must do: on 64 lobes whose columns are nearly alike, ten came within
+1.12 times the L1 optimum in the median, twenty within 1.06; sixty of the accelerated projected gradient (FISTA)
+within 1.19, ten within 2.1. Coordinate descent, one column after the other, cost 1 ms for ten lobes in numpy.
 """
 
 from __future__ import annotations
@@ -18,8 +21,13 @@ from brdf_suite.fitting.lobes.program import PartProgram
 
 FloatArray = NDArray[np.float64]
 
-#: Steps of the projected gradient, unless its deadline comes first.
-STEPS = 60
+#: Steps, unless the deadline comes first; the penalty that ties the two directions together, relative to the
+#: unit columns' curvature; and the over-relaxation. Between .1 and .3 the penalty hardly matters.
+STEPS = 40
+PENALTY = 0.2
+RELAXATION = 1.6
+#: Rows whose ratios are sorted for the best factor; of a longer target every k-th row is taken.
+MOST_RATIOS = 256
 
 
 class FallbackSolver:
@@ -27,53 +35,71 @@ class FallbackSolver:
 
     def __init__(self, program: PartProgram) -> None:
         self._program = program
-        self._gram: FloatArray = program.matrix.T @ program.matrix
-        largest = float(np.linalg.eigvalsh(self._gram)[-1])
-        # A step of one over the largest curvature never overshoots; a program of zeros needs no step.
-        self._step = 1.0 / largest if largest > 0.0 else 0.0
+        norms = np.sqrt((program.matrix**2).sum(axis=0))
+        # Columns of one length: a lobe that few samples see is then no slower than a broad one. A column of
+        # zeros stays one, and its solution 0.
+        self._scale: FloatArray = 1.0 / np.where(norms > 0.0, norms, 1.0)
+        scaled = program.matrix * self._scale
+        self._transposed = np.ascontiguousarray(scaled.T)
+        gram: FloatArray = self._transposed @ scaled
+        self._inverse = np.asarray(np.linalg.inv(gram + PENALTY * np.eye(gram.shape[0])), np.float64)
 
-    def rescaled(self, last: FloatArray, target: FloatArray) -> FloatArray:
+    def rescaled(
+        self, last: FloatArray, target: FloatArray, factors: FloatArray | None = None
+    ) -> tuple[FloatArray, FloatArray]:
         """Return ``last`` (m, channels) times one factor ≥ 0 per channel, best for ``target`` (n, channels).
 
-        Best in the L1 sense: the weighted median of the ratios target / prediction.
+        Best in the L1 sense: the weighted median of the ratios target / prediction (over some of the rows,
+        where there are many); ``factors`` (n, channels) multiply the weights. The second array is the L1 error
+        over all rows, ``(channels,)``.
         """
         prediction = self._program.matrix @ last
-        factors = [_weighted_median_ratio(target[:, k], prediction[:, k]) for k in range(target.shape[1])]
-        result: FloatArray = last * np.array(factors)
-        return result
+        some = slice(None, None, 1 + (len(target) - 1) // MOST_RATIOS)
+        sizes = np.abs(prediction[some])
+        if factors is not None:
+            sizes *= factors[some]
+        scales = np.array(
+            [_best_factor(target[some, k], prediction[some, k], sizes[:, k]) for k in range(target.shape[1])]
+        )
+        rest = np.abs(prediction * scales - target)
+        if factors is not None:
+            rest *= factors
+        return last * scales, rest.sum(axis=0)
 
     def least_squares(
-        self, start: FloatArray, target: FloatArray, *, deadline: float = math.inf, steps: int = STEPS
+        self, target: FloatArray, *, deadline: float = math.inf, steps: int = STEPS
     ) -> FloatArray:
         """Return columns ≥ 0 ``(m, channels)`` near the least-squares optimum for ``target`` (n, channels).
 
-        From ``start`` by at most ``steps`` steps, fewer where ``time.perf_counter()`` passes ``deadline``.
-        (Beck and Teboulle 2009, FISTA; the momentum restarts where it points uphill, O'Donoghue and Candès 2015.)
+        At most ``steps`` steps, fewer where ``time.perf_counter()`` passes ``deadline``. (Boyd et al. 2011,
+        Distributed optimization and statistical learning via the alternating direction method of multipliers,
+        section 3 with the over-relaxation of 3.4.3: the least squares on one side, the sign on the other.)
         """
-        gram, step = self._gram, self._step
-        pulled = step * (self._program.matrix.T @ target)
-        solution = np.maximum(start, 0.0)
-        ahead, momentum = solution, 1.0
+        pull = self._inverse @ (self._transposed @ target)
+        tie = PENALTY * self._inverse
+        # The first step, from nothing and without the relaxation: what is left of a damped least squares.
+        solution = np.maximum(pull, 0.0)
+        price = pull - solution
         for _ in range(steps):
-            moved = np.maximum(ahead - step * (gram @ ahead) + pulled, 0.0)
-            change = moved - solution
-            if np.vdot(ahead - moved, change) > 0.0:
-                momentum = 1.0
-            following = 0.5 * (1.0 + math.sqrt(1.0 + 4.0 * momentum * momentum))
-            ahead = moved + (momentum - 1.0) / following * change
-            solution, momentum = moved, following
             if time.perf_counter() >= deadline:
                 break
-        return solution
+            free = pull + tie @ (solution - price)
+            mixed = RELAXATION * free + (1.0 - RELAXATION) * solution + price
+            solution = np.maximum(mixed, 0.0)
+            price = mixed - solution
+        return self._scale[:, None] * solution
 
 
-def _weighted_median_ratio(target: FloatArray, prediction: FloatArray) -> float:
-    """Return the ``s ≥ 0`` that minimizes ``Σ|s·prediction - target|``; 0 where nothing is predicted."""
-    used = prediction > 0.0
+def _best_factor(target: FloatArray, prediction: FloatArray, sizes: FloatArray) -> float:
+    """Return the ``s ≥ 0`` that minimizes ``Σ size/|prediction|·|s·prediction - target|``.
+
+    0 where nothing is predicted. Rows whose size is under rounding of the largest cannot move the median.
+    """
+    used = sizes > 1e-12 * sizes.max()
     if not used.any():
         return 0.0
     ratios = target[used] / prediction[used]
     order = np.argsort(ratios)
-    cumulative = np.cumsum(prediction[used][order])
+    cumulative = np.cumsum(sizes[used][order])
     middle = np.searchsorted(cumulative, 0.5 * cumulative[-1])
     return float(max(ratios[order][middle], 0.0))

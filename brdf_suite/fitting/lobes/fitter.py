@@ -4,31 +4,43 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Protocol
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal, Protocol, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.answers import LimitedSolution
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
-from brdf_suite.fitting.lobes.fallback import FallbackSolver
+from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
-from brdf_suite.fitting.lobes.solver import BlockSolver
+from brdf_suite.fitting.lobes.weighting import (
+    Weighting,
+    checked_weighting,
+    relative_factors,
+    ring_solid_angles,
+)
 from brdf_suite.fitting.lobes.weights import LobeWeights
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future  # see answers.py
 
 FloatArray = NDArray[np.float64]
 
 CHANNELS = ("red", "green", "blue")
+#: Samples above this are no reflectance, in 1/sr; sums of what is below stay finite.
+BRIGHTEST = 1e100
 #: Weight of the row that holds the coat's energy against the rings' (columns sum to about 1): above 1 the
 #: optimum keeps the energy exactly, because no gain on the rings can pay for losing it.
 ENERGY_WEIGHT = 2.0
-#: Time kept back from the solver for the fallback, and the smallest budget it is called with.
-FALLBACK_RESERVE_S = 0.0006
-SMALLEST_BUDGET_S = 0.0002
 #: Limit of the first solve, made with the fitter itself: no edit waits for it.
 WARM_UP_S = 1.0
+#: Where the measured diffuse term is read: beyond 90°, where no cosine lobe reaches.
+DIFFUSE_GAMMA_DEG = 110.0
+
+Diffuse = Literal["joint", "measured"]
 
 
 class SampledReflectance(Protocol):
@@ -63,7 +75,7 @@ class PartError:
     """L1 error of one part, per channel ``(3,)``.
 
     ``absolute`` is the objective ``Σ w·|M x - b|``; ``relative`` is it over ``Σ w·b`` (0 where that is 0);
-    ``method`` names where each channel's weights came from: optimum, simplex, rescaled or least squares.
+    ``method`` names where each channel's weights came from: optimum, simplex, rescaled, least squares or zero.
     """
 
     absolute: FloatArray
@@ -77,6 +89,8 @@ class LobeFit:
 
     ``seconds`` is the time from target samples in hand to weights; ``sampling_seconds`` that of evaluating
     the reflectance at the samples (0 when samples were given); ``time_limited``: the limit came first.
+    ``exact`` then holds the fit with the optimum once it is found in the background, unless the fitter's next
+    fit comes first and cancels it; its callbacks run on the fitter's thread. ``None`` where this is the optimum.
     """
 
     weights: LobeWeights
@@ -86,6 +100,7 @@ class LobeFit:
     sampling_seconds: float
     time_limited: bool
     iterations: int
+    exact: Future[LobeFit] | None = field(default=None, repr=False)
 
 
 class LobeFitter:
@@ -96,14 +111,29 @@ class LobeFitter:
     basis
         The fixed exponents; the default set if left out.
     time_limit_s
-        Limit of a whole fit, samples in hand to weights, in seconds. On the limit the best feasible weights
-        at hand are returned, marked ``time_limited``. The solver looks at the clock only now and then, so
-        that a hopelessly large program may return a few milliseconds late.
+        Hard limit of a whole fit, samples in hand to weights, in seconds. On the limit the best feasible weights
+        at hand are returned, marked ``time_limited``, and the optimum follows in ``LobeFit.exact``.
     base_samples, coat_samples
         The fixed sample directions; the measured default sets if left out. Both are for one incidence.
+    weighting
+        How much each sample counts, see :mod:`brdf_suite.fitting.lobes.weighting`. The coat's energy is kept
+        exactly under each.
+    diffuse
+        "joint": KD is found with the lobes, in the same program. "measured": the paper's way, KD is what the
+        base gives at ``diffuse_gamma_deg`` with light at the angle of incidence, and the lobes are fitted to the
+        rest.
+    diffuse_gamma_deg
+        The sample at which "measured" reads the diffuse term, aspecular degrees.
 
     One fitter serves one thread; programs that fit in several threads make one each. ``programs`` are the
-    scaled systems of base (columns KD, KDD_1 …) and coat (columns KG_1 …; its last row is the coat's energy).
+    scaled systems of base (columns KD, KDD_1 …, or without KD where that is measured) and coat (columns KG_1 …;
+    its last row is the coat's energy). :meth:`close`, or losing the last reference, ends the fitter's thread.
+
+    Raises
+    ------
+    FittingError
+        A limit that is not a positive number, an unknown weighting or way for the diffuse term, or no sample at
+        ``diffuse_gamma_deg``.
     """
 
     def __init__(
@@ -113,27 +143,45 @@ class LobeFitter:
         time_limit_s: float = 0.004,
         base_samples: BaseSamples | None = None,
         coat_samples: CoatSamples | None = None,
+        weighting: Weighting = "absolute",
+        diffuse: Diffuse = "joint",
+        diffuse_gamma_deg: float = DIFFUSE_GAMMA_DEG,
     ) -> None:
         if not (np.isfinite(time_limit_s) and time_limit_s > 0.0):
             raise FittingError(f"The time limit of a fit is {time_limit_s:g} s; it must be more than 0.")
+        checked_weighting(weighting)
+        if diffuse not in get_args(Diffuse):
+            raise FittingError(
+                f"There is no way {diffuse!r} for the diffuse term; choose 'joint' or 'measured'."
+            )
         self.basis = default_basis() if basis is None else basis
         self.time_limit_s = float(time_limit_s)
         self.base_samples = base_samples or BaseSamples()
         self.coat_samples = coat_samples or CoatSamples()
-        exponents = self.basis.array()
+        self.weighting = weighting
+        self.diffuse = diffuse
+        self._diffuse_sample = self._sample_at(diffuse_gamma_deg) if diffuse == "measured" else None
         self._cosine = float(np.cos(self.base_samples.theta_rad))
+        exponents = self.basis.array()
         self.programs = (self._base_program(exponents), self._coat_program(exponents))
-        self._solver = BlockSolver(self.programs)
-        self._fallbacks = tuple(FallbackSolver(program) for program in self.programs)
-        self._last = tuple(np.zeros((program.shape[1], 3)) for program in self.programs)
+        self._solver = LimitedSolver(self.programs)
         self._warm_up()
+
+    def _sample_at(self, gamma_deg: float) -> int:
+        distances = np.abs(np.array(self.base_samples.gammas_deg) - gamma_deg)
+        if not distances.min() < 1e-6:
+            raise FittingError(f"The base has no sample at {gamma_deg:g}° to read the diffuse term from.")
+        return int(np.argmin(distances))
 
     def _base_program(self, exponents: FloatArray) -> PartProgram:
         samples = self.base_samples
-        columns = np.concatenate(
-            [np.ones((samples.gamma_rad.size, 1)), samples.cosine_lobes(exponents)], axis=1
-        )
-        return build_program(self._cosine * columns, samples.weights)
+        columns = samples.cosine_lobes(exponents)
+        if self._diffuse_sample is None:
+            columns = np.concatenate([np.ones((samples.gamma_rad.size, 1)), columns], axis=1)
+        weights = samples.weights
+        if self.weighting == "solid angle":
+            weights = ring_solid_angles(samples.gamma_rad)
+        return build_program(self._cosine * columns, weights)
 
     def _coat_program(self, exponents: FloatArray) -> PartProgram:
         samples = self.coat_samples
@@ -146,10 +194,17 @@ class LobeFitter:
         """Solve once for a plain metallic look, so that the first edit starts from a basis."""
         base = 0.05 + 0.5 * np.clip(np.cos(self.base_samples.gamma_rad), 0.0, None) ** 6
         coat = np.exp(-20_000.0 * self.coat_samples.gamma_rad**2)
-        self._run(
-            [np.repeat(base[:, None], 3, 1), np.repeat(self._with_energy(coat[:, None]), 3, 1)],
+        self._solve(
+            np.repeat(base[:, None], 3, 1),
+            np.repeat(coat[:, None], 3, 1),
+            1.5,
             time.perf_counter() + WARM_UP_S,
+            finish=False,
         )
+
+    def close(self) -> None:
+        """End the background thread, should there be one, and drop what it works at."""
+        self._solver.close()
 
     def _with_energy(self, rings: FloatArray) -> FloatArray:
         energy = self.coat_samples.solid_angle @ rings
@@ -188,18 +243,68 @@ class LobeFitter:
         start = time.perf_counter()
         base = _checked("base", base, self.base_samples.gamma_rad)
         coat = _checked("coat", coat, self.coat_samples.gamma_rad)
-        solutions, errors, optimal, iterations = self._run(
-            [base, self._with_energy(coat)], start + self.time_limit_s
+        return self._solve(base, coat, ior, start + self.time_limit_s, start, sampling_seconds)
+
+    def _solve(
+        self,
+        base: FloatArray,
+        coat: FloatArray,
+        ior: float,
+        deadline: float,
+        start: float = 0.0,
+        sampling_seconds: float = 0.0,
+        *,
+        finish: bool = True,
+    ) -> LobeFit:
+        """Fit checked samples until ``deadline``; what comes later comes by ``exact``."""
+        kd = np.zeros(3)
+        if self._diffuse_sample is not None:
+            kd = base[self._diffuse_sample] / self._cosine
+            base = base - base[self._diffuse_sample]
+        targets = (base, self._with_energy(coat))
+        factors = self._factors(base, coat) if self.weighting == "relative" else None
+        weighted = [p.row_weights[:, None] * t for p, t in zip(self.programs, targets, strict=True)]
+
+        def fit_of(answer: LimitedSolution) -> LobeFit:
+            return self._fit_of(answer, weighted, factors, kd, ior, start, sampling_seconds)
+
+        return fit_of(self._solver.solve(weighted, deadline, factors=factors, finish=finish, then=fit_of))
+
+    def _factors(self, base: FloatArray, coat: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return the relative weights of both parts; the energy outbids every ring, as it does without them."""
+        rings = relative_factors(coat)
+        return relative_factors(base), np.concatenate([rings, rings.max(axis=0, keepdims=True)], axis=0)
+
+    def _fit_of(
+        self,
+        answer: LimitedSolution,
+        weighted: Sequence[FloatArray],
+        factors: Sequence[FloatArray] | None,
+        kd: FloatArray,
+        ior: float,
+        start: float,
+        sampling_seconds: float,
+    ) -> LobeFit:
+        """Return lobe weights and errors of a solver's answer."""
+        base, coat = (
+            solution * program.column_scale[:, None]
+            for solution, program in zip(answer.solutions, self.programs, strict=True)
         )
-        exponents = self.basis.array()
+        if self._diffuse_sample is None:
+            kd, base = base[0], base[1:]
+        wholes = [np.abs(w) if factors is None else np.abs(w) * factors[k] for k, w in enumerate(weighted)]
+        errors = [
+            PartError(objective, objective / np.where(whole.any(axis=0), whole.sum(axis=0), 1.0), method)
+            for objective, method, whole in zip(answer.objectives, answer.methods, wholes, strict=True)
+        ]
         weights = LobeWeights(
-            exponents=exponents,
-            kd=solutions[0][0],
-            kdd=solutions[0][1:],
-            kg=solutions[1],
+            exponents=self.basis.array(),
+            kd=kd,
+            kdd=base,
+            kg=coat,
             theta_fit_rad=self.base_samples.theta_rad,
             ior=ior,
-            time_limited=not optimal,
+            time_limited=not answer.optimal,
         )
         return LobeFit(
             weights=weights,
@@ -207,56 +312,10 @@ class LobeFitter:
             coat_error=errors[1],
             seconds=time.perf_counter() - start,
             sampling_seconds=sampling_seconds,
-            time_limited=not optimal,
-            iterations=iterations,
+            time_limited=not answer.optimal,
+            iterations=answer.iterations,
+            exact=answer.exact,
         )
-
-    def _run(
-        self, targets: Sequence[FloatArray], deadline: float
-    ) -> tuple[list[FloatArray], list[PartError], bool, int]:
-        """Solve for unweighted ``targets`` until ``deadline`` of the performance counter.
-
-        Returns lobe weights and errors per part, whether optimal, and iterations.
-        """
-        weighted = [p.row_weights[:, None] * t for p, t in zip(self.programs, targets, strict=True)]
-        # The program is linear in its target: each channel is solved at a size of 1 and scaled back, so that
-        # the solver's absolute tolerances are relative ones. A channel of zeros stays zeros.
-        sizes = [w.sum(axis=0) for w in weighted]
-        scaled = [w / np.where(s > 0.0, s, 1.0) for w, s in zip(weighted, sizes, strict=True)]
-        budget = deadline - time.perf_counter() - FALLBACK_RESERVE_S
-        answer = self._solver.solve(scaled, max(budget, SMALLEST_BUDGET_S))
-        solutions, errors = [], []
-        kept = []
-        for k, program in enumerate(self.programs):
-            best, objective, method = self._best(k, answer.solutions[k], answer.optimal, scaled[k], deadline)
-            kept.append(best)
-            solutions.append(best * program.column_scale[:, None] * sizes[k])
-            relative = np.where(sizes[k] > 0.0, objective, 0.0)
-            errors.append(PartError(objective * sizes[k], relative, method))
-        self._last = tuple(kept)
-        return solutions, errors, answer.optimal, answer.iterations
-
-    def _best(
-        self, part: int, simplex: FloatArray, optimal: bool, target: FloatArray, deadline: float
-    ) -> tuple[FloatArray, FloatArray, tuple[str, ...]]:
-        """Return one part's scaled solution of least L1 error per channel, that error, and its origin."""
-        program, fallback = self.programs[part], self._fallbacks[part]
-        if optimal:
-            return simplex, program.residual_l1(simplex, target), ("optimum",) * target.shape[1]
-        last = fallback.rescaled(self._last[part], target)
-        candidates = {
-            "simplex": simplex,
-            "rescaled": last,
-            "least squares": fallback.least_squares(last, target, deadline=deadline),
-            "zero": np.zeros_like(simplex),
-        }
-        names = list(candidates)
-        stack = np.stack([candidates[name] for name in names])
-        objectives = np.stack([program.residual_l1(x, target) for x in stack])
-        winner = np.argmin(objectives, axis=0)
-        channels = np.arange(target.shape[1])
-        best: FloatArray = stack[winner, :, channels].T
-        return best, objectives[winner, channels], tuple(names[w] for w in winner)
 
 
 def _checked(part: str, values: FloatArray, gamma_rad: FloatArray) -> FloatArray:
@@ -264,11 +323,13 @@ def _checked(part: str, values: FloatArray, gamma_rad: FloatArray) -> FloatArray
     array = np.asarray(values, dtype=np.float64)
     if array.shape != (gamma_rad.size, 3):
         raise FittingError(f"The {part} has samples of shape {array.shape}, not {(gamma_rad.size, 3)}.")
-    bad = ~(np.isfinite(array) & (array >= 0.0))
+    bad = ~((array >= 0.0) & (array <= BRIGHTEST))
     if bad.any():
         sample, channel = np.argwhere(bad)[0]
         value = array[sample, channel]
-        what = "is not finite" if not np.isfinite(value) else f"is negative ({value:g} 1/sr)"
+        what = "is not finite"
+        if np.isfinite(value):
+            what = f"is {'negative' if value < 0.0 else 'beyond any reflectance'} ({value:g} 1/sr)"
         raise FittingError(
             f"The {part} cannot be fitted: its {CHANNELS[channel]} channel {what} at the aspecular angle "
             f"{np.rad2deg(gamma_rad[sample]):.4g}°."

@@ -4,6 +4,9 @@ For n samples with targets b and weights w, and m columns M, find ``x ≥ 0`` th
 ``Σ_j w_j·|M x - b|_j``. Here rows are multiplied by their weights and columns by a scale, which leaves the
 optimum where it is and gives the solver entries near 1: a gloss column of E = 50,000 otherwise differs from
 one of E = 2 by five orders in what it means.
+
+Weights that depend on the target are told beside it, as factors on the fixed ones: in the dual form they bound
+the columns, so that the matrix stays (``solver``).
 """
 
 from __future__ import annotations
@@ -28,7 +31,8 @@ class PartProgram:
     Attributes
     ----------
     matrix
-        ``(n, m)`` scaled system: rows times weights, columns times ``column_scale``; entries ≥ 0.
+        ``(n, m)`` scaled system: rows times weights, columns times ``column_scale``. Entries of a sampled
+        lobe are ≥ 0; rows that tie unknowns together, as a smoothness term does, may hold any sign.
     row_weights
         ``(n,)`` > 0: what a target is multiplied by.
     column_scale
@@ -44,9 +48,17 @@ class PartProgram:
         """Number of samples and number of columns."""
         return self.matrix.shape[0], self.matrix.shape[1]
 
-    def residual_l1(self, solution: FloatArray, scaled_target: FloatArray) -> FloatArray:
-        """Return ``(channels,)``: ``Σ_j w_j·|M x - b|_j`` of scaled columns ``(m, channels)``."""
-        result: FloatArray = np.abs(self.matrix @ solution - scaled_target).sum(axis=0)
+    def residual_l1(
+        self, solution: FloatArray, scaled_target: FloatArray, factors: FloatArray | None = None
+    ) -> FloatArray:
+        """Return ``(channels,)``: ``Σ_j w_j·|M x - b|_j`` of scaled columns ``(m, channels)``.
+
+        ``factors`` ``(n, channels)`` > 0 multiply the weights.
+        """
+        rest = np.abs(self.matrix @ solution - scaled_target)
+        if factors is not None:
+            rest *= factors
+        result: FloatArray = rest.sum(axis=0)
         return result
 
 

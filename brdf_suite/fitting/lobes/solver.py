@@ -4,17 +4,21 @@ The L1 program ``min Σ|A x - b|, x ≥ 0`` (rows already weighted) is given to 
 
     max bᵀy   with   Aᵀy ≤ 0,  -1 ≤ y ≤ 1
 
-because then an edit of the target changes costs only, never the matrix, its bounds or its structure. The
-simplex goes on from the last basis: every column has two bounds, so that a reduced cost whose sign an edit
-turned is set right by a flip. (The primal simplex was 15 % faster and stopped without an answer once in 600
-unrelated targets.) The weights x are minus the row duals. The parts and channels are blocks on the diagonal
-of one model, so that an edit is one call.
+because then an edit of the target changes costs only, never the matrix, its bounds or its structure; factors
+on the weights of single samples take the place of the 1. The simplex goes on from the last basis: every
+column has two bounds, so that a reduced cost whose sign an edit turned is set right by a flip. (The primal
+simplex was 15 % faster and stopped without an answer once in 600 unrelated targets.) The weights x are minus
+the row duals. The parts and channels are blocks on the diagonal of one model, so that an edit is one call.
+
+Costs are handed over multiplied by :data:`COST_SCALE`: the solver's tolerance on x is absolute, and its
+smallest is too coarse for targets of size 1 (docs/fit.md).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import Enum
 from typing import Any
 
 import numpy as np
@@ -25,17 +29,28 @@ from brdf_suite.fitting.lobes.program import PartProgram
 
 FloatArray = NDArray[np.float64]
 
-#: Feasibility tolerances of the scaled program, tighter than the solver's 1e-7: targets are scaled to 1.
+#: Feasibility tolerances of the scaled program, tighter than the solver's 1e-7.
 TOLERANCE = 1e-9
+#: What costs are multiplied by. From 10,000 on, one in 7,000 random programs ended without an answer.
+COST_SCALE = 1_000.0
+#: More iterations than any program needs: the solver's own "no limit".
+NO_ITERATION_LIMIT = 2**31 - 1
+
+
+class Outcome(Enum):
+    """How a run ended."""
+
+    OPTIMAL = "optimal"
+    STOPPED = "stopped"  # time or iterations ran out; the next run goes on from the basis
+    LOST = "lost"  # the solver gave up; its basis has been thrown away
 
 
 @dataclass(frozen=True, eq=False)
 class BlockSolution:
-    """What the solver left: per part ``solutions`` ``(m, channels)`` of scaled columns ≥ 0."""
+    """What the solver holds: per part scaled columns ≥ 0 ``(m, channels)`` and duals y ``(n, channels)``."""
 
     solutions: tuple[FloatArray, ...]
-    optimal: bool
-    iterations: int
+    duals: tuple[FloatArray, ...]
 
 
 class BlockSolver:
@@ -48,7 +63,10 @@ class BlockSolver:
         self._parts = tuple(parts)
         self._channels = channels
         self._optimal_status = highspy.HighsModelStatus.kOptimal
-        self._limit_status = highspy.HighsModelStatus.kTimeLimit
+        self._stopped_statuses = (
+            highspy.HighsModelStatus.kTimeLimit,
+            highspy.HighsModelStatus.kIterationLimit,
+        )
         self._error_status = highspy.HighsStatus.kError
         self._highs: Any = highspy.Highs()
         for name, value in {
@@ -68,6 +86,12 @@ class BlockSolver:
             self._check(self._highs.setOptionValue(name, value), f"option {name}")
         self._check(self._highs.passModel(self._model(highspy)), "model")
         self._columns = np.arange(self._column_count, dtype=np.int32)
+        self._bounded_by_factors = False
+
+    @property
+    def entry_count(self) -> int:
+        """Number of matrix entries that are not zero, all blocks together."""
+        return self._entry_count
 
     def _model(self, highspy: Any) -> Any:
         """Build the block-diagonal dual: per channel a column for each sample, a row for each lobe column."""
@@ -84,6 +108,7 @@ class BlockSolver:
                 row_offset += unknowns
         self._column_count = len(starts) - 1
         self._row_count = row_offset
+        self._entry_count = starts[-1]
         model = highspy.HighsLp()
         model.num_col_ = self._column_count
         model.num_row_ = self._row_count
@@ -105,38 +130,70 @@ class BlockSolver:
         if status == self._error_status:
             raise FittingError(f"The linear-programming solver refused its {what}.")
 
-    def solve(self, targets: Sequence[FloatArray], budget_s: float) -> BlockSolution:
-        """Solve for ``targets``, one ``(n, channels)`` of weighted rows per part, sizes near 1.
+    def load(self, targets: Sequence[FloatArray], factors: Sequence[FloatArray] | None = None) -> None:
+        """Take new ``targets``, one ``(n, channels)`` of weighted rows per part, sizes near 1.
 
-        ``budget_s`` is given to the solver as its own limit; it looks at the clock only now and then and may
-        return some milliseconds late. ``optimal`` is False where it stopped early; the solutions are then
-        what the simplex held, clamped to ≥ 0, and may be poor.
+        ``factors``, of the same shapes and > 0, multiply the weights of single samples; 1 where left out.
+        """
+        costs = np.concatenate([(-COST_SCALE * target.T).ravel() for target in targets])
+        self._check(self._highs.changeColsCost(self._column_count, self._columns, costs), "costs")
+        if factors is not None or self._bounded_by_factors:
+            bounds = (
+                np.ones(self._column_count)
+                if factors is None
+                else np.concatenate([factor.T.ravel() for factor in factors])
+            )
+            status = self._highs.changeColsBounds(self._column_count, self._columns, -bounds, bounds)
+            self._check(status, "bounds")
+            self._bounded_by_factors = factors is not None
+
+    def run(self, budget_s: float, iterations: int = NO_ITERATION_LIMIT) -> Outcome:
+        """Go on from the last basis for ``budget_s`` seconds or ``iterations``, whichever ends first.
+
+        The solver looks at the clock only now and then and may return late, most of all at its start: a
+        program of 384,000 entries was 5 ms late. The interpreter's lock is released meanwhile.
         """
         highs = self._highs
-        costs = np.concatenate([(-target.T).ravel() for target in targets])
-        self._check(highs.changeColsCost(self._column_count, self._columns, costs), "costs")
-        # The solver's limit counts the time of all runs of a model together.
+        # The solver's limit counts the time of all runs of a model together; iterations are of this run.
         highs.setOptionValue("time_limit", highs.getRunTime() + max(budget_s, 0.0))
-        status = highs.run()
-        optimal = status != self._error_status and highs.getModelStatus() == self._optimal_status
-        iterations = int(highs.getInfo().simplex_iteration_count)
-        solutions = self._split(highs.getSolution().row_dual)
-        if not optimal and highs.getModelStatus() != self._limit_status:
-            # It lost its way rather than its time: the basis is no start for the next edit.
-            highs.clearSolver()
-        return BlockSolution(solutions, optimal, iterations)
+        highs.setOptionValue("simplex_iteration_limit", iterations)
+        failed = highs.run() == self._error_status
+        status = highs.getModelStatus()
+        if not failed and status == self._optimal_status:
+            return Outcome.OPTIMAL
+        if not failed and status in self._stopped_statuses:
+            return Outcome.STOPPED
+        return Outcome.LOST
 
-    def _split(self, row_dual: Sequence[float]) -> tuple[FloatArray, ...]:
-        """Turn row duals into non-negative columns per part; a solver without an answer gives zeros."""
-        duals = np.zeros(self._row_count)
-        if len(row_dual) == self._row_count:
-            duals = -np.asarray(row_dual, dtype=np.float64)
-        # Anything the tolerance let below zero, and a not-a-number of a broken run, becomes 0.
-        duals = np.where(np.isfinite(duals) & (duals > 0.0), duals, 0.0)
+    def forget(self) -> None:
+        """Throw the basis away, as after a run that lost its way: the next run starts from nothing."""
+        self._highs.clearSolver()
+
+    @property
+    def iterations(self) -> int:
+        """Simplex iterations of the last run."""
+        return int(self._highs.getInfo().simplex_iteration_count)
+
+    def solution(self) -> BlockSolution:
+        """Return what the solver holds, clamped to ≥ 0; before an optimum it may be poor, or all zeros."""
+        held = self._highs.getSolution()
+        solutions = self._split(held.row_dual, self._row_count, 1, -1.0 / COST_SCALE)
+        # Anything that the tolerance let below zero becomes 0.
+        solutions = tuple(np.maximum(part, 0.0) for part in solutions)
+        return BlockSolution(solutions, self._split(held.col_value, self._column_count, 0, 1.0))
+
+    def _split(self, values: Sequence[float], count: int, axis: int, factor: float) -> tuple[FloatArray, ...]:
+        """Cut the solver's list into ``(size, channels)`` per part; zeros for what it does not hold."""
+        array = np.zeros(count)
+        if len(values) == count:
+            array = factor * np.asarray(values, dtype=np.float64)
+        if not np.isfinite(array).all():
+            array = np.where(np.isfinite(array), array, 0.0)  # of a broken run
         parts = []
         start = 0
         for part in self._parts:
-            size = part.shape[1] * self._channels
-            parts.append(duals[start : start + size].reshape(self._channels, part.shape[1]).T)
-            start += size
+            size = part.shape[axis]
+            stop = start + size * self._channels
+            parts.append(array[start:stop].reshape(self._channels, size).T)
+            start = stop
         return tuple(parts)

@@ -1,0 +1,141 @@
+"""The thread that brings a fit to its end after the time limit, in slices, at lower priority.
+
+The model belongs to whoever holds the lock: the caller inside its limit, or this thread for one slice. Between
+slices a request that was cancelled is dropped, so that the newest edit gets the model soon. The slices are
+tasks of an executor of one thread, each of which asks for the next: an executor that is shut down, or an
+interpreter that ends, refuses the next one, and the thread ends after at most one slice.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.answers import LimitedSolution, Request, optimal_answer
+from brdf_suite.fitting.lobes.program import PartProgram
+from brdf_suite.fitting.lobes.solver import BlockSolver, Outcome
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future  # see answers.py
+
+FloatArray = NDArray[np.float64]
+Solutions = tuple[FloatArray, ...]
+Then = Callable[[LimitedSolution], Any]
+
+#: Shortest slice, and its length per matrix entry: five times what the solver needs to start (15 ns an entry).
+SHORTEST_SLICE_S = 0.001
+SLICE_S_PER_ENTRY = 75e-9
+#: How much lower than its program the thread's priority is (Unix niceness).
+NICENESS = 5
+#: Times that the solver may give up and start from nothing.
+MOST_TRIES = 2
+
+
+class BackgroundSolver:
+    """Finishes one request at a time; ``last`` are the newest solutions of size 1, for the next start."""
+
+    def __init__(self, parts: Sequence[PartProgram], channels: int) -> None:
+        # Deferred: 3 ms, with logging, on the start-up path of programs that may not fit.
+        from concurrent.futures import Future, ThreadPoolExecutor
+
+        self.solver = BlockSolver(parts, channels)
+        self.last: Solutions = tuple(np.zeros((p.shape[1], channels)) for p in parts)
+        self.lock = threading.Lock()
+        self._parts = tuple(parts)
+        self._slice_s = max(SHORTEST_SLICE_S, SLICE_S_PER_ENTRY * self.solver.entry_count)
+        self._new_future: Callable[[], Future[Any]] = Future
+        # The newest optimum: its future, the answer before ``then``, and its solutions of size 1.
+        self._finished: tuple[Future[Any], LimitedSolution, Solutions] | None = None
+        self._loaded: Request | None = None
+        self._iterations = 0
+        self._tries = 0
+        self._newest: Future[Any] | None = None
+        self._thread_id: int | None = None
+        self._executor = ThreadPoolExecutor(1, "brdf-fit", initializer=self._begin)
+
+    def warm(self) -> None:
+        """Start the thread now rather than at the first request."""
+        self._executor.submit(int).result()
+
+    def supersede(self) -> None:
+        """Drop the request in work; its future is cancelled."""
+        if self._newest is not None:
+            self._newest.cancel()
+            self._newest = None
+
+    def start(self, request: Request, then: Then) -> Future[Any]:
+        """Begin ``request``; the future gets ``then(answer)``, computed on this thread."""
+        self.supersede()
+        future = self._new_future()
+        self._newest = future
+        self._next(request, then, future)
+        return future
+
+    def wait(self, future: Future[Any], seconds: float) -> tuple[LimitedSolution, Solutions] | None:
+        """Return the answer of the newest request, before ``then``, and its solutions of size 1; None if late."""
+        from concurrent.futures import wait
+
+        wait([future], timeout=seconds)
+        finished = self._finished
+        return finished[1:] if finished is not None and finished[0] is future else None
+
+    def close(self, *, wait: bool = True) -> None:
+        """Drop what is in work and end the thread, at the latest after its slice."""
+        self.supersede()
+        self._executor.shutdown(wait=wait and threading.get_ident() != self._thread_id)
+
+    def _begin(self) -> None:
+        self._thread_id = threading.get_ident()
+        if sys.platform == "linux":
+            # Linux alone gives each thread a priority of its own under this call; elsewhere it is the process's.
+            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), min(os.nice(0) + NICENESS, 19))
+
+    def _next(self, request: Request, then: Then, future: Future[Any]) -> None:
+        try:
+            self._executor.submit(self._slice, request, then, future)
+        except RuntimeError:  # shut down, or the interpreter ends: nobody waits for the rest
+            future.cancel()
+
+    def _slice(self, request: Request, then: Then, future: Future[Any]) -> None:
+        try:
+            answer = self._advance(request, future)
+            if answer is None:
+                if not future.cancelled():
+                    self._next(request, then, future)
+                return
+            value = then(answer[0])
+        except Exception as error:  # noqa: BLE001 - carried to whoever waits; a future left alone hangs
+            if future.set_running_or_notify_cancel():
+                future.set_exception(error)
+            return
+        if future.set_running_or_notify_cancel():
+            self._finished, self.last = (future, *answer), answer[1]
+            future.set_result(value)
+
+    def _advance(self, request: Request, future: Future[Any]) -> tuple[LimitedSolution, Solutions] | None:
+        """Solve for one slice; None where the optimum is still to come or nobody wants it."""
+        with self.lock:
+            if future.cancelled():
+                return None
+            if request is not self._loaded:
+                self.solver.load(request.targets, request.factors)
+                self._loaded, self._iterations, self._tries = request, 0, 0
+            outcome = self.solver.run(self._slice_s)
+            self._iterations += self.solver.iterations
+            if outcome is Outcome.OPTIMAL:
+                self._loaded = None
+                held = self.solver.solution()
+                return optimal_answer(self._parts, held, request, self._iterations)
+            if outcome is Outcome.LOST:
+                self.solver.forget()
+                self._tries += 1
+                if self._tries >= MOST_TRIES:
+                    raise FittingError("The linear-programming solver found no optimum for these samples.")
+            return None

@@ -1,0 +1,210 @@
+"""Linear programs under a hard time limit, and their optimum when it comes.
+
+HiGHS alone overruns a limit of its own by milliseconds, because it looks at the clock between pieces of work
+that grow with the program. Two ways keep it, by the size of the program (docs/fit.md has the measurements):
+
+- A small program is solved by the caller, in runs of so many iterations as half of what is left allows at the
+  pace seen last. Handing it to a thread and back costs as much as the fit.
+- A large one is given to a thread of lower priority, after the caller has worked out feasible answers: at once,
+  the two would wait for the interpreter's lock in turns. The caller waits for the rest of the limit, and leaves
+  with the best that it has.
+
+Where the limit comes first, the least L1 error per channel wins among what the simplex held, the last weights
+rescaled, non-negative least squares, and zero; the thread goes on to the optimum and delivers it.
+"""
+
+from __future__ import annotations
+
+import time
+import weakref
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.fitting.lobes.answers import LimitedSolution, Request, optimal_answer, request_of, scaled_back
+from brdf_suite.fitting.lobes.background import BackgroundSolver
+from brdf_suite.fitting.lobes.fallback import FallbackSolver
+from brdf_suite.fitting.lobes.program import PartProgram
+from brdf_suite.fitting.lobes.solver import Outcome
+
+FloatArray = NDArray[np.float64]
+
+#: Programs of at most so many matrix entries are solved by the caller: their solver starts in under .7 ms.
+LARGEST_INLINE_ENTRIES = 50_000
+#: Share of a limit that is kept from the solver for the feasible answers, and the least and the most of it.
+RESERVE_SHARE = 0.15
+LEAST_RESERVE_S = 0.0006
+#: What giving a request to the thread takes.
+HAND_OVER_S = 0.0001
+#: A wait shorter than this brings no answer, but may end late: the thread has the interpreter's lock meanwhile.
+SHORTEST_WAIT_S = 0.0003
+#: No run is begun with less time than this.
+SHORTEST_RUN_S = 0.0001
+#: Iterations of a run, at least; and what one is first thought to take, per matrix entry.
+FEWEST_ITERATIONS = 10
+FIRST_PACE_S_PER_ENTRY = 4e-9
+
+
+def _same(answer: LimitedSolution) -> LimitedSolution:
+    return answer
+
+
+class LimitedSolver:
+    """A kept model over ``parts`` × ``channels`` that answers inside a limit and finishes in the background.
+
+    Any sequence of :class:`PartProgram` will do; each is solved for every channel, all in one block-diagonal
+    model. ``inline`` forces the caller's way (True) or the thread's (False); by size where left out.
+
+    One solver serves one thread. :meth:`close` ends its background thread, as does losing the last reference.
+    """
+
+    def __init__(
+        self, parts: Sequence[PartProgram], channels: int = 3, *, inline: bool | None = None
+    ) -> None:
+        self.parts = tuple(parts)
+        self.channels = channels
+        self._background = BackgroundSolver(self.parts, channels)
+        self._solver = self._background.solver
+        self._fallbacks = tuple(FallbackSolver(part) for part in self.parts)
+        self.inline = self._solver.entry_count <= LARGEST_INLINE_ENTRIES if inline is None else inline
+        self._pace_s = FIRST_PACE_S_PER_ENTRY * self._solver.entry_count
+        weakref.finalize(self, BackgroundSolver.close, self._background, wait=False)
+        if not self.inline:
+            self._background.warm()
+
+    def solve(
+        self,
+        targets: Sequence[FloatArray],
+        deadline: float,
+        *,
+        factors: Sequence[FloatArray] | None = None,
+        finish: bool = True,
+        then: Callable[[LimitedSolution], Any] = _same,
+    ) -> LimitedSolution:
+        """Return the best weights for ``targets`` that are at hand at ``deadline``.
+
+        Parameters
+        ----------
+        targets
+            Per part ``(n, channels)``: the target times the rows' weights. Any size and sign.
+        deadline
+            A time of ``time.perf_counter()``.
+        factors
+            Per part ``(n, channels)`` > 0: multiply the weights of single samples for this target alone.
+        finish
+            Whether the optimum is wanted after the limit. It is then the result of ``exact``, unless the next
+            call of this method comes first and cancels it.
+        then
+            What becomes of the optimum before it is delivered; called on the background thread.
+
+        Raises
+        ------
+        FittingError
+            See :func:`~brdf_suite.fitting.lobes.answers.request_of`.
+        """
+        self._background.supersede()
+        request = request_of(self.parts, self.channels, targets, factors)
+        if self.inline:
+            return self._solve_here(request, deadline, finish, then)
+        return self._solve_there(request, deadline, finish, then)
+
+    def close(self) -> None:
+        """Drop what is in work and wait for the thread to end: at most one slice of the solver."""
+        self._background.close()
+
+    def _solve_here(
+        self, request: Request, deadline: float, finish: bool, then: Callable[[LimitedSolution], Any]
+    ) -> LimitedSolution:
+        start = time.perf_counter()
+        budget = deadline - start
+        until = deadline - min(max(RESERVE_SHARE * budget, LEAST_RESERVE_S), 0.5 * budget)
+        partial, iterations = None, 0
+        # The thread may be in a slice of the request before; it lets go after it.
+        if until - start > SHORTEST_RUN_S and self._background.lock.acquire(timeout=until - start):
+            try:
+                self._solver.load(request.targets, request.factors)
+                outcome, iterations = self._run_until(until)
+                if outcome is not None:
+                    held = self._solver.solution()
+                    if outcome is Outcome.OPTIMAL:
+                        answer, self._background.last = optimal_answer(self.parts, held, request, iterations)
+                        return answer
+                    partial = held.solutions
+            finally:
+                self._background.lock.release()
+        answer = self._feasible(request, deadline, partial, iterations)
+        return replace(answer, exact=self._background.start(request, then)) if finish else answer
+
+    def _run_until(self, until: float) -> tuple[Outcome | None, int]:
+        """Run in pieces until the optimum or the time; None where there was no time for any."""
+        outcome, iterations = None, 0
+        while (left := until - time.perf_counter()) > SHORTEST_RUN_S:
+            begun = time.perf_counter()
+            outcome = self._solver.run(left, max(FEWEST_ITERATIONS, int(0.5 * left / self._pace_s)))
+            done = self._solver.iterations
+            iterations += done
+            if done >= FEWEST_ITERATIONS:
+                pace = (time.perf_counter() - begun) / done
+                # Slower is believed at once, faster little by little.
+                self._pace_s = max(pace, 0.9 * self._pace_s + 0.1 * pace)
+            if outcome is Outcome.OPTIMAL:
+                break
+            if outcome is Outcome.LOST:
+                self._solver.forget()
+        return outcome, iterations
+
+    def _solve_there(
+        self, request: Request, deadline: float, finish: bool, then: Callable[[LimitedSolution], Any]
+    ) -> LimitedSolution:
+        answer = self._feasible(request, deadline - HAND_OVER_S, None, 0)
+        exact = self._background.start(request, then)
+        finished = None
+        if (left := deadline - time.perf_counter()) > SHORTEST_WAIT_S:
+            finished = self._background.wait(exact, left)
+        if finished is not None:
+            answer, self._background.last = finished
+            return answer
+        if not finish:
+            exact.cancel()
+            return answer
+        return replace(answer, exact=exact)
+
+    def _feasible(
+        self,
+        request: Request,
+        deadline: float,
+        partial: Sequence[FloatArray] | None,
+        iterations: int,
+    ) -> LimitedSolution:
+        """Return the best of the answers that need no optimum, in what is left until ``deadline``."""
+        solutions, errors, methods = [], [], []
+        for k, part in enumerate(self.parts):
+            begun = time.perf_counter()
+            target, factors = request.targets[k], request.factors_of(k)
+            last, last_error = self._fallbacks[k].rescaled(self._background.last[k], target, factors)
+            now = time.perf_counter()
+            # What rescaling took, cold, is kept for comparing; the parts to come get their share.
+            stop = now + (deadline - now) / (len(self.parts) - k) - 0.8 * (now - begun)
+            squares = self._fallbacks[k].least_squares(target, deadline=stop)
+            whole = np.abs(target) if factors is None else factors * np.abs(target)
+            candidates = {
+                "rescaled": (last, last_error),
+                # Its factor is best for squares; clamped after few steps, it may be far from best.
+                "least squares": self._fallbacks[k].rescaled(squares, target, factors),
+                "zero": (np.zeros_like(last), whole.sum(axis=0)),
+            }
+            if partial is not None:
+                candidates["simplex"] = (partial[k], part.residual_l1(partial[k], target, factors))
+            names = list(candidates)
+            table = np.stack([candidates[name][1] for name in names])
+            winner = np.argmin(table, axis=0)
+            channels = np.arange(target.shape[1])
+            stack = np.stack([candidates[name][0] for name in names])
+            solutions.append(stack[winner, :, channels].T)
+            errors.append(table[winner, channels])
+            methods.append(tuple(names[w] for w in winner))
+        self._background.last = tuple(solutions)
+        return scaled_back(request, solutions, errors, tuple(methods), False, iterations)
