@@ -124,7 +124,9 @@ def _directions(light_deg: float, first_deg: float, last_deg: float) -> tuple[Fl
 
 def _curves(fit: PaintFit) -> Curves:
     readings = fit.paint.measurements
-    light = readings[by_angle(fit.paint)[0]].illumination_deg
+    lights = [m.illumination_deg for m in readings]
+    # The light that most readings have is the one whose curve the rule was found for.
+    light = min(lights, key=lambda deg: (-lights.count(deg), deg))
     angles = [m.aspecular_deg for m in readings if m.illumination_deg == light]
     first, last = max(0.0, min(angles)), max(angles)
     gamma, wi, wo = _directions(light, first, last)

@@ -64,7 +64,7 @@ def test_every_shipped_paint_reads_what_its_document_says(asked, name: str) -> N
     facts = json.loads(out)
     sensible(facts)
     paint = load_shipped_paint(name)
-    wanted = {m.aspecular_deg: m.lab for m in paint.measurements}
+    wanted = {m.aspecular_deg: m.lab for m in paint.measurements if m.illumination_deg == 45.0}
     for reading in facts["readings"]:
         assert float(delta_e_2000(reading["lab"], wanted[reading["aspecular_deg"]])) < 0.05
     assert facts["gloss"]["gu_20"] == pytest.approx(paint.gloss.gu_20, abs=0.5)
@@ -120,6 +120,27 @@ def test_a_solved_paint_reads_its_colours_through_the_aperture(asked) -> None:
         seen[bool(options)] = delta_e_2000([r["lab"] for r in facts["readings"]], wanted).max()
     assert seen[False] > 0.1
     assert seen[True] < 0.05
+
+
+def test_paints_that_share_a_name_are_told_apart(asked) -> None:
+    status, out, _err = asked("measure", "blue", "table1_blue", "--csv")
+    rows = list(csv.DictReader(io.StringIO(out)))
+    assert status == 0
+    assert [(row["name"], row["source"]) for row in rows] == [("Blue", "blue"), ("Blue", "table1_blue")]
+    _, out, _err = asked("measure", "blue", "table1_blue")
+    heads = [line for line in out.splitlines() if line.startswith("Blue")]
+    assert heads[0].startswith("Blue: ")
+    assert heads[1].startswith("Blue (table1_blue): ")
+    _, out, _err = asked("measure", "blue", "table1_blue", "--json")
+    assert [paint["source"] for paint in json.loads(out)["paints"]] == ["blue", "table1_blue"]
+
+
+def test_a_grey_has_no_hue(asked, shared_data: Path) -> None:
+    status, out, _err = asked("measure", str(shared_data / "brdf" / "retro-gray-tape.dat"))
+    assert status == 0
+    rows = [line.split() for line in out.splitlines() if line.split()[0].startswith("45as")]
+    assert len(rows) == 6
+    assert {tuple(row[2:6]) for row in rows} == {("0.00", "0.00", "0.00", "–")}
 
 
 def test_csv_has_one_row_for_each_paint(asked) -> None:
