@@ -1,6 +1,7 @@
-"""Write ``docs/table1.md``: the eight paints of Table 1 of Günther et al. 2005, as the virtual instruments read them.
+"""The eight paints of Table 1 of Günther et al. 2005, as the virtual instruments read them.
 
-Run in a checkout; the figures are computed, nothing is copied::
+Run in a checkout, it writes ``docs/table1.md``; ``brdf-suite bench measure --write`` puts :func:`readings` into
+``docs/measurements.md``. The figures are computed, nothing is copied::
 
     python packaging/measure_table1.py [FILE]
 """
@@ -8,16 +9,17 @@ Run in a checkout; the figures are computed, nothing is copied::
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.reflectance.aperture import WIDE
+from brdf_suite.reflectance.aperture import POINT, WIDE, Aperture
 from brdf_suite.reflectance.build import build_reflectance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
@@ -26,14 +28,12 @@ from brdf_suite.reflectance.spectrophotometer import Report, measure
 HEAD = """\
 # The measured paints of Table 1
 
-Günther, Chen, Goesele, Wald and Seidel (VMV 2005) fitted three Cook-Torrance lobes to each of eight car paints. These
-are their own numbers, read with the virtual multi-angle spectrophotometer (D65, 10° observer) and glossmeter.
-Written by
+Günther, Chen, Goesele, Wald and Seidel (VMV 2005) fitted three Cook-Torrance lobes to each of eight car paints. Their
+L*a*b*, gloss, flop and travel, from the authors' own numbers, stand in
+[the measurements](measurements.md#the-eight-paints-of-table-1); here is what an aperture changes, and what their two
+facet distributions mean. Written by
 
     python packaging/measure_table1.py
-
-`brdf-suite measure table1_ford_f8 --json` gives more of each. The colour channels of the authors' camera are taken as
-linear Rec. 2020.
 
 Their equation 1 and their section 5.1.3 print facet distributions that differ by a factor of four, so both are here:
 *full* is `D = exp(-tan²θ/m²)/(m² cos⁴θ)`, *quarter* a fourth of it. For *full* speaks that the sharpest lobe of the
@@ -43,8 +43,20 @@ silvers, as for other measured silver paints, and not 160 to 180. The suite's de
 equation.
 """
 
+READINGS = """\
+### The eight paints of Table 1
+
+Günther et al. 2005, three Cook-Torrance lobes each, by the authors' own numbers with the *full* facet distribution; the
+channels of their camera are taken as linear Rec. 2020. Read with the virtual multi-angle spectrophotometer (light at
+45°, single directions, D65, 10° observer) and glossmeter. `brdf-suite measure table1_ford_f8 --json` gives more of
+each, and [table1.md](table1.md) the readings through an aperture and the other facet distribution.
+
+L*, a*, b* per aspecular angle:
+"""
+
 _ANGLES = "six"
 _GRAZING_DEG = (0.0, 45.0, 75.0)
+_NORMS: tuple[Literal["full"], Literal["quarter"]] = ("full", "quarter")
 _RINGS, _AZIMUTHS = 400, 96
 
 
@@ -100,7 +112,7 @@ def _figures(reports: Mapping[str, Report]) -> str:
 
 
 def _both_norms(paints: Mapping[str, CookTorrancePaint]) -> str:
-    def row(paint: CookTorrancePaint, norm: str) -> list[str]:
+    def row(paint: CookTorrancePaint, norm: Literal["full", "quarter"]) -> list[str]:
         reflectance = build_reflectance(replace(paint, d_norm=norm))
         report = measure(reflectance, geometry_set("e2194"))
         lightness = [f"{reading.lab[0]:.1f}" for reading in report.readings]
@@ -113,29 +125,33 @@ def _both_norms(paints: Mapping[str, CookTorrancePaint]) -> str:
         return [paint.name, norm, *lightness, *albedo, f"{directional_albedo(coat, 45.0):.4f}"]
 
     head = ["paint", "D", "L15", "L45", "L110", "albedo 0°", "45°", "75°", "sharpest lobe alone, 45°"]
-    return table(head, (row(paint, norm) for paint in paints.values() for norm in ("full", "quarter")))
+    return table(head, (row(paint, norm) for paint in paints.values() for norm in _NORMS))
+
+
+def _reports(aperture: Aperture) -> dict[str, Report]:
+    return {
+        paint.name: measure(build_reflectance(paint), geometry_set(_ANGLES), aperture)
+        for paint in TABLE_1.values()
+    }
+
+
+def readings() -> str:
+    """Return the colours, gloss, flop and travel of the eight paints as Markdown under one heading."""
+    reports = _reports(POINT)
+    gloss = "Gloss units of the whole paint, coat and base; haze, flop index and travel:\n"
+    return "\n".join([READINGS, _colours(reports), gloss, _figures(reports)])
 
 
 def page() -> str:
     """Return the whole page."""
-    reflectances: dict[str, Reflectance] = {p.name: build_reflectance(p) for p in TABLE_1.values()}
-
-    def read(how: Callable[[Reflectance], Report]) -> dict[str, Report]:
-        return {name: how(reflectance) for name, reflectance in reflectances.items()}
-
-    single = read(lambda r: measure(r, geometry_set(_ANGLES)))
-    wide = read(lambda r: measure(r, geometry_set(_ANGLES), WIDE))
     return "\n".join(
         [
             HEAD,
-            "## L*, a*, b* per aspecular angle\n\nLight at 45°, single directions, *full*.\n",
-            _colours(single),
-            f"The same through an aperture ({WIDE.title}).\n",
-            _colours(wide),
-            "## Gloss, haze, flop and travel\n\nGloss units of the whole paint, coat and base; *full*.\n",
-            _figures(single),
+            f"## L*, a*, b* per aspecular angle, through an aperture\n\n{WIDE.title[0].upper()}{WIDE.title[1:]}; "
+            "light at 45°; *full*.\n",
+            _colours(_reports(WIDE)),
             "## Both facet distributions\n\nAlbedo: the share of light at 0, 45 and 75° that is reflected, the "
-            "largest of the channels.\n",
+            "largest of the channels. Single directions.\n",
             _both_norms(TABLE_1),
         ]
     )

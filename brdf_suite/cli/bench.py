@@ -2,7 +2,8 @@
 
 A benchmark is a module ``tests/benchmarks/bench_*.py`` with ``NAME``, ``BOUNDS`` (key -> comparison, bound,
 unit, meaning) and ``run(progress) -> {key: number or None}``; it may add as it runs ``NOTES`` (key -> text) and
-``TABLES`` (key -> values by name), which only ``--json`` prints.
+``TABLES`` (key -> values by name), which only ``--json`` prints, and ``appendix() -> str``: Markdown, its headings
+of the third level, that ``--write`` puts below the module's table.
 """
 
 from __future__ import annotations
@@ -119,7 +120,11 @@ def run(options: argparse.Namespace) -> int:
             from brdf_suite.cli.measurements import write_section
 
             write_section(
-                _MEASUREMENTS, result.name, (modules[name].__doc__ or "").strip(), list(result.rows())
+                _MEASUREMENTS,
+                result.name,
+                (modules[name].__doc__ or "").strip(),
+                list(result.rows()),
+                appendix(modules[name]),
             )
     return 0 if kept else 1
 
@@ -148,6 +153,12 @@ def measure(module: ModuleType, progress: Progress | None) -> Result:
         dict(getattr(module, "NOTES", {})),
         dict(getattr(module, "TABLES", {})),
     )
+
+
+def appendix(module: ModuleType) -> str:
+    """Return what the module adds below its table: Markdown, or nothing."""
+    own = getattr(module, "appendix", None)
+    return "" if own is None else str(own())
 
 
 def _load() -> dict[str, ModuleType]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from brdf_suite.cli.output import print_json
@@ -21,6 +22,9 @@ APERTURE_HELP = (
     "half-angle of the receptor's cone in degrees, or LIGHT,RECEPTOR, or point (0,0), narrow (1,2), wide (2,4) "
     "(default: point)"
 )
+# The chroma C* below which a hue is rounding alone.
+_GREY = 0.005
+
 ANYTHING = "a .brdfpaint or measured file, or the name of a shipped or Table 1 paint"
 
 
@@ -92,16 +96,19 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _print_table(item: Measurable, report: Report, illuminant: str) -> None:
-    print(f"{item.name}: {report.geometry_set.title}; {report.aperture.title}; D65, 10°")
+    # Two paints may share a name, as the shipped blue and that of Table 1 do.
+    plain = Path(item.source).name.replace("_", " ").lower()
+    named = "" if plain in ("", item.name.replace("_", " ").lower()) else f" ({item.source})"
+    print(f"{item.name}{named}: {report.geometry_set.title}; {report.aperture.title}; D65, 10°")
     print(
         f"{'geometry':>10} {'L*':>8} {'a*':>8} {'b*':>8} {'C*':>8} {'h °':>7} {'X':>8} {'Y':>8} {'Z':>8}  factor"
     )
     for reading in report.readings:
-        numbers = "".join(f" {value:8.2f}" for value in (*reading.lab, reading.lch[1]))
+        # Adding 0 turns the -0 of a grey into 0.
+        numbers = "".join(f" {round(value, 2) + 0.0:8.2f}" for value in (*reading.lab, reading.lch[1]))
         tristimulus = "".join(f" {value:8.3f}" for value in reading.xyz)
-        print(
-            f"{reading.geometry.name:>10}{numbers} {reading.lch[2]:7.1f}{tristimulus} {reading.factor:7.4f}"
-        )
+        hue = f"{reading.lch[2]:7.1f}" if reading.lch[1] >= _GREY else f"{'–':>7}"
+        print(f"{reading.geometry.name:>10}{numbers} {hue}{tristimulus} {reading.factor:7.4f}")
     gloss = ", ".join(f"{value:.1f} at {angle}°" for angle, value in report.gloss.items())
     print(f"  gloss (GU, coat and base): {gloss}; haze {report.haze:.1f}")
     if report.flop is not None:
@@ -125,14 +132,14 @@ def _print_csv(measured: list[tuple[Measurable, Report]], illuminant: str) -> No
     writer = csv.writer(sys.stdout, lineterminator="\n")
     first = measured[0][1]
     names = [_column(reading.geometry.name) for reading in first.readings]
-    head = ["name", *(f"{axis}_{name}" for name in names for axis in ("L", "a", "b"))]
+    head = ["name", "source", *(f"{axis}_{name}" for name in names for axis in ("L", "a", "b"))]
     if illuminant != "D65":
         head += [f"{axis}_{name}_{illuminant}" for name in names for axis in ("L", "a", "b")]
     head += [f"factor_{name}" for name in names]
     head += ["G20", "G60", "G85", "haze", "flop_index", "travel_ab", "hue_travel_deg", "chroma_travel"]
     writer.writerow(head)
     for item, report in measured:
-        row: list[str] = [item.name]
+        row: list[str] = [item.name, item.source]
         row += [f"{value:.4f}" for reading in report.readings for value in reading.lab]
         if illuminant != "D65":
             colours = item.under(report, illuminant)

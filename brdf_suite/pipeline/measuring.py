@@ -46,7 +46,8 @@ _LIGHTS, _VIEW_RINGS, _VIEW_AZIMUTHS = 8, 16, 32
 class Measurable:
     """Something that reflects, and what is known of it.
 
-    ``observer_deg`` is the observer through which its spectra became colour.
+    ``observer_deg`` is the observer through which its spectra became colour; ``source`` the name or path by which it
+    was asked for, which tells apart paints that share a ``name``.
     """
 
     name: str
@@ -55,6 +56,7 @@ class Measurable:
     facts: Mapping[str, object] = field(default_factory=dict)
     notices: tuple[str, ...] = ()
     observer_deg: int = 10
+    source: str = ""
 
     def under(self, report: Report, illuminant: str) -> tuple[LightColour, ...]:
         """Return the report's readings under another light, each labelled with how it was found."""
@@ -89,12 +91,15 @@ def load_measurable(
             facts=dict(value.facts),
             notices=_told(value, observer_deg),
             observer_deg=observer_deg,
+            source=str(name_or_path),
         )
     paint = find_any_paint(name_or_path)
     if isinstance(paint, Paint):
         solved = build_through(paint, solved_through or POINT)
-        return Measurable(paint.name, solved.reflectance, paint, notices=solved.notices)
-    return Measurable(paint.name, build_reflectance(paint))
+        return Measurable(
+            paint.name, solved.reflectance, paint, notices=solved.notices, source=str(name_or_path)
+        )
+    return Measurable(paint.name, build_reflectance(paint), source=str(name_or_path))
 
 
 def _told(value: MeasuredReflectance, observer_deg: int) -> tuple[str, ...]:
@@ -116,6 +121,7 @@ def measurement_json(item: Measurable, report: Report, illuminant: str = "D65") 
     flop, path = report.flop, report.travel
     answer: dict[str, object] = {
         "name": item.name,
+        "source": item.source,
         "facts": {key: _plain(value) for key, value in item.facts.items() if key != "notes"},
         "illuminant": "D65",
         "observer_deg": 10,

@@ -20,6 +20,7 @@ import numpy.typing as npt
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reflectance.models import mixture
 
 _TINY = 1e-300
 
@@ -77,3 +78,11 @@ class CoatLobe:
         sin2 = np.maximum(1.0 - cos_theta * cos_theta, 1e-30)
         a = np.minimum(cos_theta / (self.roughness * np.sqrt(sin2)), 1.6)
         return np.asarray(np.maximum(1.0 - 1.259 * a + 0.396 * a * a, 0.0) / (a * (3.535 + 2.181 * a)))
+
+    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+        """Return directions (..., 3): the view ``wo`` mirrored at the coat's facets, for even ``u`` (..., 3)."""
+        return mixture.sample([mixture.beckmann(1.0, self.roughness)], wo, u)
+
+    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
+        return mixture.pdf([mixture.beckmann(1.0, self.roughness)], wi, wo)

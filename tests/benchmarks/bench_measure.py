@@ -2,13 +2,15 @@
 
 The paints are the shipped ones and 60 random ones that a clearcoat can be found for (L* at 15° 45 to 130, any hue,
 20° gloss 5 to 95). Gloss is read by integrating the whole reflectance over the receptor, not by the formula that the
-coat was solved with. The readings of the eight paints of Table 1 stand in [table1.md](table1.md).
+coat was solved with.
 """
 
 from __future__ import annotations
 
+import runpy
 import time
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 
@@ -124,3 +126,9 @@ def run(progress: Progress | None) -> dict[str, float | None]:
         "report_ms": 1e3 * float(np.median(times["point"])),
         "report_wide_ms": 1e3 * float(np.median(times["wide"])),
     }
+
+
+def appendix() -> str:
+    """Return the readings of the eight paints of Table 1, as Markdown."""
+    script = Path(__file__).resolve().parents[2] / "packaging" / "measure_table1.py"
+    return str(runpy.run_path(str(script))["readings"]())

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from brdf_suite.cli.bench import Bound, measure
+from brdf_suite.cli.bench import Bound, appendix, measure
 from brdf_suite.cli.measurements import write_section
 from brdf_suite.errors import SuiteError
 
@@ -30,6 +30,23 @@ def test_a_section_is_replaced_and_others_stay(tmp_path: Path) -> None:
     assert "| `x` | 9 ms | ≤ 2 ms | NO | what x is |" in text
     assert "1 ms |" not in text
     assert "| `y` | 3 | – |  | what y is |" in text
+
+
+def test_an_appendix_follows_its_table_and_is_replaced_with_it(tmp_path: Path) -> None:
+    path = tmp_path / "measurements.md"
+    row = ("x", "1 ms", "≤ 2 ms", "yes", "what x is")
+    bench = module()
+    bench.appendix = lambda: "### More\n\n| a |\n|---|\n| 5 |\n"
+    write_section(path, "b", "About b.", [row], appendix(bench))
+    write_section(path, "c", "About c.", [row], appendix(module()))
+    text = path.read_text()
+    assert text.index("what x is") < text.index("### More") < text.index("| 5 |") < text.index("## c")
+    assert text.endswith("| what x is |\n")
+    bench.appendix = lambda: "### More\n\nNothing."
+    write_section(path, "b", "About b.", [row], appendix(bench))
+    text = path.read_text()
+    assert text.count("### More") == 1
+    assert "| 5 |" not in text
 
 
 def test_figures_are_held_against_their_bounds() -> None:

@@ -1,10 +1,13 @@
-"""The page of Table 1 is what the committed command writes."""
+"""The pages of Table 1 are what the committed programs write."""
 
 from __future__ import annotations
 
+import runpy
 import subprocess
 import sys
 from pathlib import Path
+
+PAINTS = ("Ford F8", "Polaris Silver", "Opel Titan", "BMW 339", "2K Acrylack", "White", "Blue", "Blue Matte")
 
 
 def test_the_page_is_up_to_date(checkout: Path, tmp_path: Path) -> None:
@@ -12,15 +15,15 @@ def test_the_page_is_up_to_date(checkout: Path, tmp_path: Path) -> None:
     subprocess.run(command, check=True, timeout=120, capture_output=True)
     written = (tmp_path / "table1.md").read_text(encoding="utf-8")
     assert written == (checkout / "docs" / "table1.md").read_text(encoding="utf-8")
-    for name in (
-        "Ford F8",
-        "Polaris Silver",
-        "Opel Titan",
-        "BMW 339",
-        "2K Acrylack",
-        "White",
-        "Blue",
-        "Blue Matte",
-    ):
-        # Two tables of colours, one of gloss, and both facet distributions.
-        assert written.count(f"| {name} |") == 5
+    for name in PAINTS:
+        # The colours, and both facet distributions.
+        assert written.count(f"| {name} |") == 3
+
+
+def test_the_measurements_hold_the_table_of_the_eight_paints(checkout: Path) -> None:
+    bench = runpy.run_path(str(checkout / "tests" / "benchmarks" / "bench_measure.py"))
+    table = bench["appendix"]()
+    assert table.strip() in (checkout / "docs" / "measurements.md").read_text(encoding="utf-8")
+    for name in PAINTS:
+        # One row of colours per angle, one of gloss, flop and travel.
+        assert table.count(f"| {name} |") == 2
