@@ -33,6 +33,8 @@ COMPUTED = (
     "calls {merl}; rounded to 0.1. Gloss and flakes are assumed."
 )
 NO_FLAKES = "No flakes: the same colour at every angle."
+ENAMEL = "Gloss as of a single-stage enamel without a clearcoat of its own."
+SEMI_GLOSS = "Gloss as of a semi-gloss clearcoat."
 GLOSS_ASSUMED = "The gloss of this paint is unknown; {gloss:g} GU at 20° is assumed, as of a usual clearcoat."
 
 
@@ -185,15 +187,17 @@ MORE = (
         "midnight_blue",
         "Midnight blue",
         ((42.0, 4.0, -34.0), (12.0, 4.0, -18.4), (4.0, 4.0, -14.0)),
-        91.0,
+        40.0,
         Flakes(80.0, 22.0, 0.147, 0.03),
+        notes=SEMI_GLOSS,
     ),
     Recipe(
         "racing_green",
         "Racing green",
         ((44.0, -24.0, 12.0), (14.9, -14.0, 6.7), (6.0, -9.0, 4.0)),
-        90.0,
+        80.0,
         Flakes(90.0, 20.0, 0.152, 0.02),
+        notes=ENAMEL,
     ),
     Recipe(
         "lime_green",
@@ -213,8 +217,9 @@ MORE = (
         "burnt_orange",
         "Burnt orange",
         ((76.0, 42.0, 64.0), (38.7, 30.6, 39.1), (24.0, 30.0, 30.0)),
-        90.0,
+        60.0,
         Flakes(120.0, 22.0, 0.167, 0.03),
+        notes=SEMI_GLOSS,
     ),
     Recipe(
         "candy_red",
@@ -255,8 +260,8 @@ MORE = (
         notes=SHIFT,
         second=((80.0, -12.0, -34.0), (33.0, 4.0, -26.0)),
     ),
-    Recipe("solid_red", "Solid red", _solid((41.0, 60.0, 38.0)), 91.0, None, notes=NO_FLAKES),
-    Recipe("solid_yellow", "Solid yellow", _solid((80.0, 10.0, 82.0)), 91.0, None, notes=NO_FLAKES),
+    Recipe("solid_red", "Solid red", _solid((41.0, 60.0, 38.0)), 76.0, None, notes=ENAMEL),
+    Recipe("solid_yellow", "Solid yellow", _solid((80.0, 10.0, 82.0)), 68.0, None, notes=ENAMEL),
     Recipe(
         "satin_blue",
         "Satin blue",
