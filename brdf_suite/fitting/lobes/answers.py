@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -27,7 +28,8 @@ class LimitedSolution:
     """Weights for every part and channel, and how they came about.
 
     ``solutions``: per part ``(m, channels)`` ≥ 0, of scaled columns, for the targets that were given;
-    ``objectives``: per part ``(channels,)`` the L1 error; ``methods``: per part and channel "optimum",
+    ``objectives``: per part ``(channels,)`` the L1 error, and ``relative`` it over that of no weights at all (0 for
+    a target of zeros); ``methods``: per part and channel "optimum",
     "simplex" (what it held when it was stopped), "rescaled", "least squares" or "zero"; ``optimal``: all are
     optima. ``exact`` gets the optimum, or what was made of it, once it is found in the background: ``None``
     where nothing is to be found, cancelled where a newer request came first.
@@ -35,6 +37,7 @@ class LimitedSolution:
 
     solutions: tuple[FloatArray, ...]
     objectives: tuple[FloatArray, ...]
+    relative: tuple[FloatArray, ...]
     methods: tuple[tuple[str, ...], ...]
     optimal: bool
     iterations: int
@@ -48,6 +51,7 @@ class Request:
     targets: tuple[FloatArray, ...]
     sizes: tuple[FloatArray, ...]
     factors: tuple[FloatArray, ...] | None
+    has_zeros: bool
 
     def factors_of(self, part: int) -> FloatArray | None:
         """Return the factors of one part, or ``None``."""
@@ -79,14 +83,17 @@ def request_of(
         if shapes != wanted:
             raise FittingError(f"The {what} of a fit have shapes {shapes}, not {wanted}.")
     sizes = tuple(np.abs(target).sum(axis=0) for target in targets)
-    if not all(np.isfinite(size).all() for size in sizes):
+    sums = np.concatenate(sizes).tolist()
+    if not all(0.0 <= size < math.inf for size in sums):
         raise FittingError(
             "The target of a fit is not finite, or so large that its sum is not; scale it down."
         )
     if factors is not None and not all((np.isfinite(f) & (f > 0.0)).all() for f in factors):
         raise FittingError("A factor on a sample's weight is not a positive finite number.")
-    scaled = tuple(t / np.where(s > 0.0, s, 1.0) for t, s in zip(targets, sizes, strict=True))
-    return Request(scaled, sizes, None if factors is None else tuple(factors))
+    has_zeros = 0.0 in sums
+    whole = [np.where(s > 0.0, s, 1.0) for s in sizes] if has_zeros else sizes
+    scaled = tuple(t / s for t, s in zip(targets, whole, strict=True))
+    return Request(scaled, sizes, None if factors is None else tuple(factors), has_zeros)
 
 
 def optimal_answer(
@@ -98,12 +105,21 @@ def optimal_answer(
         solution, error = refined(
             part, held.solutions[k], held.duals[k], request.targets[k], request.factors_of(k)
         )
-        # Against a channel of zeros the solver's rounding is not small.
-        empty = request.sizes[k] == 0.0
-        kept.append(np.where(empty, 0.0, solution))
-        errors.append(np.where(empty, 0.0, error))
+        kept.append(solution)
+        errors.append(error)
+    return optimum(request, kept, errors, iterations)
+
+
+def optimum(
+    request: Request, solutions: Sequence[FloatArray], errors: Sequence[FloatArray], iterations: int
+) -> tuple[LimitedSolution, tuple[FloatArray, ...]]:
+    """Return optimal ``solutions`` of size 1 as an answer, and themselves for the next start."""
+    if request.has_zeros:  # against a channel of zeros the solver's rounding is not small
+        lit = [size > 0.0 for size in request.sizes]
+        solutions = [np.where(on, x, 0.0) for on, x in zip(lit, solutions, strict=True)]
+        errors = [np.where(on, e, 0.0) for on, e in zip(lit, errors, strict=True)]
     names = tuple((OPTIMUM,) * target.shape[1] for target in request.targets)
-    return scaled_back(request, kept, errors, names, True, iterations), tuple(kept)
+    return scaled_back(request, solutions, errors, names, True, iterations), tuple(solutions)
 
 
 def scaled_back(
@@ -115,9 +131,14 @@ def scaled_back(
     iterations: int,
 ) -> LimitedSolution:
     """Return solutions and errors of targets of size 1 as those of the targets that were given."""
+    relative = tuple(errors)
+    if request.factors is not None:
+        wholes = [(f * np.abs(t)).sum(axis=0) for f, t in zip(request.factors, request.targets, strict=True)]
+        relative = tuple(e / np.where(w > 0.0, w, 1.0) for e, w in zip(errors, wholes, strict=True))
     return LimitedSolution(
         tuple(x * size for x, size in zip(solutions, request.sizes, strict=True)),
         tuple(e * size for e, size in zip(errors, request.sizes, strict=True)),
+        relative,
         methods,
         optimal,
         iterations,

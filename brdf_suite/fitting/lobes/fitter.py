@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, Protocol, get_args
 
@@ -195,8 +194,8 @@ class LobeFitter:
         base = 0.05 + 0.5 * np.clip(np.cos(self.base_samples.gamma_rad), 0.0, None) ** 6
         coat = np.exp(-20_000.0 * self.coat_samples.gamma_rad**2)
         self._solve(
-            np.repeat(base[:, None], 3, 1),
-            np.repeat(coat[:, None], 3, 1),
+            base[:, None].repeat(3, 1),
+            coat[:, None].repeat(3, 1),
             1.5,
             time.perf_counter() + WARM_UP_S,
             finish=False,
@@ -266,7 +265,7 @@ class LobeFitter:
         weighted = [p.row_weights[:, None] * t for p, t in zip(self.programs, targets, strict=True)]
 
         def fit_of(answer: LimitedSolution) -> LobeFit:
-            return self._fit_of(answer, weighted, factors, kd, ior, start, sampling_seconds)
+            return self._fit_of(answer, kd, ior, start, sampling_seconds)
 
         return fit_of(self._solver.solve(weighted, deadline, factors=factors, finish=finish, then=fit_of))
 
@@ -278,8 +277,6 @@ class LobeFitter:
     def _fit_of(
         self,
         answer: LimitedSolution,
-        weighted: Sequence[FloatArray],
-        factors: Sequence[FloatArray] | None,
         kd: FloatArray,
         ior: float,
         start: float,
@@ -292,10 +289,9 @@ class LobeFitter:
         )
         if self._diffuse_sample is None:
             kd, base = base[0], base[1:]
-        wholes = [np.abs(w) if factors is None else np.abs(w) * factors[k] for k, w in enumerate(weighted)]
         errors = [
-            PartError(objective, objective / np.where(whole.any(axis=0), whole.sum(axis=0), 1.0), method)
-            for objective, method, whole in zip(answer.objectives, answer.methods, wholes, strict=True)
+            PartError(*error)
+            for error in zip(answer.objectives, answer.relative, answer.methods, strict=True)
         ]
         weights = LobeWeights(
             exponents=self.basis.array(),
@@ -323,15 +319,15 @@ def _checked(part: str, values: FloatArray, gamma_rad: FloatArray) -> FloatArray
     array = np.asarray(values, dtype=np.float64)
     if array.shape != (gamma_rad.size, 3):
         raise FittingError(f"The {part} has samples of shape {array.shape}, not {(gamma_rad.size, 3)}.")
+    if array.min() >= 0.0 and array.max() <= BRIGHTEST:  # neither holds for a not-a-number
+        return array
     bad = ~((array >= 0.0) & (array <= BRIGHTEST))
-    if bad.any():
-        sample, channel = np.argwhere(bad)[0]
-        value = array[sample, channel]
-        what = "is not finite"
-        if np.isfinite(value):
-            what = f"is {'negative' if value < 0.0 else 'beyond any reflectance'} ({value:g} 1/sr)"
-        raise FittingError(
-            f"The {part} cannot be fitted: its {CHANNELS[channel]} channel {what} at the aspecular angle "
-            f"{np.rad2deg(gamma_rad[sample]):.4g}°."
-        )
-    return array
+    sample, channel = np.argwhere(bad)[0]
+    value = array[sample, channel]
+    what = "is not finite"
+    if np.isfinite(value):
+        what = f"is {'negative' if value < 0.0 else 'beyond any reflectance'} ({value:g} 1/sr)"
+    raise FittingError(
+        f"The {part} cannot be fitted: its {CHANNELS[channel]} channel {what} at the aspecular angle "
+        f"{np.rad2deg(gamma_rad[sample]):.4g}°."
+    )

@@ -4,7 +4,8 @@ HiGHS alone overruns a limit of its own by milliseconds, because it looks at the
 that grow with the program. Two ways keep it, by the size of the program (docs/fit.md has the measurements):
 
 - A small program is solved by the caller, in runs of so many iterations as half of what is left allows at the
-  pace seen last. Handing it to a thread and back costs as much as the fit.
+  pace seen last. Handing it to a thread and back costs as much as the fit. Where two targets had their optimum at
+  one vertex, that vertex is kept and tried before the solver (``kept_vertex``).
 - A large one is given to a thread of lower priority, after the caller has worked out feasible answers: at once,
   the two would wait for the interpreter's lock in turns. The caller waits for the rest of the limit, and leaves
   with the best that it has.
@@ -24,11 +25,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.fitting.lobes.answers import LimitedSolution, Request, optimal_answer, request_of, scaled_back
+from brdf_suite.fitting.lobes.answers import (
+    LimitedSolution,
+    Request,
+    optimal_answer,
+    optimum,
+    request_of,
+    scaled_back,
+)
 from brdf_suite.fitting.lobes.background import BackgroundSolver
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
+from brdf_suite.fitting.lobes.kept_vertex import KeptVertex, kept_vertex
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.solver import Outcome
+
+__all__ = ["LimitedSolution", "LimitedSolver"]
 
 FloatArray = NDArray[np.float64]
 
@@ -70,6 +81,7 @@ class LimitedSolver:
         self._solver = self._background.solver
         self._fallbacks = tuple(FallbackSolver(part) for part in self.parts)
         self.inline = self._solver.entry_count <= LARGEST_INLINE_ENTRIES if inline is None else inline
+        self._vertex: KeptVertex | None = None
         self._pace_s = FIRST_PACE_S_PER_ENTRY * self._solver.entry_count
         weakref.finalize(self, BackgroundSolver.close, self._background, wait=False)
         if not self.inline:
@@ -118,6 +130,12 @@ class LimitedSolver:
     def _solve_here(
         self, request: Request, deadline: float, finish: bool, then: Callable[[LimitedSolution], Any]
     ) -> LimitedSolution:
+        if self._vertex is not None and request.factors is None:
+            found = self._vertex.answer(request.targets)
+            if found is not None:
+                answer, self._background.last = optimum(request, *found, 0)
+                return answer
+            self._vertex = None
         start = time.perf_counter()
         budget = deadline - start
         until = deadline - min(max(RESERVE_SHARE * budget, LEAST_RESERVE_S), 0.5 * budget)
@@ -131,6 +149,8 @@ class LimitedSolver:
                     held = self._solver.solution()
                     if outcome is Outcome.OPTIMAL:
                         answer, self._background.last = optimal_answer(self.parts, held, request, iterations)
+                        if iterations == 0 and request.factors is None:
+                            self._vertex = kept_vertex(self.parts, held)
                         return answer
                     partial = held.solutions
             finally:

@@ -39,12 +39,17 @@ def refined(
     where its refinement is better.
     """
     errors = program.residual_l1(solution, target, factors)
-    bound = (target * dual).sum(axis=0)
-    doubtful = errors - bound > GAP * np.maximum(errors, SMALLEST_ERROR)
-    if not doubtful.any():
+    bound = np.einsum("jk,jk->k", target, dual)
+    # Three numbers each: plain ones are compared sooner than arrays.
+    doubtful = [
+        k
+        for k, (error, least) in enumerate(zip(errors.tolist(), bound.tolist(), strict=True))
+        if error - least > GAP * max(error, SMALLEST_ERROR)
+    ]
+    if not doubtful:
         return solution, errors
     solution = solution.copy()
-    for k in np.flatnonzero(doubtful):
+    for k in doubtful:
         limit = 1.0 if factors is None else factors[:, k]
         met = np.abs(dual[:, k]) < (1.0 - BETWEEN) * limit
         column = _vertex(program.matrix, solution[:, k], met, target[:, k])

@@ -16,6 +16,7 @@ smallest is too coarse for targets of size 1 (docs/fit.md).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -86,7 +87,16 @@ class BlockSolver:
             self._check(self._highs.setOptionValue(name, value), f"option {name}")
         self._check(self._highs.passModel(self._model(highspy)), "model")
         self._columns = np.arange(self._column_count, dtype=np.int32)
+        self._costs = np.zeros(self._column_count)
+        # Where each part's targets go among the costs, as (channels, n).
+        self._cost_places = []
+        start = 0
+        for part in self._parts:
+            stop = start + part.shape[0] * channels
+            self._cost_places.append(self._costs[start:stop].reshape(channels, part.shape[0]))
+            start = stop
         self._bounded_by_factors = False
+        self._iteration_limit: int | None = None
 
     @property
     def entry_count(self) -> int:
@@ -135,8 +145,9 @@ class BlockSolver:
 
         ``factors``, of the same shapes and > 0, multiply the weights of single samples; 1 where left out.
         """
-        costs = np.concatenate([(-COST_SCALE * target.T).ravel() for target in targets])
-        self._check(self._highs.changeColsCost(self._column_count, self._columns, costs), "costs")
+        for place, target in zip(self._cost_places, targets, strict=True):
+            np.multiply(target.T, -COST_SCALE, out=place)
+        self._check(self._highs.changeColsCost(self._column_count, self._columns, self._costs), "costs")
         if factors is not None or self._bounded_by_factors:
             bounds = (
                 np.ones(self._column_count)
@@ -156,7 +167,9 @@ class BlockSolver:
         highs = self._highs
         # The solver's limit counts the time of all runs of a model together; iterations are of this run.
         highs.setOptionValue("time_limit", highs.getRunTime() + max(budget_s, 0.0))
-        highs.setOptionValue("simplex_iteration_limit", iterations)
+        if iterations != self._iteration_limit:
+            highs.setOptionValue("simplex_iteration_limit", iterations)
+            self._iteration_limit = iterations
         failed = highs.run() == self._error_status
         status = highs.getModelStatus()
         if not failed and status == self._optimal_status:
@@ -172,23 +185,30 @@ class BlockSolver:
     @property
     def iterations(self) -> int:
         """Simplex iterations of the last run."""
-        return int(self._highs.getInfo().simplex_iteration_count)
+        return int(self._highs.getInfoValue("simplex_iteration_count")[1])
 
     def solution(self) -> BlockSolution:
         """Return what the solver holds, clamped to ≥ 0; before an optimum it may be poor, or all zeros."""
         held = self._highs.getSolution()
-        solutions = self._split(held.row_dual, self._row_count, 1, -1.0 / COST_SCALE)
+        weights = self._array(held.row_dual, self._row_count) * (-1.0 / COST_SCALE)
         # Anything that the tolerance let below zero becomes 0.
-        solutions = tuple(np.maximum(part, 0.0) for part in solutions)
-        return BlockSolution(solutions, self._split(held.col_value, self._column_count, 0, 1.0))
+        return BlockSolution(
+            self._split(np.maximum(weights, 0.0), 1),
+            self._split(self._array(held.col_value, self._column_count), 0),
+        )
 
-    def _split(self, values: Sequence[float], count: int, axis: int, factor: float) -> tuple[FloatArray, ...]:
-        """Cut the solver's list into ``(size, channels)`` per part; zeros for what it does not hold."""
-        array = np.zeros(count)
-        if len(values) == count:
-            array = factor * np.asarray(values, dtype=np.float64)
-        if not np.isfinite(array).all():
-            array = np.where(np.isfinite(array), array, 0.0)  # of a broken run
+    @staticmethod
+    def _array(values: Sequence[float], count: int) -> FloatArray:
+        """Return the solver's list as an array; zeros for what it does not hold, or not as a number."""
+        if len(values) != count:
+            return np.zeros(count)
+        array = np.array(values, dtype=np.float64)
+        if not math.isfinite(array.sum()):  # of a broken run
+            array[~np.isfinite(array)] = 0.0
+        return array
+
+    def _split(self, array: FloatArray, axis: int) -> tuple[FloatArray, ...]:
+        """Cut ``array`` into ``(size, channels)`` per part."""
         parts = []
         start = 0
         for part in self._parts:

@@ -61,10 +61,13 @@ class LobeWeights:
             value = np.array(getattr(self, name), dtype=np.float64)
             if value.shape != shape:
                 raise FittingError(f"The lobe weights {name} have shape {value.shape}, not {shape}.")
-            if not (np.isfinite(value).all() and (value >= 0.0).all()):
-                raise FittingError(f"The lobe weights {name} hold a negative or not finite value.")
             value.setflags(write=False)
             object.__setattr__(self, name, value)
+        # All at once, because this is on the path of every edit; not-a-number is neither.
+        together = np.concatenate((self.exponents, self.kd, self.kdd.ravel(), self.kg.ravel()))
+        if not (together.min() >= 0.0 and together.max() < np.inf):
+            name = next(n for n in shapes if not _is_sound(getattr(self, n)))
+            raise FittingError(f"The lobe weights {name} hold a negative or not finite value.")
 
     def reflected(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
         """Return ``f_r·(N·L)`` in 1/sr: reflected radiance for light of unit strength (cosine included).
@@ -89,3 +92,7 @@ class LobeWeights:
         """
         result: FloatArray = (2.0 * np.pi / (self.exponents + 1.0)) @ self.kg
         return result
+
+
+def _is_sound(values: FloatArray) -> bool:
+    return bool((np.isfinite(values) & (values >= 0.0)).all())
