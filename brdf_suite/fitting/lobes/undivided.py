@@ -1,0 +1,276 @@
+"""Lobe weights for data that no formula divides into coat and base: measured ones, or any reflectance.
+
+KD, KDD and KG of a channel are fitted together to ``f_r·(N·L)``::
+
+    min Σ_j w_j·|KD·c_j + Σ_i (KDD_i·c_j + KG_i)·(R_j·V_j)^E_i - b_j|,    weights ≥ 0
+
+What tells KDD from KG is c = N·L alone, so samples from at least three incidences are needed; with fewer, KG is
+left out and the split is undetermined. The weights hold at every angle as they are: no Fresnel factor comes on top,
+because the data hold it already (``ior`` 1).
+
+An error counts less where the target is large, by a power of it, because the eye judges ratios while the peak of
+a mirror lobe is 10⁵ times the flank; the weight of a row is w·(b/b_median + :data:`FLOOR`)^-:data:`POWER`.
+
+Where samples leave several answers, the one that reflects least light is taken: a lobe that only one sample sees
+claims no more than that sample. A lobe that no sample sees (none within its half-width) gets no weight.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
+from brdf_suite.fitting.lobes.limited import LimitedSolver
+from brdf_suite.fitting.lobes.program import build_program
+from brdf_suite.fitting.lobes.undivided_samples import (
+    UndividedRows,
+    rows_of_reflectance,
+    rows_of_scattered,
+    used_samples,
+)
+from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.geometry.directions import aspecular_angle, mirror
+from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+
+FloatArray = NDArray[np.float64]
+
+#: Incidences from which on gloss and directional-diffuse lobes can be told apart.
+FEWEST_INCIDENCES = 3
+#: Samples below which only the diffuse part is fitted.
+FEWEST_SAMPLES = 3
+POWER, FLOOR = 0.67, 0.1
+#: A lobe is seen where some sample has at least this value of it.
+SEEN = 0.3
+#: What a unit of reflected light costs, against a unit of error: it decides between equal fits only.
+LEAST_LIGHT = 1e-4
+#: No frame waits for such a fit.
+TIME_LIMIT_S = 30.0
+#: A share of the target left as error from which the user is told.
+_POOR = 0.3
+_CHANNELS = ("red", "green", "blue")
+
+
+@dataclass(frozen=True, eq=False)
+class UndividedFit:
+    """Weights of undivided data, and how the fit went.
+
+    ``relative_error`` ``(3,)``: Σ w·|M x - b| over Σ w·b per channel, of the rows that were fitted (0 where that is
+    0). ``split_determined``: gloss and directional-diffuse parts were told apart. ``incidences_rad``: the different
+    polar angles of the light. ``samples``: direction pairs. ``seconds``: samples in hand to weights.
+    """
+
+    weights: LobeWeights
+    relative_error: FloatArray
+    split_determined: bool
+    incidences_rad: tuple[float, ...]
+    samples: int
+    rows: int
+    seconds: float
+    notices: tuple[str, ...]
+
+    @property
+    def time_limited(self) -> bool:
+        """True where the time limit came before the optimum."""
+        return self.weights.time_limited
+
+
+def fit_undivided(
+    reflectance: Reflectance,
+    basis: LobeBasis | None = None,
+    *,
+    rows: UndividedRows | None = None,
+    time_limit_s: float = TIME_LIMIT_S,
+) -> UndividedFit:
+    """Fit lobes to any reflectance; scattered samples where they were measured, all else where it is sampled best.
+
+    ``rows`` takes other samples than the default ones.
+
+    Raises
+    ------
+    FittingError
+        A value is negative or not finite, or there is no sample above the horizon; the message says where.
+    """
+    if isinstance(reflectance, ScatteredSamples) and rows is None:
+        return fit_scattered(reflectance, basis, time_limit_s=time_limit_s)
+    rows = rows or rows_of_reflectance(reflectance)
+    return fit_rows(rows, reflectance.eval(rows.wi, rows.wo), basis, time_limit_s=time_limit_s)
+
+
+def fit_scattered(
+    samples: ScatteredSamples, basis: LobeBasis | None = None, *, time_limit_s: float = TIME_LIMIT_S
+) -> UndividedFit:
+    """Fit lobes to scattered samples at the very directions of the samples; errors as :func:`fit_undivided`."""
+    rows = rows_of_scattered(samples)
+    return fit_rows(rows, values_of_scattered(samples), basis, time_limit_s=time_limit_s)
+
+
+def values_of_scattered(samples: ScatteredSamples) -> FloatArray:
+    """Return f_r (n, 3) of the samples that :func:`rows_of_scattered` takes, in its order."""
+    return samples.values[used_samples(samples)]
+
+
+def fit_rows(
+    rows: UndividedRows,
+    values: FloatArray,
+    basis: LobeBasis | None = None,
+    *,
+    time_limit_s: float = TIME_LIMIT_S,
+) -> UndividedFit:
+    """Fit lobes to f_r ``values`` (p, 3), 1/sr, at the pairs of ``rows``; errors as :func:`fit_undivided`."""
+    if not (np.isfinite(time_limit_s) and time_limit_s > 0.0):
+        raise FittingError(f"The time limit of a fit is {time_limit_s:g} s; it must be more than 0.")
+    if rows.weights.size == 0:
+        raise FittingError("There is nothing to fit: no sample has light and view above the horizon.")
+    values = _checked(rows, values)
+    exponents = (basis or default_basis()).array()
+    start = time.perf_counter()
+    count = exponents.size
+    split = len(rows.incidences_rad) >= FEWEST_INCIDENCES
+    target = rows.gather(values * rows.wi[:, 2:3])
+    columns, unseen = _columns(rows, exponents, split)
+    weights = rows.weights * _importance(target)
+    light = _reflected_light(exponents, split)
+    # Rows that cost a little for light: below everything that is measured, above the solver's tolerance.
+    matrix = np.concatenate((columns, np.diag(light)))
+    program = build_program(
+        matrix, np.concatenate((weights, np.full(light.size, LEAST_LIGHT * _typical(weights))))
+    )
+    goal = np.concatenate((target, np.zeros((light.size, 3))))
+    solver = LimitedSolver([program], inline=True)
+    try:
+        answer = solver.solve([program.row_weights[:, None] * goal], start + time_limit_s, finish=False)
+    finally:
+        solver.close()
+    found = answer.solutions[0] * program.column_scale[:, None]
+    kg = found[1 + count :] if split else np.zeros((count, 3))
+    lobes = LobeWeights(
+        exponents=exponents,
+        kd=found[0],
+        kdd=found[1 : 1 + count],
+        kg=kg,
+        theta_fit_rad=float(np.median(rows.incidences_rad)),
+        ior=1.0,
+        time_limited=not answer.optimal,
+    )
+    error = weights[:, None] * np.abs(columns @ found - target)
+    whole = (weights[:, None] * target).sum(axis=0)
+    relative = np.divide(error.sum(axis=0), whole, out=np.zeros(3), where=whole > 0.0)
+    return UndividedFit(
+        weights=lobes,
+        relative_error=relative,
+        split_determined=split,
+        incidences_rad=rows.incidences_rad,
+        samples=len(rows.wi),
+        rows=rows.weights.size,
+        seconds=time.perf_counter() - start,
+        notices=(
+            *rows.notices,
+            *_told(rows, exponents, unseen, error, relative, black=not target.any(), split=split),
+        ),
+    )
+
+
+def _columns(rows: UndividedRows, exponents: FloatArray, split: bool) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """The system (n, 1 + m or 1 + 2m), and which lobes (m,) no sample sees."""
+    light, view = rows.wi, rows.wo
+    cosine = light[:, 2:3]
+    # R·V = 1 - |R - V|²/2, exact for sharp lobes, where 1 - R·V is near the rounding of R·V itself.
+    apart = mirror(light) - view
+    off = 0.5 * np.einsum("pi,pi->p", apart, apart)
+    with_lobe = off < 1.0
+    logarithm = np.log1p(-np.where(with_lobe, off, 0.0))
+    lobes = np.where(with_lobe[:, None], np.exp(logarithm[:, None] * exponents), 0.0)
+    unseen = lobes.max(axis=0) < SEEN
+    if len(rows.weights) < FEWEST_SAMPLES:
+        unseen[:] = True
+    lobes[:, unseen] = 0.0
+    parts = [cosine, cosine * lobes]
+    if split:
+        parts.append(lobes)
+    return rows.gather(np.concatenate(parts, axis=1)), unseen
+
+
+def _reflected_light(exponents: FloatArray, split: bool) -> FloatArray:
+    """What a unit of each column reflects of even light, about: its lobe's solid angle, π for the diffuse one."""
+    lobes = 2.0 * np.pi / (exponents + 1.0)
+    return np.concatenate([[np.pi], lobes, lobes] if split else [[np.pi], lobes])
+
+
+def _importance(target: FloatArray) -> FloatArray:
+    """What a unit of error counts (n,) by the size of the row's target."""
+    size = target.mean(axis=1)
+    positive = size[size > 0.0]
+    if positive.size == 0:
+        return np.ones(len(size))
+    result: FloatArray = (size / np.median(positive) + FLOOR) ** -POWER
+    return result
+
+
+def _typical(weights: FloatArray) -> float:
+    return float(weights.sum() / (2.0 * np.pi))
+
+
+def _checked(rows: UndividedRows, values: FloatArray) -> FloatArray:
+    """Return the values as float64 (p, 3), or raise a FittingError that names the first bad one."""
+    array = np.asarray(values, np.float64)
+    if array.shape != rows.wi.shape:
+        raise FittingError(f"The samples have the shape {array.shape}, not {rows.wi.shape}.")
+    bad = ~(np.isfinite(array) & (array >= 0.0))
+    if bad.any():
+        place, channel = np.argwhere(bad)[0]
+        value = array[place, channel]
+        what = "is not finite" if not np.isfinite(value) else f"is negative ({value:g} 1/sr)"
+        gamma = np.degrees(aspecular_angle(rows.wi[place], rows.wo[place]))
+        raise FittingError(
+            f"The reflectance cannot be fitted: its {_CHANNELS[channel]} channel {what} with the light at "
+            f"{np.degrees(np.arccos(min(rows.wi[place, 2], 1.0))):.4g}° from the normal and the view "
+            f"{float(gamma):.4g}° from its mirror direction."
+        )
+    return array
+
+
+def _told(
+    rows: UndividedRows,
+    exponents: FloatArray,
+    unseen: NDArray[np.bool_],
+    error: FloatArray,
+    relative: FloatArray,
+    *,
+    black: bool,
+    split: bool,
+) -> tuple[str, ...]:
+    """What a user should know of the fit; ``error`` (n, 3) is what each row adds to the objective."""
+    told = []
+    if black:
+        return ("It is black wherever it was sampled; all weights are zero.",)
+    angles = ", ".join(f"{np.degrees(angle):.0f}" for angle in rows.incidences_rad)
+    if len(rows.weights) < FEWEST_SAMPLES:
+        told.append(f"There are fewer than {FEWEST_SAMPLES} samples: the diffuse part alone is fitted.")
+    elif unseen.all():
+        told.append("No sample lies near the mirror direction: the diffuse part alone is fitted.")
+    elif unseen.any():
+        told.append(
+            f"No sample lies near enough to the mirror direction for lobes sharper than exponent "
+            f"{exponents[~unseen].max():g}: what gloss there is beyond is not in the fit."
+        )
+    if not split:
+        told.append(
+            f"The light stood at {angles}° only. Gloss and directional-diffuse parts cannot be told apart with fewer "
+            f"than {FEWEST_INCIDENCES} incidences: all lobes are taken as directional-diffuse, and the split is "
+            "undetermined."
+        )
+    if relative.max() > _POOR:
+        worst = int(np.argmax(rows.share * error.sum(axis=1)[rows.row]))
+        light = np.degrees(np.arccos(min(rows.wi[worst, 2], 1.0)))
+        gamma = np.degrees(aspecular_angle(rows.wi[worst], rows.wo[worst]))
+        told.append(
+            f"Cosine lobes about the mirror direction miss {100.0 * relative.max():.0f} % of it, most of all with the "
+            f"light at {light:.0f}° and the view {float(gamma):.0f}° from its mirror direction."
+        )
+    return tuple(told)
