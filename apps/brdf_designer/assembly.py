@@ -68,7 +68,8 @@ class Designer:
         self.files = DocumentFiles(self.store, form, dialogs(self.window), self.window)
         self.recovery = Recovery(self.store, form, self._autosave_failed, self.window)
         self.link = LiveLink("designer", parent=self.window)
-        parts = Parts(self.store, self.files, self.recovery, PaintFitter(), self.link.publish)
+        self.fitter = PaintFitter()
+        parts = Parts(self.store, self.files, self.recovery, self.fitter, self.link.publish)
         self.controller = Controller(self.window, parts, self.window)
         self._closed = False
         self._join()
@@ -95,6 +96,7 @@ class Designer:
     def close(self) -> None:
         """Leave the link; unsaved work of a program that is told to end is kept for the next start."""
         self.link.close()
+        self.fitter.close()
         if not self._closed:
             self._closed = True
             self.recovery.close(keep=True)

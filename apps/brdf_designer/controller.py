@@ -9,6 +9,7 @@ from typing import Any, Protocol
 
 from brdf_qt.document_files import DocumentFiles
 from brdf_qt.document_store import DocumentStore
+from brdf_qt.exact_fit import ExactFit
 from brdf_qt.link_messages import BadMessageError
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.recovery import Recovered, Recovery
@@ -73,6 +74,8 @@ class Controller(QObject):
         self._gesture: Key | None = None
         self._refused = False
         self._reachable = parts.store.value
+        self._exact = ExactFit(self)
+        self._exact.arrived.connect(self._show_exact)
         # Several changes in one turn of the event loop are told to the other programs once, the newest.
         self._publishing = QTimer(self)
         self._publishing.setSingleShot(True)
@@ -95,14 +98,20 @@ class Controller(QObject):
         try:
             fit = self._fitter.fit(paint)
         except SuiteError as error:
+            self._exact.forget()
             self._view.mark_fit_stale()
             self._view.show_message(_refusal(error))
         else:
             self._view.dismiss_message("fit")
+            self._exact.watch(fit)
             self._view.show_fit(fit_state_of(fit))
             self._reachable = paint
             self._publishing.start()
         self._show_document()
+
+    def _show_exact(self, fit: PaintFit) -> None:
+        """Show the optimum where the time limit came first; the other programs fit the paint themselves."""
+        self._view.show_fit(fit_state_of(fit))
 
     def edit(self, key: Key, value: Any) -> None:
         """Take one edit from the window; an edit of another field ends the gesture that runs."""

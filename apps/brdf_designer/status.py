@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.fit_error import is_large, large_error_tip, marked
+from brdf_qt.fit_error import fit_tips, is_large, marked
 from brdf_qt.status_line import StatusLine
 
 from brdf_designer.desk_state import Colours, FitState
@@ -48,7 +48,7 @@ class DeskStatus:
         text = f"Fit ΔE00 ≤ {_upward(worst)}, {state.milliseconds:.1f} ms{limited}"
         self._fit_text = marked(text, worst)
         large = is_large(worst)
-        tip = large_error_tip(state.time_limited) if large else None
+        tip = fit_tips(worst, state.time_limited)
         self._fit.set(self._fit_text, tip, "warning" if large or state.time_limited else "fresh")
 
     def mark_stale(self) -> None:

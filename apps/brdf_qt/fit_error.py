@@ -18,11 +18,23 @@ def marked(text: str, delta_e_2000: float) -> str:
     return f"{MARK} {text}" if is_large(delta_e_2000) else text
 
 
+LIMITED_TIP = (
+    "The time limit came first: this is the best answer at hand, and the exact one follows by itself."
+)
+
+
 def large_error_tip(time_limited: bool) -> str:
     """Return why the error is large."""
     if time_limited:
-        return f"ΔE00 above {LARGE_DELTA_E:g}: the fit ended at its time limit before it came nearer."
+        return f"ΔE00 above {LARGE_DELTA_E:g}: the fit ended at its time limit; the exact answer follows by itself."
     return (
         f"ΔE00 above {LARGE_DELTA_E:g}: no non-negative sum of the lobes reaches this colour. "
         "The picture shows what they do give."
     )
+
+
+def fit_tips(worst_delta_e: float, time_limited: bool) -> str:
+    """Return what is to be known of a fit beside its number; empty where it is near and exact."""
+    if is_large(worst_delta_e):
+        return large_error_tip(time_limited)
+    return LIMITED_TIP if time_limited else ""

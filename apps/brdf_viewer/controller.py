@@ -196,5 +196,6 @@ class ViewerController(QObject):
     def _close(self) -> None:
         remember(settings(), self.stage.view)
         self.link.close()
+        self.paint.close()
         self._loader.stop()
         self.window.picture.release()

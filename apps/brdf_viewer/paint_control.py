@@ -5,10 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from brdf_qt.fit_error import is_large, large_error_tip, marked
+from brdf_qt.exact_fit import ExactFit
+from brdf_qt.fit_error import fit_tips, is_large, marked
 from brdf_qt.link import LiveLink
 from brdf_qt.message_bar import Message, message_of
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject
 
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
@@ -26,8 +27,6 @@ _KEY = "paint"
 _OFFER = "follow"
 _DESIGNER = "designer"
 """What Designer calls itself on the link."""
-_AGAIN_MS = 120
-_MOST_AGAIN = 3
 
 
 class PaintControl(QObject):
@@ -48,8 +47,8 @@ class PaintControl(QObject):
         self._fitter = fitter
         self._recent = RecentFiles(_KEY)
         self._names = paint_names()
-        self._again = QTimer(self, singleShot=True, interval=_AGAIN_MS, timeout=self._fit_again)
-        self._tries = 0
+        self._exact = ExactFit(self)
+        self._exact.arrived.connect(self._show_exact)
         self._shown_key = ""
         self._offers = False
         self.source = PaintSource(self)
@@ -103,31 +102,27 @@ class PaintControl(QObject):
         if topic == _KEY:
             self.source.received(value)
 
+    def close(self) -> None:
+        """Drop a fit that is still worked at."""
+        self._fitter.close()
+
     def _take(self, paint: Paint, key: str) -> None:
         """The edit path: fit and draw; no file, no texture, no import."""
-        self._tries = 0
-        self._fit(paint, key)
-
-    def _fit(self, paint: Paint, key: str) -> None:
         try:
             fit = self._fitter.fit(paint)
         except SuiteError as error:
             self._tell(error)
             return
         self._window.messages.dismiss(_KEY)
+        self._exact.watch(fit)
         self._stage.set_fit(fit)
         self._shown_key = key
         self._show_fit(fit, key)
-        if fit.time_limited and self._tries < _MOST_AGAIN:
-            self._again.start()
-        else:
-            self._again.stop()
 
-    def _fit_again(self) -> None:
-        """In a quiet moment, get the optimum where the time limit came first (a drag needs no such thing)."""
-        if self._stage.fit is not None:
-            self._tries += 1
-            self._fit(self._stage.fit.paint, self._shown_key)
+    def _show_exact(self, fit: PaintFit) -> None:
+        """The optimum of the paint on show, where the time limit came first."""
+        self._stage.set_fit(fit)
+        self._show_fit(fit, self._shown_key)
 
     def _tell(self, error: SuiteError) -> None:
         fit = self._stage.fit
@@ -144,17 +139,15 @@ class PaintControl(QObject):
         )
         section.set_fit_error(fit.worst_delta_e, fit.time_limited)
         set_note(section.facts, "\n".join(fit.notices))
-        limited = " limited" if fit.time_limited else ""
+        limited = ", time-limited" if fit.time_limited else ""
         self._window.status.cell("lobes").set(
             f"{len(fit.weights.exponents)} lobes", "Cosine lobes of the fit"
         )
         large = is_large(fit.worst_delta_e)
         told = marked(f"ΔE {fit.worst_delta_e:.2f}", fit.worst_delta_e)
         tips = ["Time of the lobe fit, and its largest ΔE00 at the measured angles"]
-        if large:
-            tips.append(large_error_tip(fit.time_limited))
-        elif fit.time_limited:
-            tips.append("The time limit came first: best answer so far")
+        if more := fit_tips(fit.worst_delta_e, fit.time_limited):
+            tips.append(more)
         self._window.status.cell("fit").set(
             f"fit {fit.fit.seconds * 1e3:.2f} ms · {told}{limited}",
             "\n".join(tips),

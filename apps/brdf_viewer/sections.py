@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.fit_error import is_large, large_error_tip, marked
+from brdf_qt.fit_error import fit_tips, is_large, marked
 from brdf_qt.form import Form
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
@@ -115,12 +115,13 @@ class PaintSection(Section):
 
     def set_fit_error(self, worst_delta_e: float, time_limited: bool) -> None:
         """Show the largest ΔE00 at the measured angles; a large one stands out."""
-        text = f"Fit: ΔE00 at most {worst_delta_e:.2f} at the measured angles"
+        limited = ", time-limited" if time_limited else ""
+        text = f"Fit: ΔE00 at most {worst_delta_e:.2f} at the measured angles{limited}"
         set_note(self.fit, marked(text, worst_delta_e))
         font = self.fit.font()
         font.setBold(is_large(worst_delta_e))
         self.fit.setFont(font)
-        self.fit.setToolTip(large_error_tip(time_limited) if is_large(worst_delta_e) else "")
+        self.fit.setToolTip(fit_tips(worst_delta_e, time_limited))
 
     def set_following(self, following: bool, linked: bool) -> None:
         """Show whether Designer is followed, and whether it is there."""

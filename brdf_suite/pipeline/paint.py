@@ -6,7 +6,7 @@ This is the edit path: no file access, no import, no allocation that grows; unde
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
 
@@ -43,7 +43,11 @@ class AngleResult:
 
 @dataclass(frozen=True)
 class PaintFit:
-    """A paint, its reflectance, and the lobes fitted to it. ``seconds`` is the whole way from the paint."""
+    """A paint, its reflectance, and the lobes fitted to it. ``seconds`` is the whole way from the paint.
+
+    Where the time limit came first, ``fit.exact`` gets the fit with the optimum, unless the fitter's next paint
+    comes before it; :meth:`with_fit` makes it a fit of this paint.
+    """
 
     paint: Paint
     reflectance: PaintReflectance
@@ -51,6 +55,11 @@ class PaintFit:
     angles: tuple[AngleResult, ...]
     notices: tuple[str, ...]
     seconds: float
+
+    @property
+    def name(self) -> str:
+        """The paint's name."""
+        return self.paint.name
 
     @property
     def weights(self) -> LobeWeights:
@@ -81,6 +90,11 @@ class PaintFit:
     def worst_delta_e(self) -> float:
         """The largest ΔE00 between paint and fit over the measured angles."""
         return max(row.delta_e_2000 for row in self.angles)
+
+    def with_fit(self, fit: LobeFit) -> PaintFit:
+        """Return the same paint with other lobes fitted to it: those that came after the time limit."""
+        seconds = self.seconds + fit.seconds - self.fit.seconds
+        return replace(self, fit=fit, angles=_results(self.paint, fit.weights), seconds=seconds)
 
     def to_json(self) -> dict[str, object]:
         """Return weights, errors and times as plain values; times in milliseconds, angles in degrees."""
@@ -121,6 +135,8 @@ class PaintFitter:
         Lobe exponents; default: the suite's own.
     time_limit_s
         Hard limit of one fit, in seconds.
+
+    :meth:`close`, or losing the last reference, ends the thread that finishes what the limit cut short.
     """
 
     def __init__(self, basis: LobeBasis | None = None, *, time_limit_s: float = DEFAULT_TIME_LIMIT_S) -> None:
@@ -130,6 +146,10 @@ class PaintFitter:
     def basis(self) -> LobeBasis:
         """The exponents that weights are fitted for."""
         return self._fitter.basis
+
+    def close(self) -> None:
+        """Drop what is still worked at; a fit whose optimum is to come will not get it."""
+        self._fitter.close()
 
     def fit(self, paint: Paint) -> PaintFit:
         """Return the lobe fit of ``paint``.
@@ -159,7 +179,9 @@ def _light_notice(reflectance: PaintReflectance, weights: LobeWeights) -> tuple[
     )
 
 
-def fit_patiently(paint: Paint, name_or_path: str | os.PathLike[str]) -> PaintFit:
+def fit_patiently(
+    paint: Paint, name_or_path: str | os.PathLike[str], basis: LobeBasis | None = None
+) -> PaintFit:
     """Fit one paint where no frame waits for it; ``name_or_path`` is what the user called it.
 
     Raises
@@ -168,7 +190,7 @@ def fit_patiently(paint: Paint, name_or_path: str | os.PathLike[str]) -> PaintFi
         As :meth:`PaintFitter.fit`, with the name of the paint or of its file before the message.
     """
     try:
-        return PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S).fit(paint)
+        return PaintFitter(basis, time_limit_s=PATIENT_TIME_LIMIT_S).fit(paint)
     except (UnreachableError, FittingError) as error:
         raise type(error)(f"{Path(name_or_path).name}: {error}") from error
 

@@ -120,6 +120,35 @@ def test_a_refused_value_is_told_and_the_field_shows_the_document_again(desk):
     desk.view.dismiss_message.assert_any_call("edit")
 
 
+def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
+    hurried = PaintFitter(time_limit_s=1e-6)
+    desk = Desk(hurried, dialogs)
+    desk.controller.edit(("lab", 1, 0), 30.0)
+    limited = desk.view.show_fit.call_args.args[0]
+    assert limited.time_limited
+    qtbot.waitUntil(lambda: desk.view.show_fit.call_count == 2, timeout=20_000)
+    exact = desk.view.show_fit.call_args.args[0]
+    assert not exact.time_limited
+    assert exact.worst_delta_e < min(0.5, limited.worst_delta_e)
+    # The other programs were told of the paint once; its weights are theirs to find.
+    qtbot.wait(20)
+    assert len(desk.published) == 1
+    hurried.close()
+    desk.recovery.close(keep=False)
+
+
+def test_the_optimum_of_a_paint_that_is_no_longer_shown_stays_away(qapp, dialogs, qtbot):
+    hurried = PaintFitter(time_limit_s=1e-6)
+    desk = Desk(hurried, dialogs)
+    desk.controller.edit(("lab", 1, 0), 30.0)
+    desk.controller.edit(("gloss", "gu_20"), 199.0)
+    qtbot.wait(200)
+    assert desk.view.show_fit.call_count == 1
+    desk.view.mark_fit_stale.assert_called_once()
+    hurried.close()
+    desk.recovery.close(keep=False)
+
+
 NUMBERS = st.floats(0, 120, allow_nan=False).map(lambda x: round(x, 2))
 EDITS = st.one_of(
     st.tuples(st.tuples(st.just("lab"), st.integers(0, 2), st.integers(0, 2)), NUMBERS),

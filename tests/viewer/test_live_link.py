@@ -155,6 +155,21 @@ def test_another_paint_ends_following_and_following_brings_designer_back(viewer,
     assert viewer.stage.fit.paint.lab_at(45.0)[0] == 20.0
 
 
+def test_a_time_limited_picture_says_so_and_becomes_exact_by_itself(viewer, qtbot) -> None:
+    hurried = PaintFitter(time_limit_s=1e-6)
+    viewer.controller.paint._fitter = hurried
+    cell, shown = viewer.window.status.cell("fit"), []
+    viewer.stage.contents_changed.connect(lambda: shown.append((viewer.stage.fit.time_limited, cell.text())))
+    viewer.controller.paint.open("copper")
+    qtbot.waitUntil(lambda: len(shown) == 2, timeout=20_000)
+    assert [limited for limited, _ in shown] == [True, False]
+    assert "time-limited" in shown[1][1]  # what stood there until then
+    assert "time-limited" not in cell.text()
+    assert "time-limited" not in viewer.window.paint.fit.text()
+    assert viewer.stage.fit.worst_delta_e < 0.5
+    hurried.close()
+
+
 def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:
     viewer.controller.paint._fitter = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S)  # on a busy machine too
     section, cell = viewer.window.paint, viewer.window.status.cell("fit")
