@@ -1,0 +1,200 @@
+"""Lobe weights that change with the incidence: a table over N·L, and the reflectance that it makes."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.angles.grid import AngleGrid
+from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Cosine of 89.9°: nothing is divided by a smaller transmission than the one here.
+GRAZING = 0.002
+
+
+def leaving(cos_light: FloatArray, cos_view: FloatArray, cos_gamma: FloatArray, ior: float) -> FloatArray:
+    """Return T(N·V) over T of the view at the same γ on the normal's side (...), all cosines (...).
+
+    In the plane of incidence that view has the polar angle θi - γ; the ratio is 1 there, and below 1 beyond the
+    mirror direction. Both cosines are held above :data:`GRAZING`, where T itself goes to 0.
+    """
+    sines = np.sqrt(np.clip((1.0 - cos_light**2) * (1.0 - cos_gamma**2), 0.0, None))
+    inner = np.maximum(cos_light * cos_gamma + sines, GRAZING)
+    out = 1.0 - fresnel_dielectric(np.maximum(cos_view, GRAZING), ior)
+    result: FloatArray = out / (1.0 - fresnel_dielectric(inner, ior))
+    return result
+
+
+@dataclass(frozen=True, eq=False)
+class AngleWeights:
+    """Weights of the lobes at K incidences, linear Rec. 2020, ≥ 0; seed paper, section 4, its second way of Fresnel.
+
+    With the weights of the table at the cosines c = N·L and d = L·H, H halfway between light and view::
+
+        f_r·(N·L) ≈ t·(N·L)·(KD(c) + Σ KDD_i(c)·(R·V)^E_i) + g·Σ KG_i(d)·(R·V)^E_i
+
+    Where the light leaves in the mirror direction c = d = N·V and t = g = 1: a picture, which takes its lights to be
+    there, reads one table at N·V. Away from it the lobes alone, even in γ, cannot say what paints do:
+
+    - A base under a coat is darker beyond the mirror direction than at the same γ on the normal's side, because the
+      coat lets out less at grazing: ``t = T(N·V)/T(cos(θi - γ))``, T = 1 - F of ``ior``; 1 on the normal's side.
+    - A coat's facets reflect by F at the angle d, half of that between light and view, and f_r·√(N·L·N·V) is
+      what they have in common: ``g = √(N·L/N·V)``. The gloss part alone is reciprocal.
+
+    Parameters
+    ----------
+    grid
+        The K cosines of incidence and how they are looked up.
+    exponents
+        ``(m,)`` lobe exponents E.
+    kd, kdd, kg
+        ``(K, 3)``, ``(K, m, 3)``, ``(K, m, 3)`` float64, finite and not negative, 1/sr.
+    ior
+        Refractive index of the coat.
+    base_under_coat
+        False: nothing is taken from the base for the coat, t = 1.
+    time_limited
+        The time limit came before the optimum.
+
+    Fresnel's raise (:class:`~brdf_suite.fitting.lobes.raised.RaisedWeights`) is never applied on top: it is in the
+    weights already. Raises :class:`FittingError` for a shape that does not fit, or a weight that is negative or not
+    finite.
+    """
+
+    grid: AngleGrid
+    exponents: FloatArray
+    kd: FloatArray
+    kdd: FloatArray
+    kg: FloatArray
+    ior: float
+    base_under_coat: bool = True
+    time_limited: bool = False
+    #: Channels of a texel of :meth:`texture`.
+    TEXEL: ClassVar[int] = 4
+
+    def __post_init__(self) -> None:
+        angles, lobes = self.grid.count, np.asarray(self.exponents).size
+        shapes = {
+            "exponents": (lobes,),
+            "kd": (angles, 3),
+            "kdd": (angles, lobes, 3),
+            "kg": (angles, lobes, 3),
+        }
+        for name, shape in shapes.items():
+            value = np.array(getattr(self, name), dtype=np.float64)
+            if value.shape != shape:
+                raise FittingError(f"The lobe weights {name} have shape {value.shape}, not {shape}.")
+            if not (np.isfinite(value).all() and (value >= 0.0).all()):
+                raise FittingError(f"The lobe weights {name} hold a negative or not finite value.")
+            value.setflags(write=False)
+            object.__setattr__(self, name, value)
+        if not (math.isfinite(self.ior) and self.ior >= 1.0):
+            raise FittingError(f"The refractive index of the coat is {self.ior:g}; it must be 1 or more.")
+
+    @property
+    def cosines(self) -> FloatArray:
+        """``(K,)`` rising cosines of incidence of the table."""
+        return self.grid.cosines
+
+    def at(self, n_dot_l: float) -> LobeWeights:
+        """Return the weights at one cosine of incidence, as a picture has them at a pixel with this N·V."""
+        lower, share = self.grid.shares(float(n_dot_l))
+        below, above = (1.0 - float(share)), float(share)
+        k = int(lower)
+        cosine = min(max(float(n_dot_l), self.grid.lowest_cosine), 1.0)
+        return LobeWeights(
+            exponents=self.exponents,
+            kd=below * self.kd[k] + above * self.kd[k + 1],
+            kdd=below * self.kdd[k] + above * self.kdd[k + 1],
+            kg=below * self.kg[k] + above * self.kg[k + 1],
+            theta_fit_rad=math.acos(cosine),
+            ior=self.ior,
+            time_limited=self.time_limited,
+            base_under_coat=self.base_under_coat,
+        )
+
+    def _mixed(self, table: FloatArray, cosine: FloatArray) -> FloatArray:
+        """``table`` (K, ...) at cosines (n,): (n, ...)."""
+        lower, share = self.grid.shares(cosine)
+        share = share.reshape(share.shape + (1,) * (table.ndim - 1))
+        result: FloatArray = (1.0 - share) * table[lower] + share * table[lower + 1]
+        return result
+
+    def leaving(
+        self, cos_light: npt.ArrayLike, cos_view: npt.ArrayLike, cos_gamma: npt.ArrayLike
+    ) -> FloatArray:
+        """Return t (...), see the class, for cosines (...) of light, view and aspecular angle."""
+        light, view, cosine = np.broadcast_arrays(
+            np.asarray(cos_light, float), np.asarray(cos_view, float), np.asarray(cos_gamma, float)
+        )
+        if not self.base_under_coat:
+            return np.ones(light.shape)
+        return leaving(light, view, cosine, self.ior)
+
+    def _sums(self, wi: FloatArray, wo: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Return N·L (...), base and gloss as f_r (..., 3), both 0 below the horizon."""
+        light, view = np.broadcast_arrays(np.asarray(wi, np.float64), np.asarray(wo, np.float64))
+        shape = light.shape[:-1]
+        light, view = light.reshape(-1, 3), view.reshape(-1, 3)
+        cos_i, cos_o = light[:, 2], view[:, 2]
+        above = (cos_i > 0.0) & (cos_o > 0.0)
+        tangential = light[:, 0] * view[:, 0] + light[:, 1] * view[:, 1]
+        cos_gamma = cos_i * cos_o - tangential
+        lobes = np.clip(cos_gamma, 0.0, 1.0)[:, None] ** self.exponents
+        base = self._mixed(self.kd, cos_i) + np.einsum("nm,nmc->nc", lobes, self._mixed(self.kdd, cos_i))
+        base = np.where(above[:, None], base * self.leaving(cos_i, cos_o, cos_gamma)[:, None], 0.0)
+        halfway = np.sqrt(np.clip(0.5 * (1.0 + cos_i * cos_o + tangential), 0.0, 1.0))
+        gloss = np.einsum("nm,nmc->nc", lobes, self._mixed(self.kg, halfway))
+        gloss = np.where(above[:, None], gloss / np.sqrt(np.where(above, cos_i * cos_o, 1.0))[:, None], 0.0)
+        return cos_i.reshape(shape), base.reshape((*shape, 3)), gloss.reshape((*shape, 3))
+
+    def reflected(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+        """Return ``f_r·(N·L)`` in 1/sr: reflected radiance for light of unit strength (cosine included).
+
+        ``wi``, ``wo``: unit directions ``(..., 3)`` to light and view, local frame with the normal as z; they
+        broadcast. Result ``(..., 3)``, 0 where either is at or below the horizon.
+        """
+        cosine, base, gloss = self._sums(wi, wo)
+        result: FloatArray = np.maximum(cosine, 0.0)[..., None] * (base + gloss)
+        return result
+
+    def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+        """Return f_r in 1/sr, **without** the cosine: ``reflected`` over ``N·L``; shapes as there."""
+        _, base, gloss = self._sums(wi, wo)
+        return base + gloss
+
+    def coat_energy(self) -> FloatArray:
+        """Return ``(K, 3)`` what the gloss lobes reflect of a constant environment, seen at each angle.
+
+        Wide lobes count whole, also what of them lies below the horizon.
+        """
+        result: FloatArray = np.einsum("m,kmc->kc", 2.0 * np.pi / (self.exponents + 1.0), self.kg)
+        return result
+
+    def texture(self) -> npt.NDArray[np.float32]:
+        """Return the table as float32 texels ``(1 + 2m, K, 4)``, C order, for an RGBA32F 1-D texture array.
+
+        K texels wide, one layer per term: layer 0 is KD, layers 1 to m are KDD_i, m + 1 to 2m KG_i (as an image, 1 + 2m
+        rows). Red, green, blue are the weight, alpha the lobe's exponent (0 for KD). Linear filtering, clamped to the
+        edge, looked up at ``grid.coordinate(N·V)``: texel k has its centre at (k + ½)/K and holds the weights
+        of incidence ``cosines[k]``; in a shader
+
+            u = (pow(clamp((NdotV - c0)/(1 - c0), 0, 1), 1/power)·(K - 1) + 0.5)/K
+
+        with c0 and power of ``grid``.
+        """
+        angles, lobes = self.kg.shape[:2]
+        table = np.zeros((1 + 2 * lobes, angles, self.TEXEL), np.float32)
+        table[0, :, :3] = self.kd
+        table[1 : lobes + 1, :, :3] = self.kdd.transpose(1, 0, 2)
+        table[lobes + 1 :, :, :3] = self.kg.transpose(1, 0, 2)
+        table[1 : lobes + 1, :, 3] = table[lobes + 1 :, :, 3] = np.asarray(self.exponents)[:, None]
+        return table

@@ -1,0 +1,248 @@
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from brdf_suite.errors import FittingError
+from brdf_suite.fitting import LobeBasis
+from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleGrid
+from brdf_suite.fitting.metrics import aspecular_delta_e
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.scene import find_paint
+from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.paint_reflectance import PaintReflectance
+
+
+@cache
+def paint(name: str) -> PaintReflectance:
+    return build_paint(find_paint(name))
+
+
+def relative(fit: AngleFit) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """Base weights without what Fresnel's transmission does to all of them, (K, 1 + m, 3)."""
+    weights = fit.weights
+    passed = (1.0 - fresnel_dielectric(weights.cosines, weights.ior)) ** 2
+    table = np.concatenate([weights.kd[:, None], weights.kdd], axis=1) / passed[:, None, None]
+    return table * (2.0 * np.pi / (np.concatenate([[1.0], weights.exponents]) + 1.0))[:, None]
+
+
+def there_and_back(table: np.ndarray[Any, np.dtype[np.float64]]) -> float:
+    """How much weights rise and fall over the incidence beyond going from their first value to their last."""
+    change = np.diff(table, axis=0)
+    return float(
+        (np.abs(change).sum(axis=0) - np.abs(change.sum(axis=0))).sum() / np.abs(table).sum(axis=1).mean()
+    )
+
+
+@pytest.mark.parametrize("name", ["blue", "fine_silver", "red_metallic", "solid_white"])
+def test_true_at_measured_and_at_other_incidences(angle_fitter: AngleFitter, name: str) -> None:
+    target = paint(name)
+    fit = angle_fitter.fit(target)
+    assert not fit.time_limited
+    assert fit.exact is None
+    assert aspecular_delta_e(target, fit.weights, [15, 45, 110]).max() <= 0.2
+    for theta, gammas in (
+        (45.0, (-15, 25, 75)),
+        (20.0, (-15, 15, 25, 45, 75)),
+        (65.0, (-15, 15, 25, 45, 75, 110)),
+    ):
+        assert aspecular_delta_e(target, fit.weights, gammas, theta).max() <= 2.5
+
+
+def test_better_than_one_incidence_raised(angle_fitter: AngleFitter) -> None:
+    target = paint("fine_silver")
+    single = PaintFitter(time_limit_s=5.0).fit(find_paint("fine_silver")).weights
+    several = angle_fitter.fit(target).weights
+    for theta in (65.0, 75.0, 80.0):
+        gammas = [15.0, 25.0, 45.0, 75.0]
+        assert (
+            aspecular_delta_e(target, several, gammas, theta).mean()
+            < 0.5 * aspecular_delta_e(target, single, gammas, theta).mean()
+        )
+
+
+def test_the_coats_energy_is_kept_at_every_incidence(angle_fitter: AngleFitter) -> None:
+    target = paint("blue")
+    fit = angle_fitter.fit(target)
+    reflected = fresnel_dielectric(fit.weights.cosines, target.ior)
+    np.testing.assert_allclose(fit.weights.coat_energy()[:, 0], reflected, rtol=0.01)
+    lobes = angle_fitter.coat_samples.lobe_energy(fit.weights.exponents)
+    rings = angle_fitter.sample(target)[1]
+    wanted = np.einsum("knc,kn->kc", rings, angle_fitter.coat_samples.solid_angle)
+    np.testing.assert_allclose(np.einsum("km,kmc->kc", lobes, fit.weights.kg), wanted, rtol=1e-6)
+
+
+def test_an_edit_is_the_same_as_a_fresh_fit(angle_fitter: AngleFitter) -> None:
+    angle_fitter.fit(paint("blue"))
+    kept = angle_fitter.fit(paint("copper"))
+    fresh = AngleFitter(time_limit_s=20.0).fit(paint("copper"))
+    np.testing.assert_allclose(kept.base_error.absolute, fresh.base_error.absolute, rtol=1e-6, atol=1e-9)
+    gammas = [-15, 15, 25, 45, 75, 110]
+    assert aspecular_delta_e(fresh.weights, kept.weights, gammas, 60.0).max() < 0.2
+
+
+def test_linear_in_its_target(angle_fitter: AngleFitter) -> None:
+    base, coat = angle_fitter.sample(paint("red"))
+    one = angle_fitter.fit_samples(base, coat, ior=1.5)
+    other = angle_fitter.fit_samples(1e-5 * base, 1e-5 * coat, ior=1.5)
+    np.testing.assert_allclose(other.base_error.relative, one.base_error.relative, rtol=1e-6)
+    np.testing.assert_allclose(other.weights.coat_energy(), 1e-5 * one.weights.coat_energy(), rtol=1e-6)
+
+
+def test_smoothness_calms_the_lobes_over_the_angles() -> None:
+    target = paint("gold_metallic")
+    rough = AngleFitter(smoothness=0.0, time_limit_s=20.0).fit(target)
+    smooth = AngleFitter(time_limit_s=20.0).fit(target)
+    assert there_and_back(relative(smooth)) < 0.5 * there_and_back(relative(rough))
+    for fit in (rough, smooth):
+        assert aspecular_delta_e(target, fit.weights, [15, 45, 110]).max() <= 0.2
+
+
+@given(step=st.floats(0.0, 1.0), channel=st.integers(0, 2))
+@settings(max_examples=8, deadline=None)
+def test_no_lobe_flickers_over_the_angles_along_a_drag(
+    angle_fitter: AngleFitter, step: float, channel: int
+) -> None:
+    base, coat = angle_fitter.sample(paint("blue"))
+    bright = base.copy()
+    bright[:, channel] *= 1.0 + 3.0 * step
+    fit = angle_fitter.fit_samples(bright, coat, ior=paint("blue").ior)
+    assert there_and_back(relative(fit)) < 0.15
+
+
+def test_a_small_edit_is_a_small_change_of_the_look(angle_fitter: AngleFitter) -> None:
+    base, coat = angle_fitter.sample(paint("blue"))
+    last = None
+    for step in range(12):
+        fit = angle_fitter.fit_samples(base * (1.0 + 0.01 * step), coat, ior=paint("blue").ior)
+        if last is not None:
+            for theta in (20.0, 45.0, 65.0):
+                change = aspecular_delta_e(last.weights, fit.weights, [15.0, 25.0, 45.0, 75.0], theta)
+                assert change.max() < 0.6
+        last = fit
+
+
+@given(st.integers(0, 2**32 - 1))
+@settings(max_examples=8, deadline=None)
+def test_weights_are_never_negative_nor_nan(angle_fitter: AngleFitter, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    base = rng.lognormal(0.0, 3.0, (angle_fitter.base_samples.gamma_rad.size, 3))
+    coat = rng.lognormal(0.0, 3.0, (*angle_fitter.coat_samples.gamma_rad.shape, 3))
+    fit = angle_fitter.fit_samples(base, coat, ior=1.5)
+    for table in (fit.weights.kd, fit.weights.kdd, fit.weights.kg):
+        assert np.isfinite(table).all()
+        assert (table >= 0.0).all()
+
+
+def test_a_coloured_coat_and_a_grey_one_agree(angle_fitter: AngleFitter) -> None:
+    base, coat = angle_fitter.sample(paint("blue"))
+    grey = angle_fitter.fit_samples(base, coat, ior=1.5)
+    tinted = angle_fitter.fit_samples(base, coat * np.array([1.0, 0.5, 0.25]), ior=1.5)
+    np.testing.assert_allclose(
+        tinted.weights.coat_energy(), grey.weights.coat_energy() * np.array([1.0, 0.5, 0.25]), rtol=1e-6
+    )
+
+
+def test_zeros_and_one_zero_channel(angle_fitter: AngleFitter) -> None:
+    base, coat = angle_fitter.sample(paint("blue"))
+    black = angle_fitter.fit_samples(0.0 * base, 0.0 * coat, ior=1.5)
+    assert not black.weights.kd.any()
+    assert not black.weights.kdd.any()
+    assert not black.weights.kg.any()
+    base[:, 1] = 0.0
+    fit = angle_fitter.fit_samples(base, coat, ior=1.5)
+    assert not fit.weights.kdd[..., 1].any()
+    assert fit.weights.kdd[..., 0].any()
+
+
+def test_no_coat_and_no_transmission_to_divide_by(angle_fitter: AngleFitter) -> None:
+    base, coat = angle_fitter.sample(paint("blue"))
+    fit = angle_fitter.fit_samples(base, 0.0 * coat, ior=1.0, base_under_coat=False)
+    assert not fit.weights.kg.any()
+    assert not fit.weights.base_under_coat
+
+
+def test_more_lobes_than_samples(angle_fitter: AngleFitter) -> None:
+    fitter = AngleFitter(LobeBasis(tuple(1.5**k for k in range(26))), AngleGrid(4), time_limit_s=20.0)
+    fit = fitter.fit(paint("blue"))
+    assert (fit.weights.kdd >= 0.0).all()
+    assert aspecular_delta_e(paint("blue"), fit.weights, [15, 45, 110]).max() <= 0.2
+
+
+def test_bad_samples_are_named(angle_fitter: AngleFitter) -> None:
+    base, coat = angle_fitter.sample(paint("blue"))
+    broken = base.copy()
+    broken[3, 1] = np.nan
+    with pytest.raises(
+        FittingError, match=r"base cannot be fitted: its green channel is not finite .* under light at"
+    ):
+        angle_fitter.fit_samples(broken, coat, ior=1.5)
+    broken = coat.copy()
+    broken[2, 5, 2] = -0.5
+    with pytest.raises(FittingError, match=r"coat .* blue channel is negative"):
+        angle_fitter.fit_samples(base, broken, ior=1.5)
+    with pytest.raises(FittingError, match="samples of shape"):
+        angle_fitter.fit_samples(base[1:], coat, ior=1.5)
+    with pytest.raises(FittingError, match="refractive index"):
+        angle_fitter.fit_samples(base, coat, ior=0.5)
+
+
+@pytest.mark.parametrize(
+    ("settings_", "words"),
+    [
+        ({"time_limit_s": 0.0}, "time limit"),
+        ({"smoothness": -1.0}, "smoothness"),
+        ({"base_gammas_deg": (15.0,)}, "together"),
+    ],
+)
+def test_settings_out_of_range(settings_: dict[str, Any], words: str) -> None:
+    with pytest.raises(FittingError, match=words):
+        AngleFitter(**settings_)
+
+
+def test_a_limit_that_nothing_can_meet_gives_the_best_at_hand_and_the_optimum_later() -> None:
+    target = paint("violet_shift")
+    fitter = AngleFitter(time_limit_s=1e-5)
+    other = AngleFitter(time_limit_s=20.0)
+    fit = fitter.fit(target)
+    assert fit.time_limited
+    assert fit.weights.time_limited
+    assert np.isfinite(fit.weights.kg).all()
+    assert fit.exact is not None
+    exact = fit.exact.result(timeout=20.0)
+    best = other.fit(target)
+    assert not exact.time_limited
+    np.testing.assert_allclose(exact.base_error.absolute, best.base_error.absolute, rtol=1e-5, atol=1e-8)
+    fitter.close()
+
+
+def test_a_newer_fit_cancels_the_older_ones_exact_answer() -> None:
+    fitter = AngleFitter(time_limit_s=1e-5)
+    first = fitter.fit(paint("blue"))
+    second = fitter.fit(paint("copper"))
+    assert second.exact is not None
+    second.exact.result(timeout=20.0)
+    assert first.exact is not None
+    deadline = time.monotonic() + 20.0
+    while not first.exact.done() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    assert first.exact.done()
+    fitter.close()
+
+
+def test_a_paint_without_transmission_is_flat_over_its_angles(
+    angle_fitter: AngleFitter, make_paint: Callable[..., Any]
+) -> None:
+    target = make_paint()
+    bare = replace(target, ior=1.0)
+    weights = angle_fitter.fit(bare).weights
+    assert np.ptp(weights.kdd, axis=0).max() < 0.02 * weights.kdd.max()
