@@ -1,4 +1,4 @@
-"""``brdf-suite render PAINT -o out.png``: a paint on a surface in an environment, as a picture."""
+"""``brdf-suite render FILE|PAINT -o out.png``: what reflects, on a surface in an environment, as a picture."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     command = commands.add_parser(
         "render",
-        help="render a paint on a surface in an environment to a PNG",
-        description="Render a paint on a surface in an environment. "
+        help="render a paint or a measured file to a PNG",
+        description="Render a paint of any kind, or a measured file, on a surface in an environment. "
         "The environment is prefiltered once and kept in the cache.",
     )
     command.add_argument(
         "paint",
-        metavar="PAINT",
-        help="a .brdfpaint file, or the name of a shipped paint (blue, fine_silver, …)",
+        metavar="FILE|PAINT",
+        help="a .brdfpaint or measured file, or the name of a shipped or Table 1 paint (blue, table1_white, …)",
     )
     command.add_argument(
         "-o", "--output", type=Path, required=True, metavar="FILE", help="the picture to write (.png)"

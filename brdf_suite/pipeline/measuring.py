@@ -35,7 +35,7 @@ PAINT_ENDING = ".brdfpaint"
 
 ANGLE_SET = "8 light directions by 16 x 32 views, even in solid angle over both hemispheres (midpoints in cos θ and φ)"
 NEAR_MIRROR_DEG = 5.0
-_SCATTERED = (
+SCATTERED = (
     "Scattered samples are interpolated: gloss, and colours far from any sample, are only as good as the "
     "samples near them."
 )
@@ -81,7 +81,7 @@ def load_measurable(
         There is nothing of that name, the file is not valid, or the paint cannot be built; the message says why.
     """
     path = Path(name_or_path)
-    if _is_measured_file(path):
+    if is_measured_file(path):
         from brdf_suite.files.measured import ReadOptions, read_measured
 
         value = read_measured(path, options=ReadOptions(observer_deg=observer_deg))
@@ -112,7 +112,7 @@ def _told(value: MeasuredReflectance, observer_deg: int) -> tuple[str, ...]:
             "every reading."
         )
     if isinstance(value, ScatteredSamples):
-        told.append(_SCATTERED)
+        told.append(SCATTERED)
     return tuple(told)
 
 
@@ -314,7 +314,7 @@ def convert(
     options = ReadOptions(
         observer_deg=observer_deg, scale_factors=scale_factors, average_reciprocal=average_reciprocal
     )
-    if _is_measured_file(read_from):
+    if is_measured_file(read_from):
         value = read_measured(read_from, options=options)
         written = write_measured(value, write_to)
         return Conversion(read_from, write_to, written.format.name, dict(value.facts), written.notes)
@@ -324,5 +324,9 @@ def convert(
     return Conversion(read_from, write_to, written.format.name, {"name": item.name}, told)
 
 
-def _is_measured_file(path: Path) -> bool:
-    return path.is_file() and path.suffix.lower() != PAINT_ENDING
+def is_measured_file(path: Path) -> bool:
+    """Return whether ``path`` is a file that is no paint document, so that it is read as a measured one."""
+    try:
+        return path.is_file() and path.suffix.lower() != PAINT_ENDING
+    except OSError:  # a name that the file system does not take; who looks for a paint of that name says so
+        return False

@@ -16,8 +16,9 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.face_array import FaceArray
-from brdf_suite.pipeline.paint import PaintFit, fit_patiently
-from brdf_suite.pipeline.scene import PreparedEnvironment, find_paint, load_environment, load_surface
+from brdf_suite.pipeline.any_fit import AnyFit, fit_any
+from brdf_suite.pipeline.paint import PaintFit
+from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment, load_surface
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.realtime.camera import Bounds, compose
 from brdf_suite.realtime.context import Context, create_context
@@ -55,8 +56,8 @@ class SceneRenderer:
         """The renderer below, for camera matrices and picking."""
         return self._renderer
 
-    def set_paint_fit(self, fit: PaintFit) -> None:
-        """Show this paint from the next frame on; no allocation, no file, no texture."""
+    def set_paint_fit(self, fit: PaintFit | AnyFit) -> None:
+        """Show this paint or measured reflectance from the next frame on; no allocation, no file, no texture."""
         self._renderer.set_material(PAINT_MATERIAL, _material(fit.weights))
 
     def set_environment(self, prepared: PreparedEnvironment) -> None:
@@ -135,7 +136,11 @@ def gl_renderer_name() -> str:
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture that was written, and what it shows. Times: fit and draw in ms, environment maps in s."""
+    """A picture that was written, and what it shows. Times: fit and draw in ms, environment maps in s.
+
+    ``delta_e_2000_worst`` is over a designed paint's own readings, over the usual aspecular angles of anything
+    else, and None where the data hold no such angle.
+    """
 
     path: Path
     width: int
@@ -148,7 +153,7 @@ class Picture:
     maps_s: float
     draw_ms: float
     time_limited: bool
-    delta_e_2000_worst: float
+    delta_e_2000_worst: float | None
     notices: tuple[str, ...]
 
 
@@ -160,7 +165,7 @@ def render_to_file(
     *,
     progress: Progress | None = None,
 ) -> Picture:
-    """Render a paint (by name or file) in a view and write it as PNG, atomically.
+    """Render a paint (by name or file) or a measured file in a view and write it as PNG, atomically.
 
     Raises
     ------
@@ -168,6 +173,8 @@ def render_to_file(
         The paint, environment or mesh cannot be read, or the picture not written.
     UnreachableError
         No such paint can have the gloss or colour that the document asks for.
+    FittingError
+        No lobes can be fitted to what was measured.
     GraphicsError
         There is no OpenGL 3.3.
     Cancelled
@@ -183,8 +190,7 @@ def render_to_file(
         raise FileError(path, f"its folder cannot be used: {error.strerror or error}") from error
     if not folder_exists:
         raise FileError(path, "its folder does not exist")
-    document = find_paint(paint)
-    fit = fit_patiently(document, paint)
+    fit = fit_any(paint, errors=False)
     mesh = load_surface(view.surface)
     with OffscreenScene((1, 1)) as scene:  # before the maps: without OpenGL they would be made for nothing
         start = perf_counter()
@@ -205,11 +211,11 @@ def render_to_file(
         path=path,
         width=size[0],
         height=size[1],
-        paint=document.name,
+        paint=fit.name,
         environment=prepared.environment.name,
         surface=mesh.name,
         renderer=renderer,
-        fit_ms=fit.fit.seconds * 1e3,
+        fit_ms=fit.fit_seconds * 1e3,
         maps_s=maps_s,
         draw_ms=draw_ms,
         time_limited=fit.time_limited,
@@ -234,13 +240,13 @@ def _faces(array: FaceArray) -> CubeFaces:
     return CubeFaces(array.faces, array.scale)
 
 
-def picture_metadata(fit: PaintFit, view: View) -> dict[str, str]:
+def picture_metadata(fit: PaintFit | AnyFit, view: View) -> dict[str, str]:
     """Return the text entries of a picture of ``fit`` in ``view``: program, title, what it shows."""
     return {
         "Software": "BRDF Suite",
-        "Title": fit.paint.name,
+        "Title": fit.name,
         "Description": (
-            f"{fit.paint.name} on {Path(view.surface).stem} in {Path(view.environment).stem}, "
+            f"{fit.name} on {Path(view.surface).stem} in {Path(view.environment).stem}, "
             f"{view.exposure_ev:+g} EV, light turned {view.rotation_deg:g}°, tone curve {view.tone_curve}, "
             f"fresnel {'on' if view.fresnel else 'off'}"
         ),

@@ -276,12 +276,12 @@ def test_pipes_and_folders_are_no_environment(command, tmp_path: Path) -> None:
 
 
 def test_a_fit_that_was_stopped_by_time_is_told(monkeypatch, capsys, cache: Path, tmp_path: Path) -> None:
-    def stopped(paint: Paint, name: str) -> PaintFit:
+    def stopped(paint: Paint, name: str, basis: object) -> PaintFit:
         found = fit_patiently(paint, name)
         return replace(found, fit=replace(found.fit, time_limited=True))
 
     monkeypatch.setenv("BRDF_SUITE_CACHE", str(cache))
-    monkeypatch.setattr("brdf_suite.pipeline.picture.fit_patiently", stopped)
+    monkeypatch.setattr("brdf_suite.pipeline.any_fit.fit_patiently", stopped)
     assert main(["render", "blue", "-o", str(tmp_path / "out.png"), "--size", "64x48"]) == 0
     assert " ms, time-limited, maps " in capsys.readouterr().out
 

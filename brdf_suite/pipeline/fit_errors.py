@@ -1,0 +1,213 @@
+"""How far fitted lobes are from what they were fitted to, where the fit did not look, and in the trade's geometries.
+
+A reflectance that can be evaluated everywhere is judged on 4,096 direction pairs over both hemispheres. Scattered
+samples are judged where they are: each fifth of them by a fit to the other four. Nothing is interpolated.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.colorimetry import working_to_lab
+from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.documents.paint import Lab
+from brdf_suite.fitting.lobes.basis import LobeBasis
+from brdf_suite.fitting.lobes.raised import RaisedWeights
+from brdf_suite.fitting.lobes.undivided import UndividedFit, fit_rows, values_of_scattered
+from brdf_suite.fitting.lobes.undivided_samples import measured_pairs, rows_of_scattered, used_samples
+from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.fitting.metrics import ErrorFigures, error_figures
+from brdf_suite.geometry.directions import (
+    angle_between,
+    aspecular_angle,
+    aspecular_view,
+    illumination,
+    mirror,
+)
+from brdf_suite.pipeline.measuring import ANGLE_SET, NEAR_MIRROR_DEG, hemisphere_pairs
+from brdf_suite.progress import Progress, report
+from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+
+FloatArray = NDArray[np.float64]
+
+JUDGED_GAMMAS_DEG = (-15.0, 15.0, 25.0, 45.0, 75.0, 110.0)
+JUDGED_INCIDENCE_DEG = 45.0
+#: How far a measured direction may lie from a usual geometry to stand for it.
+_NEAR_GEOMETRY_DEG = 5.0
+_FOLDS = 5
+_FEWEST_FOR_FOLDS = 50
+_FOLDED = "each fifth of the samples by a fit to the other four, weighted by the solid angle of views they stand for"
+
+
+@dataclass(frozen=True)
+class AngleError:
+    """L*a*b* (D65, 10°) of data and lobes in one geometry, and ΔE00; ``fitted``: the fit looked there."""
+
+    illumination_deg: float
+    aspecular_deg: float
+    lab: Lab
+    lab_fitted: Lab
+    delta_e_2000: float
+    fitted: bool
+
+
+@dataclass(frozen=True)
+class HeldOut:
+    """Errors where the fit did not look.
+
+    ``where`` says where that is; ``figures`` are of all of it, ``relative_rms`` is ``cosine_rms`` over the
+    cosine-weighted RMS of the data themselves, ``away`` leaves out views within 5° of the mirror direction.
+    """
+
+    where: str
+    pairs: int
+    figures: ErrorFigures
+    relative_rms: float
+    away: ErrorFigures | None
+
+
+def judged(
+    reflectance: Reflectance, weights: LobeWeights, looked_at: Sequence[float] = (15.0, 45.0, 110.0)
+) -> tuple[AngleError, ...]:
+    """Data and lobes at the usual geometries with the light at 45°."""
+    wi = illumination(JUDGED_INCIDENCE_DEG)
+    wo = aspecular_view(JUDGED_INCIDENCE_DEG, np.array(JUDGED_GAMMAS_DEG))
+    data = np.asarray(reflectance.eval(wi, wo))
+    lobes = RaisedWeights(weights).eval(np.broadcast_to(wi, wo.shape), wo)
+    known = measured_pairs(reflectance, np.broadcast_to(wi, wo.shape), wo)
+    fitted = [gamma in looked_at for gamma in JUDGED_GAMMAS_DEG]
+    return _angle_errors(
+        [(JUDGED_INCIDENCE_DEG, gamma) for gamma in JUDGED_GAMMAS_DEG], data, lobes, fitted, known
+    )
+
+
+def judged_samples(samples: ScatteredSamples, fit: UndividedFit) -> tuple[AngleError, ...]:
+    """The measured directions nearest to the usual geometries, told by their own angles; none is interpolated."""
+    used = used_samples(samples)
+    wi, wo, values = samples.wi[used], samples.wo[used], samples.values[used]
+    theta = np.degrees(np.arccos(np.clip(wi[:, 2], 0.0, 1.0)))
+    incidences = np.degrees(np.array(fit.incidences_rad))
+    near = incidences[np.argmin(np.abs(incidences - JUDGED_INCIDENCE_DEG))]
+    mine = np.flatnonzero(np.abs(theta - near) <= 1.0)
+    if mine.size == 0:
+        return ()
+    # Every sample with its light turned to the -x side, where the usual geometries have theirs.
+    turn = np.pi - np.arctan2(wi[mine, 1], wi[mine, 0])
+    x = np.cos(turn) * wo[mine, 0] - np.sin(turn) * wo[mine, 1]
+    y = np.sin(turn) * wo[mine, 0] + np.cos(turn) * wo[mine, 1]
+    views = np.stack((x, y, wo[mine, 2]), axis=-1)
+    chosen, places = [], []
+    for gamma in JUDGED_GAMMAS_DEG:
+        away = np.degrees(angle_between(views, aspecular_view(near, gamma)))
+        k = int(np.argmin(away))
+        place = int(mine[k])
+        if away[k] > _NEAR_GEOMETRY_DEG or place in places:
+            continue
+        places.append(place)
+        # Slightly out of the plane an aspecular angle has no sign; the geometry that it stands for has.
+        size = abs(float(np.degrees(aspecular_angle(wi[place], wo[place]))))
+        chosen.append((float(theta[place]), math.copysign(size, gamma)))
+    if not places:
+        return ()
+    lobes = fit.weights.eval(wi[places], wo[places])
+    return _angle_errors(chosen, values[places], lobes, [True] * len(places), np.ones(len(places), np.bool_))
+
+
+def _angle_errors(
+    geometries: Sequence[tuple[float, float]],
+    data: FloatArray,
+    lobes: FloatArray,
+    fitted: Sequence[bool],
+    known: NDArray[np.bool_],
+) -> tuple[AngleError, ...]:
+    lab, lab_fitted = working_to_lab(np.pi * data), working_to_lab(np.pi * lobes)
+    difference = delta_e_2000(lab, lab_fitted)
+    return tuple(
+        AngleError(light, gamma, three(lab[k]), three(lab_fitted[k]), float(difference[k]), fitted[k])
+        for k, (light, gamma) in enumerate(geometries)
+        if known[k]
+    )
+
+
+def held_out_errors(
+    reflectance: Reflectance,
+    weights: LobeWeights,
+    basis: LobeBasis | None = None,
+    progress: Progress | None = None,
+) -> HeldOut | None:
+    """Return the errors of ``weights`` where the fit did not look; None for a handful of samples.
+
+    Fresnel factors, where the weights have a coat, are taken at the light's angle. ``basis`` is that of the weights.
+    """
+    if isinstance(reflectance, ScatteredSamples):
+        return _by_folds(reflectance, basis, progress)
+    wi, wo, weight = hemisphere_pairs()
+    known = measured_pairs(reflectance, wi, wo)
+    wi, wo, weight = wi[known], wo[known], weight[known]
+    away = angle_between(mirror(wi), wo) >= np.radians(NEAR_MIRROR_DEG)
+    data, lobes = reflectance.eval(wi, wo), RaisedWeights(weights).eval(wi, wo)
+    return HeldOut(
+        ANGLE_SET,
+        len(wi),
+        _figures(data, lobes, wi, wo, weight),
+        _relative(data, lobes, wi, weight),
+        _figures(data, lobes, wi, wo, np.where(away, weight, 0.0)),
+    )
+
+
+def _by_folds(
+    samples: ScatteredSamples, basis: LobeBasis | None, progress: Progress | None
+) -> HeldOut | None:
+    """Every sample by a fit that did not see it."""
+    rows, values = rows_of_scattered(samples), values_of_scattered(samples)
+    if len(values) < _FEWEST_FOR_FOLDS:
+        return None
+    fold = np.random.default_rng(0).permutation(np.arange(len(values)) % _FOLDS)
+    lobes = np.zeros_like(values)
+    for k in range(_FOLDS):
+        report(progress, k / _FOLDS, "judging")
+        rest, mine = fold != k, fold == k
+        weights = fit_rows(rows.subset(rest), values[rest], basis).weights
+        lobes[mine] = weights.eval(rows.wi[mine], rows.wo[mine])
+    away = angle_between(mirror(rows.wi), rows.wo) >= np.radians(NEAR_MIRROR_DEG)
+    return HeldOut(
+        _FOLDED,
+        len(values),
+        _figures(values, lobes, rows.wi, rows.wo, rows.weights),
+        _relative(values, lobes, rows.wi, rows.weights),
+        _figures(values, lobes, rows.wi, rows.wo, np.where(away, rows.weights, 0.0)) if away.any() else None,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Values:
+    """Values already in hand, as what :func:`error_figures` compares."""
+
+    values: FloatArray
+
+    def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:  # noqa: ARG002 - they are of these very directions
+        return self.values
+
+
+def _figures(
+    data: FloatArray, lobes: FloatArray, wi: FloatArray, wo: FloatArray, weight: FloatArray
+) -> ErrorFigures:
+    return error_figures(_Values(data), _Values(lobes), wi, wo, weight)
+
+
+def _relative(data: FloatArray, lobes: FloatArray, wi: FloatArray, weight: FloatArray) -> float:
+    """√(Σ w cos²θi (f-f̂)²) over √(Σ w cos²θi f²); 0 where the data are black."""
+    scale = weight[:, None] * wi[:, 2:3] ** 2
+    whole = float((scale * data**2).sum())
+    return float(np.sqrt((scale * (data - lobes) ** 2).sum() / whole)) if whole > 0.0 else 0.0
+
+
+def three(row: FloatArray) -> tuple[float, float, float]:
+    """Return three numbers as plain ones."""
+    return float(row[0]), float(row[1]), float(row[2])
