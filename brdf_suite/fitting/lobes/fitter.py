@@ -101,6 +101,10 @@ class LobeFit:
     iterations: int
     exact: Future[LobeFit] | None = field(default=None, repr=False)
 
+    def __getstate__(self) -> dict[str, object]:
+        """Leave out ``exact``: another process cannot be told of what this one's thread finds."""
+        return {**self.__dict__, "exact": None}
+
 
 class LobeFitter:
     """Fits non-negative lobe weights by L1 linear programming; keeps its model and last basis between fits.

@@ -1,5 +1,9 @@
 from __future__ import annotations
 
+import gc
+import pickle
+import threading
+import time
 from collections.abc import Callable
 from typing import Any
 
@@ -191,6 +195,37 @@ def test_the_limit_gives_the_best_answer_at_hand_and_the_optimum_later() -> None
     assert not after.time_limited
     np.testing.assert_allclose(after.base_error.absolute, best.base_error.absolute, rtol=1e-6, atol=1e-12)
     hurried.close()
+
+
+def test_a_limited_fit_goes_to_another_process_without_its_future() -> None:
+    hurried = LobeFitter(time_limit_s=1e-6)
+    fit = hurried.fit_samples(*targets(hurried), ior=1.5)
+    assert fit.exact is not None
+    again = pickle.loads(pickle.dumps(fit))
+    assert again.exact is None
+    assert again.time_limited
+    np.testing.assert_array_equal(again.weights.kdd, fit.weights.kdd)
+    hurried.close()
+
+
+def test_a_fitter_that_is_lost_takes_its_thread_along() -> None:
+    def threads() -> int:
+        return sum(thread.name.startswith("brdf-fit") for thread in threading.enumerate())
+
+    gc.collect()
+    before = threads()
+    hurried = LobeFitter(log_spaced(300, 1.0, 50_000.0), time_limit_s=1e-6)
+    fit = hurried.fit_samples(*targets(hurried), ior=1.5)
+    assert fit.exact is not None
+    assert threads() > 0
+    del hurried
+    for _ in range(600):
+        gc.collect()
+        if fit.exact.done() and threads() <= before:
+            break
+        time.sleep(0.05)
+    assert fit.exact.done()
+    assert threads() <= before
 
 
 def test_the_limit_is_that_of_one_fit_and_not_of_all_together() -> None:
