@@ -1,7 +1,8 @@
 """The fixed set of cosine lobes: their exponents.
 
 The set is fixed because one environment map is prefiltered per exponent; an edit changes weights only
-(seed paper, sections 3.2 and 4).
+(seed paper, sections 3.2 and 4). It was found by a search over a database of paints (``basis_search``), whose stored
+answer is read here.
 """
 
 from __future__ import annotations
@@ -9,13 +10,19 @@ from __future__ import annotations
 import itertools
 import math
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FittingError
+from brdf_suite.documents.reading import FieldReader, read_json
+from brdf_suite.errors import DocumentError, FittingError
 
 FloatArray = NDArray[np.float64]
+
+#: What the stored answer of a search calls itself.
+STORED_FORMAT, STORED_VERSION = "lobe_basis", 1
+STORED_NAME = "search.json"
 
 #: The default set, chosen by measurement (docs/fit.md): octaves from 1 to 16, where the bell of flake tilts
 #: of a metallic paint lies (E of about 5 to 8), then factors of 5 to the clearcoat of 90 gloss units.
@@ -76,6 +83,35 @@ def log_spaced(count: int, low: float, high: float) -> LobeBasis:
         raise FittingError(f"Exponents from {low:g} to {high:g} do not ascend from at least 1.")
     steps = [low * (high / low) ** (k / max(count - 1, 1)) for k in range(count)]
     return LobeBasis(tuple(float(f"{e:.12g}") for e in steps))
+
+
+def stored_bases(path: Path) -> tuple[dict[int, LobeBasis], int]:
+    """Return the found basis of each count and the default count from the stored answer of a search.
+
+    Raises
+    ------
+    DocumentError
+        It is damaged; the message names the place.
+    FileError
+        It cannot be read.
+    """
+    reader = FieldReader(read_json(path), path)
+    if (reader.take("format"), reader.take("version")) != (STORED_FORMAT, STORED_VERSION):
+        reader.fail(f"this is no {STORED_FORMAT} of version {STORED_VERSION}", "format")
+    bases: dict[int, LobeBasis] = {}
+    for item in reader.take_objects("results"):
+        values = item.take("exponents")
+        if not isinstance(values, list) or not all(type(value) in (int, float) for value in values):
+            item.fail("a list of numbers is wanted", "exponents")
+        try:
+            basis = LobeBasis(tuple(values))
+        except FittingError as error:
+            raise DocumentError(path, str(error).rstrip("."), item.where("exponents")) from error
+        bases[basis.count] = basis
+    count = reader.take("default_count")
+    if not isinstance(count, int) or count not in bases:
+        reader.fail(f"there is no basis of {count!r} lobes", "default_count")
+    return bases, count
 
 
 def default_basis() -> LobeBasis:

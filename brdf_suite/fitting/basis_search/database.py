@@ -1,0 +1,170 @@
+"""The paints that a basis is searched for, sampled once: what the fit gets, and what its answer is held against.
+
+The targets of the error are at places that the fit does not see:
+
+- **Colour**: L*a*b*, light at 45°, at the aspecular angles :data:`BETWEEN_DEG`: those between the base's samples, and
+  the measured ones, at which no sample of the fit sees base and coat together. From :data:`COAT_FROM_DEG` on it is that
+  of the whole paint, the coat taken as its mean around the mirror direction, which is all that round lobes can follow.
+  Nearer the coat outshines the base, so there it is the base alone.
+- **Coat**: the share of the coat's energy within a radius of the mirror direction of a view at 45°, at
+  :data:`RADII` radii evenly spaced in log from .1° to 30°, integrated on rings far finer than the fit's. What is
+  within .9° is what a 20° glossmeter takes in; what is beyond is haze.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.colorimetry import working_to_lab
+from brdf_suite.documents.store import PAINT_ENDING, load_any_paint
+from brdf_suite.errors import FileError, FittingError, SuiteError
+from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
+from brdf_suite.geometry.directions import aspecular_view, illumination
+from brdf_suite.reflectance.build import build_reflectance
+from brdf_suite.reflectance.layers import Layered, layered
+
+FloatArray = NDArray[np.float64]
+
+#: Aspecular angles at which colours are compared, degrees. Beyond 90° only KD is left of a fit.
+BETWEEN_DEG = (
+    *(3.0, 5.5, 10.5, 12.5, 15.0, 17.5, 22.5, 27.5, 30.0, 32.5, 37.5, 40.0),
+    *(42.5, 45.0, 47.5, 50.0, 55.0, 65.0, 70.0, 80.0, 85.0, 100.0, 105.0),
+)
+COAT_FROM_DEG = 10.0
+LIGHT_DEG = 45.0
+#: Azimuths of half a ring around the mirror direction, for the coat's mean.
+AZIMUTHS = 12
+#: Number of radii at which the coat's energy is compared, and their ends in degrees.
+RADII = 24
+RADII_DEG = (0.1, 30.0)
+#: The rings of the coat's integral: step in log angle and first ring in radians.
+FINE_STEP = 0.05
+FINE_FIRST_RAD = 2e-4
+
+
+@dataclass(frozen=True, eq=False)
+class PaintTargets:
+    """One paint: samples for the fit, and what its lobes are compared with.
+
+    ``base`` (n, 3) and ``coat`` (k, 3): ``f_r·(N·L)`` at the fit's samples, 1/sr, linear Rec. 2020; ``lab``
+    (angles, 3) at :data:`BETWEEN_DEG`; ``inside`` (radii, 3): energy of the coat within each radius,
+    over the mean of its channels' whole energies, with ``energy`` that mean (0 and zeros where there is no coat).
+    """
+
+    name: str
+    base: FloatArray
+    coat: FloatArray
+    lab: FloatArray
+    inside: FloatArray
+    energy: float
+
+
+def coat_rings() -> tuple[CoatSamples, NDArray[np.intp]]:
+    """Return the fine rings of the coat's energy, and the index of the ring at each of the radii."""
+    fine = CoatSamples(first_ring_rad=FINE_FIRST_RAD, log_step=FINE_STEP, azimuths=12)
+    radii = np.radians(np.geomspace(*RADII_DEG, RADII))
+    return fine, np.asarray(np.searchsorted(fine.gamma_rad, radii))
+
+
+def targets_of(name: str, paint: Layered) -> PaintTargets:
+    """Sample a paint of two layers; errors of its evaluation pass."""
+    base_samples, coat_samples = BaseSamples(), CoatSamples()
+    fine, at = coat_rings()
+
+    def rings(samples: CoatSamples) -> FloatArray:
+        values = paint.coat.eval(samples.lights, samples.view) * samples.cosines[..., None]
+        return np.asarray(values.mean(axis=1))
+
+    light = base_samples.light
+    base = np.cos(base_samples.theta_rad) * paint.base.eval(light, base_samples.views)
+    between = paint.base.eval(illumination(LIGHT_DEG), aspecular_view(LIGHT_DEG, np.array(BETWEEN_DEG)))
+    between = between + _coat_between(paint)
+    within = np.cumsum(fine.solid_angle[:, None] * rings(fine), axis=0)
+    energy = float(within[-1].mean())
+    scale = 1.0 / energy if energy > 0.0 else 0.0
+    targets = PaintTargets(
+        name, base, rings(coat_samples), working_to_lab(np.pi * between), within[at] * scale, energy
+    )
+    for part in (targets.base, targets.coat):
+        if not (np.isfinite(part).all() and (part >= 0.0).all()):
+            raise FittingError(f"{name}: the reflectance is negative or not finite at a sample of the fit.")
+    return targets
+
+
+def coat_counts() -> FloatArray:
+    """Return ``(angles,)``: 1 at the angles at which the coat is part of the colour, 0 nearer to the mirror."""
+    return (np.array(BETWEEN_DEG) >= COAT_FROM_DEG).astype(np.float64)
+
+
+def _coat_between(paint: Layered) -> FloatArray:
+    """f_r (angles, 3) of the coat as a mean over rings, ``f_r·(N·L)`` over the cosine of the colours' light."""
+    light = np.radians(LIGHT_DEG)
+    mirror = np.array([np.sin(light), 0.0, np.cos(light)])
+    inwards = np.array([-np.cos(light), 0.0, np.sin(light)])
+    azimuth = (np.arange(AZIMUTHS) + 0.5) * np.pi / AZIMUTHS
+    around = np.cos(azimuth)[:, None] * inwards + np.sin(azimuth)[:, None] * np.array([0.0, 1.0, 0.0])
+    gamma = np.radians(BETWEEN_DEG)[:, None, None]
+    lights = np.cos(gamma) * mirror + np.sin(gamma) * around
+    values = paint.coat.eval(lights, illumination(LIGHT_DEG)) * np.clip(lights[..., 2:], 0.0, None)
+    return np.asarray(coat_counts()[:, None] * values.mean(axis=1) / np.cos(light))
+
+
+@dataclass(frozen=True, eq=False)
+class Database:
+    """Paints of a search and ``sha256``, the hash of their files (names and bytes)."""
+
+    paints: tuple[PaintTargets, ...]
+    sha256: str
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The paints' names, in the order of all per-paint arrays."""
+        return tuple(paint.name for paint in self.paints)
+
+
+def load_database(folder: Path) -> Database:
+    """Read every ``.brdfpaint`` in ``folder`` and the folders below it, in the order of their names.
+
+    Raises
+    ------
+    FileError, DocumentError
+        There is no paint, or one cannot be read.
+    SuiteError
+        A paint has no reflectance, or one that cannot be fitted; the message names the file.
+    """
+    files = sorted(folder.rglob(f"*{PAINT_ENDING}"), key=lambda path: path.relative_to(folder).as_posix())
+    if not files:
+        raise FileError(folder, f"there is no paint ({PAINT_ENDING}) in this folder")
+    digest = hashlib.sha256()
+    paints: dict[str, PaintTargets] = {}
+    for path in files:
+        digest.update(path.relative_to(folder).as_posix().encode() + b"\0")
+        digest.update(hashlib.sha256(path.read_bytes()).digest())
+        name = path.name.removesuffix(PAINT_ENDING)
+        if name in paints:
+            raise FileError(path, "another paint of the database has the same file name")
+        try:
+            layers = layered(build_reflectance(load_any_paint(path)))
+        except FileError:
+            raise
+        except SuiteError as error:
+            raise FileError(path, f"cannot be part of the database: {error}") from error
+        if layers is None:
+            raise FileError(path, "cannot be part of the database: nothing divides it into coat and base")
+        paints[name] = targets_of(name, layers)
+    return Database(tuple(paints.values()), digest.hexdigest())
+
+
+def reflectances(paints: Mapping[str, Layered]) -> Database:
+    """Return a database of reflectances that come from no file; its hash is that of the samples."""
+    targets = tuple(targets_of(name, paint) for name, paint in paints.items())
+    digest = hashlib.sha256()
+    for paint in targets:
+        digest.update(paint.name.encode() + b"\0" + paint.base.tobytes() + paint.coat.tobytes())
+    return Database(targets, digest.hexdigest())

@@ -1,0 +1,168 @@
+"""The files of a search: the state that it goes on from, and the stored answer from which the suite takes its lobes.
+
+Both are JSON, written whole or not at all. The answer is read at start-up by
+:func:`brdf_suite.fitting.lobes.basis.default_basis`, which takes only the exponents from it.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.reading import FieldReader, read_json
+from brdf_suite.errors import DocumentError, FittingError
+from brdf_suite.fitting.basis_search import error as error_function
+from brdf_suite.fitting.basis_search.database import Database
+from brdf_suite.fitting.basis_search.search import CountResult
+from brdf_suite.fitting.lobes.basis import STORED_FORMAT, STORED_VERSION, LobeBasis
+
+STATE_FORMAT, STATE_VERSION = "lobe_basis_search", 1
+#: The default is the smallest count whose equation 4 is below this: an error that is just seen, on the worst paint
+#: and on the mean one together (docs/basis.md).
+SMALL_ENOUGH = 1.5
+
+
+def settings_of(database: Database, starts: int) -> dict[str, object]:
+    """Return what a result depends on: a state of other settings is no start."""
+    return {"database_sha256": database.sha256, "paints": list(database.names), "starts": starts}
+
+
+def save_state(path: Path, settings: Mapping[str, object], results: Sequence[CountResult]) -> None:
+    """Keep what is found so far; raise :class:`FileError` where it cannot be written."""
+    _write(
+        path,
+        {
+            "format": STATE_FORMAT,
+            "version": STATE_VERSION,
+            "settings": dict(settings),
+            "results": [_result_to_json(result) for result in results],
+        },
+    )
+
+
+def load_state(path: Path, settings: Mapping[str, object]) -> list[CountResult]:
+    """Return the results of an interrupted search; none where there is no file.
+
+    Raises
+    ------
+    DocumentError
+        It is damaged, or of another database or other settings; the message says what to do.
+    FileError
+        It cannot be read.
+    """
+    if not path.exists():
+        return []
+    reader = FieldReader(read_json(path), path)
+    if reader.take("format") != STATE_FORMAT or reader.take("version") != STATE_VERSION:
+        reader.fail(f"this is no search of version {STATE_VERSION}; remove it, or give --fresh", "format")
+    if reader.take("settings") != dict(settings):
+        reader.fail("this search is of other paints or other starts; remove it, or give --fresh", "settings")
+    paints = settings["paints"]
+    assert isinstance(paints, list)
+    results = [_result_from_json(item, len(paints)) for item in reader.take_objects("results")]
+    reader.finish()
+    if [result.count for result in results] != list(range(1, len(results) + 1)):
+        reader.fail("the counts are not 1, 2, 3 …; remove it, or give --fresh", "results")
+    return results
+
+
+def choose_default(results: Sequence[CountResult]) -> int:
+    """Return the count that :data:`SMALL_ENOUGH` picks, or that of the lowest equation 4 where none is so low."""
+    good = [result for result in results if result.value <= SMALL_ENOUGH]
+    if good:
+        return min(result.count for result in good)
+    return min(results, key=lambda result: (result.value, result.count)).count
+
+
+def save_basis(
+    path: Path,
+    names: Sequence[str],
+    results: Sequence[CountResult],
+    default_count: int,
+    provenance: Mapping[str, object],
+) -> dict[str, object]:
+    """Write the stored answer and return it.
+
+    ``names`` are the paints in the order of the errors; ``provenance`` says how, where and when it was made.
+
+    Raises
+    ------
+    FittingError
+        There is no result with ``default_count`` lobes.
+    FileError
+        It cannot be written.
+    """
+    if default_count not in {result.count for result in results}:
+        raise FittingError(f"There is no basis of {default_count} lobes to be the default.")
+    answer: dict[str, object] = {
+        "format": STORED_FORMAT,
+        "version": STORED_VERSION,
+        "default_count": default_count,
+        "error": " ".join((error_function.__doc__ or "").split()),
+        "provenance": dict(provenance),
+        "paints": list(names),
+        "results": [_result_to_json(result) for result in results],
+    }
+    _write(path, answer)
+    return answer
+
+
+def _result_to_json(result: CountResult) -> dict[str, object]:
+    return {
+        "count": result.count,
+        "exponents": list(result.exponents),
+        "equation_4": result.value,
+        "maximum": max(result.errors),
+        "mean": sum(result.errors) / len(result.errors),
+        "errors": list(result.errors),
+        "base_errors": list(result.base_errors),
+        "coat_errors": list(result.coat_errors),
+        "evaluations": result.evaluations,
+        "seconds": result.seconds,
+        "others": [{"exponents": list(exponents), "equation_4": value} for exponents, value in result.others],
+    }
+
+
+def _result_from_json(reader: FieldReader, paints: int) -> CountResult:
+    def numbers(name: str, reader: FieldReader = reader, count: int | None = paints) -> tuple[float, ...]:
+        values = reader.take(name)
+        if not isinstance(values, list) or (count is not None and len(values) != count):
+            reader.fail(f"{count or 'some'} numbers are wanted", name)
+        return tuple(_number(reader, name, value) for value in values)
+
+    def lobes(name: str, reader: FieldReader = reader) -> tuple[float, ...]:
+        try:
+            return LobeBasis(numbers(name, reader, None)).exponents
+        except FittingError as error:
+            raise DocumentError(reader.path, str(error).rstrip("."), reader.where(name)) from error
+
+    for derived in ("count", "equation_4", "maximum", "mean"):
+        reader.take(derived)
+    others = tuple(
+        (lobes("exponents", item), _number(item, "equation_4", item.take("equation_4")))
+        for item in reader.take_objects("others")
+    )
+    result = CountResult(
+        lobes("exponents"),
+        numbers("errors"),
+        numbers("base_errors"),
+        numbers("coat_errors"),
+        int(_number(reader, "evaluations", reader.take("evaluations"))),
+        _number(reader, "seconds", reader.take("seconds")),
+        others,
+    )
+    reader.finish()
+    return result
+
+
+def _number(reader: FieldReader, name: str, value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 <= value < 1e12:
+        reader.fail("a number of at least 0 is wanted", name)
+    return float(value)
+
+
+def _write(path: Path, value: Mapping[str, object]) -> None:
+    text = json.dumps(value, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    write_atomically(path, text.encode())
