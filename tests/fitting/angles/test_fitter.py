@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting import LobeBasis
-from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleGrid
+from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleGrid, AngleSamples
 from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.pipeline.paint import PaintFitter
@@ -76,7 +76,7 @@ def test_the_coats_energy_is_kept_at_every_incidence(angle_fitter: AngleFitter) 
     reflected = fresnel_dielectric(fit.weights.cosines, target.ior)
     np.testing.assert_allclose(fit.weights.coat_energy()[:, 0], reflected, rtol=0.01)
     lobes = angle_fitter.coat_samples.lobe_energy(fit.weights.exponents)
-    rings = angle_fitter.sample(target)[1]
+    rings = angle_fitter.sample(target).rings
     wanted = np.einsum("knc,kn->kc", rings, angle_fitter.coat_samples.solid_angle)
     np.testing.assert_allclose(np.einsum("km,kmc->kc", lobes, fit.weights.kg), wanted, rtol=1e-6)
 
@@ -91,9 +91,11 @@ def test_an_edit_is_the_same_as_a_fresh_fit(angle_fitter: AngleFitter) -> None:
 
 
 def test_linear_in_its_target(angle_fitter: AngleFitter) -> None:
-    base, coat = angle_fitter.sample(paint("red"))
-    one = angle_fitter.fit_samples(base, coat, ior=1.5)
-    other = angle_fitter.fit_samples(1e-5 * base, 1e-5 * coat, ior=1.5)
+    samples = angle_fitter.sample(paint("red"))
+    one = angle_fitter.fit_samples(samples)
+    other = angle_fitter.fit_samples(
+        replace(samples, base=1e-5 * samples.base, coat=1e-5 * samples.coat, rings=1e-5 * samples.rings)
+    )
     np.testing.assert_allclose(other.base_error.relative, one.base_error.relative, rtol=1e-6)
     np.testing.assert_allclose(other.weights.coat_energy(), 1e-5 * one.weights.coat_energy(), rtol=1e-6)
 
@@ -112,18 +114,18 @@ def test_smoothness_calms_the_lobes_over_the_angles() -> None:
 def test_no_lobe_flickers_over_the_angles_along_a_drag(
     angle_fitter: AngleFitter, step: float, channel: int
 ) -> None:
-    base, coat = angle_fitter.sample(paint("blue"))
-    bright = base.copy()
+    samples = angle_fitter.sample(paint("blue"))
+    bright = samples.base.copy()
     bright[:, channel] *= 1.0 + 3.0 * step
-    fit = angle_fitter.fit_samples(bright, coat, ior=paint("blue").ior)
+    fit = angle_fitter.fit_samples(replace(samples, base=bright))
     assert there_and_back(relative(fit)) < 0.15
 
 
 def test_a_small_edit_is_a_small_change_of_the_look(angle_fitter: AngleFitter) -> None:
-    base, coat = angle_fitter.sample(paint("blue"))
+    samples = angle_fitter.sample(paint("blue"))
     last = None
     for step in range(12):
-        fit = angle_fitter.fit_samples(base * (1.0 + 0.01 * step), coat, ior=paint("blue").ior)
+        fit = angle_fitter.fit_samples(replace(samples, base=samples.base * (1.0 + 0.01 * step)))
         if last is not None:
             for theta in (20.0, 45.0, 65.0):
                 change = aspecular_delta_e(last.weights, fit.weights, [15.0, 25.0, 45.0, 75.0], theta)
@@ -135,38 +137,44 @@ def test_a_small_edit_is_a_small_change_of_the_look(angle_fitter: AngleFitter) -
 @settings(max_examples=8, deadline=None)
 def test_weights_are_never_negative_nor_nan(angle_fitter: AngleFitter, seed: int) -> None:
     rng = np.random.default_rng(seed)
-    base = rng.lognormal(0.0, 3.0, (angle_fitter.base_samples.gamma_rad.size, 3))
-    coat = rng.lognormal(0.0, 3.0, (*angle_fitter.coat_samples.gamma_rad.shape, 3))
-    fit = angle_fitter.fit_samples(base, coat, ior=1.5)
+    flat = (angle_fitter.base_samples.gamma_rad.size, 3)
+    around = (*angle_fitter.coat_samples.gamma_rad.shape, 3)
+    samples = AngleSamples(
+        rng.lognormal(0.0, 3.0, flat), rng.lognormal(0.0, 3.0, flat), rng.lognormal(0.0, 3.0, around), 1.5
+    )
+    fit = angle_fitter.fit_samples(samples)
     for table in (fit.weights.kd, fit.weights.kdd, fit.weights.kg):
         assert np.isfinite(table).all()
         assert (table >= 0.0).all()
 
 
 def test_a_coloured_coat_and_a_grey_one_agree(angle_fitter: AngleFitter) -> None:
-    base, coat = angle_fitter.sample(paint("blue"))
-    grey = angle_fitter.fit_samples(base, coat, ior=1.5)
-    tinted = angle_fitter.fit_samples(base, coat * np.array([1.0, 0.5, 0.25]), ior=1.5)
+    samples = angle_fitter.sample(paint("blue"))
+    grey = angle_fitter.fit_samples(samples)
+    tinted = angle_fitter.fit_samples(replace(samples, rings=samples.rings * np.array([1.0, 0.5, 0.25])))
     np.testing.assert_allclose(
         tinted.weights.coat_energy(), grey.weights.coat_energy() * np.array([1.0, 0.5, 0.25]), rtol=1e-6
     )
 
 
 def test_zeros_and_one_zero_channel(angle_fitter: AngleFitter) -> None:
-    base, coat = angle_fitter.sample(paint("blue"))
-    black = angle_fitter.fit_samples(0.0 * base, 0.0 * coat, ior=1.5)
+    samples = angle_fitter.sample(paint("blue"))
+    nothing = 0.0 * samples.base
+    black = angle_fitter.fit_samples(replace(samples, base=nothing, coat=nothing, rings=0.0 * samples.rings))
     assert not black.weights.kd.any()
     assert not black.weights.kdd.any()
     assert not black.weights.kg.any()
-    base[:, 1] = 0.0
-    fit = angle_fitter.fit_samples(base, coat, ior=1.5)
+    no_green = samples.base * np.array([1.0, 0.0, 1.0])
+    fit = angle_fitter.fit_samples(replace(samples, base=no_green, coat=nothing))
     assert not fit.weights.kdd[..., 1].any()
     assert fit.weights.kdd[..., 0].any()
 
 
 def test_no_coat_and_no_transmission_to_divide_by(angle_fitter: AngleFitter) -> None:
-    base, coat = angle_fitter.sample(paint("blue"))
-    fit = angle_fitter.fit_samples(base, 0.0 * coat, ior=1.0, base_under_coat=False)
+    samples = angle_fitter.sample(paint("blue"))
+    fit = angle_fitter.fit_samples(
+        replace(samples, rings=0.0 * samples.rings, ior=1.0, base_under_coat=False)
+    )
     assert not fit.weights.kg.any()
     assert not fit.weights.base_under_coat
 
@@ -179,21 +187,34 @@ def test_more_lobes_than_samples(angle_fitter: AngleFitter) -> None:
 
 
 def test_bad_samples_are_named(angle_fitter: AngleFitter) -> None:
-    base, coat = angle_fitter.sample(paint("blue"))
-    broken = base.copy()
+    samples = angle_fitter.sample(paint("blue"))
+    broken = samples.base.copy()
     broken[3, 1] = np.nan
     with pytest.raises(
         FittingError, match=r"base cannot be fitted: its green channel is not finite .* under light at"
     ):
-        angle_fitter.fit_samples(broken, coat, ior=1.5)
-    broken = coat.copy()
+        angle_fitter.fit_samples(replace(samples, base=broken))
+    broken = samples.rings.copy()
     broken[2, 5, 2] = -0.5
     with pytest.raises(FittingError, match=r"coat .* blue channel is negative"):
-        angle_fitter.fit_samples(base, broken, ior=1.5)
+        angle_fitter.fit_samples(replace(samples, rings=broken))
+    broken = samples.coat.copy()
+    broken[0, 0] = np.inf
+    with pytest.raises(FittingError, match=r"coat .* red channel is not finite"):
+        angle_fitter.fit_samples(replace(samples, coat=broken))
     with pytest.raises(FittingError, match="samples of shape"):
-        angle_fitter.fit_samples(base[1:], coat, ior=1.5)
+        angle_fitter.fit_samples(replace(samples, base=samples.base[1:]))
     with pytest.raises(FittingError, match="refractive index"):
-        angle_fitter.fit_samples(base, coat, ior=0.5)
+        angle_fitter.fit_samples(replace(samples, ior=0.5))
+
+
+@pytest.mark.parametrize("name", ["matte_grey", "satin_white", "matte_white"])
+def test_the_base_shows_what_round_lobes_lack_of_a_matte_coat_in_the_plane(
+    angle_fitter: AngleFitter, name: str
+) -> None:
+    target = paint(name)
+    fit = angle_fitter.fit(target)
+    assert aspecular_delta_e(target, fit.weights, [15, 45, 110]).max() <= 0.2
 
 
 @pytest.mark.parametrize(
@@ -222,6 +243,23 @@ def test_a_limit_that_nothing_can_meet_gives_the_best_at_hand_and_the_optimum_la
     best = other.fit(target)
     assert not exact.time_limited
     np.testing.assert_allclose(exact.base_error.absolute, best.base_error.absolute, rtol=1e-5, atol=1e-8)
+    fitter.close()
+
+
+def test_a_base_that_met_the_limit_is_finished_with_its_coat(monkeypatch: pytest.MonkeyPatch) -> None:
+    target = paint("violet_shift")
+    fitter = AngleFitter(time_limit_s=20.0)
+    solve = fitter._base.solve
+    monkeypatch.setattr(fitter._base, "solve", lambda targets, deadline, **kept: solve(targets, 0.0, **kept))
+    fit = fitter.fit(target)
+    assert fit.time_limited
+    assert set(fit.coat_error.method) == {"optimum"}
+    assert "optimum" not in fit.base_error.method
+    assert fit.exact is not None
+    exact = fit.exact.result(timeout=20.0)
+    assert not exact.time_limited
+    np.testing.assert_array_equal(exact.weights.kg, fit.weights.kg)
+    assert (exact.base_error.absolute <= fit.base_error.absolute + 1e-9).all()
     fitter.close()
 
 

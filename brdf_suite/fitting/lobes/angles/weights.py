@@ -33,6 +33,27 @@ def leaving(cos_light: FloatArray, cos_view: FloatArray, cos_gamma: FloatArray, 
     return result
 
 
+def gloss_brdf(
+    grid: AngleGrid, exponents: FloatArray, kg: FloatArray, light: FloatArray, view: FloatArray
+) -> FloatArray:
+    """Return the gloss lobes' f_r (n, 3) of a table ``kg`` (K, m, 3) for ``light``, ``view`` (n, 3)."""
+    up = light[:, 2] * view[:, 2]
+    tangential = light[:, 0] * view[:, 0] + light[:, 1] * view[:, 1]
+    lobes = np.clip(up - tangential, 0.0, 1.0)[:, None] ** exponents
+    halfway = np.sqrt(np.clip(0.5 * (1.0 + up + tangential), 0.0, 1.0))
+    above = (light[:, 2] > 0.0) & (view[:, 2] > 0.0)
+    value = np.einsum("nm,nmc->nc", lobes, _mixed(grid, kg, halfway))
+    return np.where(above[:, None], value / np.sqrt(np.where(above, up, 1.0))[:, None], 0.0)
+
+
+def _mixed(grid: AngleGrid, table: FloatArray, cosine: FloatArray) -> FloatArray:
+    """``table`` (K, ...) at cosines (n,): (n, ...)."""
+    lower, share = grid.shares(cosine)
+    share = share.reshape(share.shape + (1,) * (table.ndim - 1))
+    result: FloatArray = (1.0 - share) * table[lower] + share * table[lower + 1]
+    return result
+
+
 @dataclass(frozen=True, eq=False)
 class AngleWeights:
     """Weights of the lobes at K incidences, linear Rec. 2020, ≥ 0; seed paper, section 4, its second way of Fresnel.
@@ -121,13 +142,6 @@ class AngleWeights:
             base_under_coat=self.base_under_coat,
         )
 
-    def _mixed(self, table: FloatArray, cosine: FloatArray) -> FloatArray:
-        """``table`` (K, ...) at cosines (n,): (n, ...)."""
-        lower, share = self.grid.shares(cosine)
-        share = share.reshape(share.shape + (1,) * (table.ndim - 1))
-        result: FloatArray = (1.0 - share) * table[lower] + share * table[lower + 1]
-        return result
-
     def leaving(
         self, cos_light: npt.ArrayLike, cos_view: npt.ArrayLike, cos_gamma: npt.ArrayLike
     ) -> FloatArray:
@@ -146,14 +160,12 @@ class AngleWeights:
         light, view = light.reshape(-1, 3), view.reshape(-1, 3)
         cos_i, cos_o = light[:, 2], view[:, 2]
         above = (cos_i > 0.0) & (cos_o > 0.0)
-        tangential = light[:, 0] * view[:, 0] + light[:, 1] * view[:, 1]
-        cos_gamma = cos_i * cos_o - tangential
+        cos_gamma = cos_i * cos_o - light[:, 0] * view[:, 0] - light[:, 1] * view[:, 1]
         lobes = np.clip(cos_gamma, 0.0, 1.0)[:, None] ** self.exponents
-        base = self._mixed(self.kd, cos_i) + np.einsum("nm,nmc->nc", lobes, self._mixed(self.kdd, cos_i))
+        base = _mixed(self.grid, self.kd, cos_i)
+        base = base + np.einsum("nm,nmc->nc", lobes, _mixed(self.grid, self.kdd, cos_i))
         base = np.where(above[:, None], base * self.leaving(cos_i, cos_o, cos_gamma)[:, None], 0.0)
-        halfway = np.sqrt(np.clip(0.5 * (1.0 + cos_i * cos_o + tangential), 0.0, 1.0))
-        gloss = np.einsum("nm,nmc->nc", lobes, self._mixed(self.kg, halfway))
-        gloss = np.where(above[:, None], gloss / np.sqrt(np.where(above, cos_i * cos_o, 1.0))[:, None], 0.0)
+        gloss = gloss_brdf(self.grid, self.exponents, self.kg, light, view)
         return cos_i.reshape(shape), base.reshape((*shape, 3)), gloss.reshape((*shape, 3))
 
     def reflected(self, wi: FloatArray, wo: FloatArray) -> FloatArray:

@@ -1,0 +1,115 @@
+"""From samples of a paint to the weighted, relative targets of the joint programs.
+
+Relative, because smoothness compares the weights of neighbouring incidences: what Fresnel's equations do to all of
+them alike is divided out here, and multiplied in again where the weights are made.
+
+**The coat's rest.** Round lobes cannot be as wide in the plane of incidence as a coat's facets are there and narrow
+across. They hold the coat's energy, and so a matte coat (Beckmann α = .08) comes out a quarter too dark at 15° in the
+plane, where colours are read: 1.3 to 2.1 ΔE00. What the coat shows there beyond its fitted lobes, on the normal's
+side from the first angle at which paints are read, is therefore left to the base. A glossy coat has no such rest.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
+from brdf_suite.fitting.lobes.angles.weights import gloss_brdf, leaving
+from brdf_suite.fitting.lobes.fitter import CHANNELS
+from brdf_suite.fitting.lobes.program import PartProgram
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+
+FloatArray = NDArray[np.float64]
+
+#: Smallest aspecular angle at which paints are read.
+NEAREST_READING_RAD = np.deg2rad(15.0) - 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class AngleSamples:
+    """What a fit looks at: f_r of the base and of the coat at ``base_samples`` (N, 3), and the coat's ring means.
+
+    ``rings`` ``(K, n, 3)`` are means of ``f_r·(N·L)`` at ``coat_samples``; ``seconds`` is what sampling took.
+    """
+
+    base: FloatArray
+    coat: FloatArray
+    rings: FloatArray
+    ior: float
+    base_under_coat: bool = True
+    seconds: float = 0.0
+
+
+def checked_samples(samples: AngleSamples, flat: AngleBaseSamples, rings: AngleCoatSamples) -> AngleSamples:
+    """Return ``samples`` as float64 of the right shapes, or raise a FittingError that names the first bad one."""
+    cosines = flat.grid.cosines
+    around = np.broadcast_to(cosines[:, None], rings.gamma_rad.shape)
+    return replace(
+        samples,
+        base=_checked("base", samples.base, flat.gamma_rad, cosines[flat.angle]),
+        coat=_checked("coat", samples.coat, flat.gamma_rad, cosines[flat.angle]),
+        rings=_checked("coat", samples.rings, rings.gamma_rad, around),
+    )
+
+
+def coat_target(
+    program: PartProgram, rings: AngleCoatSamples, samples: AngleSamples
+) -> tuple[FloatArray, FloatArray]:
+    """Return the coat's weighted relative target, and what its weights are multiplied by, (K,)."""
+    energy = np.einsum("knc,kn->kc", samples.rings, rings.solid_angle)
+    mean = energy.mean(axis=1)
+    # Where a coat reflects nothing at an angle, any scale will do for its zeros.
+    scale = np.where(mean > 1e-12 * max(float(mean.max()), 1e-300), mean, 1.0)
+    joined = np.concatenate([samples.rings, energy[:, None, :]], axis=1) / scale[:, None, None]
+    return _weighted(program, joined.reshape(-1, 3)), scale
+
+
+def base_target(
+    program: PartProgram,
+    flat: AngleBaseSamples,
+    samples: AngleSamples,
+    exponents: FloatArray,
+    kg: FloatArray,
+) -> tuple[FloatArray, FloatArray]:
+    """Return the base's weighted relative target, and what its weights are multiplied by, (K,)."""
+    entered = flat.grid.cosines[flat.angle]
+    whole = samples.base.copy()
+    # The coat's rest: see the module.
+    gloss = gloss_brdf(flat.grid, exponents, kg, flat.lights, flat.views)
+    read = flat.gamma_rad >= NEAREST_READING_RAD
+    whole[read] = np.maximum(whole[read] + samples.coat[read] - gloss[read], 0.0)
+    scale = np.ones(flat.grid.count)
+    if samples.base_under_coat:
+        # Relative targets: the share of the incidence that the coat lets pass, and of the view beyond the mirror.
+        scale = (1.0 - fresnel_dielectric(flat.grid.cosines, samples.ior)) ** 2
+        beyond = leaving(entered, flat.views[:, 2], np.cos(flat.gamma_rad), samples.ior)
+        whole /= (scale[flat.angle] * beyond)[:, None]
+    return _weighted(program, whole), scale
+
+
+def _weighted(program: PartProgram, values: FloatArray) -> FloatArray:
+    """Return the target (n, 3) of ``program``: weighted ``values`` of the data rows, 0 for those of smoothness."""
+    target = np.zeros((program.shape[0], 3))
+    target[: len(values)] = program.row_weights[: len(values), None] * values
+    return target
+
+
+def _checked(part: str, values: FloatArray, gamma_rad: FloatArray, cosines: FloatArray) -> FloatArray:
+    """Return ``values`` as float64 (..., 3), or raise a FittingError that names the first bad sample."""
+    array = np.asarray(values, dtype=np.float64)
+    if array.shape != (*gamma_rad.shape, 3):
+        raise FittingError(f"The {part} has samples of shape {array.shape}, not {(*gamma_rad.shape, 3)}.")
+    bad = ~(np.isfinite(array) & (array >= 0.0))
+    if bad.any():
+        place = tuple(np.argwhere(bad)[0])
+        value, sample = array[place], place[:-1]
+        what = "is not finite" if not np.isfinite(value) else f"is negative ({value:g} 1/sr)"
+        raise FittingError(
+            f"The {part} cannot be fitted: its {CHANNELS[place[-1]]} channel {what} at the aspecular angle "
+            f"{np.rad2deg(gamma_rad[sample]):.4g}° under light at {np.rad2deg(np.arccos(cosines[sample])):.4g}°."
+        )
+    return array
