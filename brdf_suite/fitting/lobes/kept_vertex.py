@@ -22,6 +22,8 @@ FloatArray = NDArray[np.float64]
 
 #: A system whose inverse is larger than this would answer with rounding.
 LARGEST_INVERSE = 1e7
+#: Parts of more columns are left to the simplex: to invert their systems takes as long as its few steps.
+MOST_COLUMNS = 64
 #: Duals further from feasible than this prove too little; the solver itself allows more.
 FEASIBLE = 1e-11
 
@@ -57,6 +59,8 @@ def kept_vertex(parts: Sequence[PartProgram], held: BlockSolution) -> KeptVertex
     A vertex where more samples are met than columns are in use, or fewer, is no square system: the optimum is
     then degenerate, and left to the simplex.
     """
+    if any(part.shape[1] > MOST_COLUMNS for part in parts):
+        return None
     maps = []
     for part, solution, dual in zip(parts, held.solutions, held.duals, strict=True):
         if (part.matrix.T @ dual).max() > FEASIBLE:

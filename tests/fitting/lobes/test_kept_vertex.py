@@ -71,3 +71,10 @@ def test_a_degenerate_optimum_is_not_kept() -> None:
     held = solved([part], [target / target.sum(axis=0)])
     interior = BlockSolution(held.solutions, tuple(0.0 * dual for dual in held.duals))
     assert kept_vertex([part], interior) is None
+
+
+def test_a_part_of_many_columns_is_left_to_the_simplex() -> None:
+    rng = np.random.default_rng(5)
+    part = build_program(rng.uniform(0, 1, (90, 70)), np.ones(90))
+    target = rng.uniform(0, 1, (90, 3))
+    assert kept_vertex([part], solved([part], [target / target.sum(axis=0)])) is None
