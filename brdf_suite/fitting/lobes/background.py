@@ -12,6 +12,7 @@ import os
 import sys
 import threading
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -95,7 +96,9 @@ class BackgroundSolver:
         self._thread_id = threading.get_ident()
         if sys.platform == "linux":
             # Linux alone gives each thread a priority of its own under this call; elsewhere it is the process's.
-            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), min(os.nice(0) + NICENESS, 19))
+            # A sandbox may forbid it; the thread then runs as the program does.
+            with suppress(OSError):
+                os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), min(os.nice(0) + NICENESS, 19))
 
     def _next(self, request: Request, then: Then, future: Future[Any]) -> None:
         try:

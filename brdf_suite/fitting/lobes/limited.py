@@ -4,7 +4,7 @@ HiGHS alone overruns a limit of its own by milliseconds, because it looks at the
 that grow with the program. Two ways keep it, by the size of the program (docs/fit.md has the measurements):
 
 - A small program is solved by the caller, in runs of so many iterations as half of what is left allows at the
-  pace seen last. Handing it to a thread and back costs as much as the fit. Where two targets had their optimum at
+  pace seen last. Handing it to a thread and back costs more than the fit. Where two targets had their optimum at
   one vertex, that vertex is kept and tried before the solver (``kept_vertex``).
 - A large one is given to a thread of lower priority, after the caller has worked out feasible answers: at once,
   the two would wait for the interpreter's lock in turns. The caller waits for the rest of the limit, and leaves

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import os
 import subprocess
 import sys
 import threading
@@ -126,6 +127,20 @@ def test_what_becomes_of_the_optimum_is_made_on_the_thread(solver: LimitedSolver
     optimal, name = limited.exact.result(timeout=PATIENCE_S)
     assert optimal
     assert name.startswith("brdf-fit")
+
+
+@pytest.mark.skipif(
+    sys.platform != "linux", reason="other systems have no priority of a thread under this call"
+)
+def test_the_thread_gives_way_to_the_program(solver: LimitedSolver) -> None:
+    def niceness(_: object) -> int:
+        return os.getpriority(os.PRIO_PROCESS, threading.get_native_id())
+
+    limited = solver.solve(targets(5), time.perf_counter(), then=niceness)
+    assert limited.exact is not None
+    own = os.getpriority(os.PRIO_PROCESS, threading.get_native_id())
+    assert limited.exact.result(timeout=PATIENCE_S) == min(own + 5, 19)
+    assert os.getpriority(os.PRIO_PROCESS, threading.get_native_id()) == own
 
 
 def test_an_error_on_the_thread_reaches_who_waits(solver: LimitedSolver) -> None:
