@@ -45,7 +45,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="the largest count, 1 to 12; default: 11",
     )
     command.add_argument(
-        "--starts", metavar="N", type=_number(2, _MOST_STARTS), default=8, help="starts per count; default: 8"
+        "--starts", metavar="N", type=_number(2, _MOST_STARTS), default=4, help="starts per count; default: 4"
     )
     command.add_argument(
         "--workers", metavar="N", type=_number(1, _MOST_WORKERS), help="processes; default: one per core"

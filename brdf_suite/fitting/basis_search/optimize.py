@@ -25,14 +25,14 @@ SMALLEST_EXPONENT, LARGEST_EXPONENT = 1.0, 116_000.0
 LOG_ENDS = (float(np.log(SMALLEST_EXPONENT)), float(np.log(LARGEST_EXPONENT)))
 #: The norms of the stages, and the most steps in one stage (the slopes of a step take one evaluation a lobe).
 NORMS = (2.0, 4.0, 8.0, 16.0)
-STAGE_STEPS = 12
+STAGE_STEPS = 8
 #: Step in log exponent for slopes: above the kinks of the linear programs, below the distance of lobes.
 SLOPE_STEP = 0.01
 #: What a log exponent outside its ends is charged, per unit.
 OUTSIDE = 10.0
 #: The polish: first and last step in log exponent, and the most evaluations per lobe.
-POLISH_STEPS = (0.3, 0.004)
-POLISH_EVALUATIONS_PER_LOBE = 60
+POLISH_STEPS = (0.2, 0.005)
+POLISH_EVALUATIONS_PER_LOBE = 40
 #: Neighbours keep at least this ratio, less 1, when they are put in order for the last time.
 LEAST_GAP = 1e-3
 DIGITS = 5
@@ -158,7 +158,7 @@ def _rounded(best: _Best) -> Optimum:
     for value in np.exp(best.point):
         lowest = exponents[-1] * (1.0 + LEAST_GAP) if exponents else SMALLEST_EXPONENT
         exponents.append(float(f"{max(float(value), lowest):.{DIGITS}g}"))
-    top = float(np.exp(LOG_ENDS[1]))
+    top = LARGEST_EXPONENT
     for k in range(len(exponents) - 1, -1, -1):
         exponents[k] = min(exponents[k], top)
         top = exponents[k] / (1.0 + LEAST_GAP)
