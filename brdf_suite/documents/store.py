@@ -100,7 +100,10 @@ def paint_from_json(value: object, path: _Path = "the message") -> Paint:
     paint = any_paint_from_json(value, path)
     if isinstance(paint, CookTorrancePaint):
         raise DocumentError(
-            path, "holds a Cook-Torrance paint; here a paint of aspecular readings is wanted", "kind"
+            path,
+            "holds a Cook-Torrance paint; here a paint of aspecular readings is wanted, which can be edited "
+            "(brdf-suite render and fit take every kind)",
+            "kind",
         )
     return paint
 
