@@ -26,8 +26,10 @@ if TYPE_CHECKING:  # 3 ms with the logging that it loads, on the start-up path o
 
 FloatArray = NDArray[np.float64]
 
-#: Weight of the change between neighbouring incidences; chosen by measurement (docs/incidence.md).
-SMOOTHNESS = 0.1
+#: Weight of the base's change between neighbouring incidences, and how many times as much the coat's counts: its
+#: shape hardly changes, so that calm costs it nothing. Chosen by measurement (docs/incidence.md).
+SMOOTHNESS = 0.03
+COAT_FACTOR = 10.0
 TIME_LIMIT_S = 0.016
 #: Limit of the first solve, made with the fitter itself: no edit waits for it.
 WARM_UP_S = 2.0
@@ -77,7 +79,8 @@ class AngleFitter:
     grid
         Where along the incidence; 16 angles if left out.
     smoothness
-        Weight μ ≥ 0 of the change between neighbouring incidences (see ``program``); 0: each for itself.
+        Weight μ ≥ 0 of the base's change between neighbouring incidences (see ``program``), ten times that for the
+        coat's; 0: each incidence for itself.
     time_limit_s
         Limit of a whole fit, samples in hand to weights, in seconds: hard, as that of the single fit.
     base_gammas_deg, base_weights
@@ -113,7 +116,7 @@ class AngleFitter:
         exponents = self.basis.array()
         self.programs: tuple[PartProgram, PartProgram] = (
             base_program(self.base_samples, exponents, self.smoothness),
-            coat_program(self.coat_samples, exponents, self.smoothness),
+            coat_program(self.coat_samples, exponents, COAT_FACTOR * self.smoothness),
         )
         base, coat = self.programs
         # A coat is the same in all channels, as a rule, and its program is then solved once; sharp lobes of
