@@ -4,8 +4,9 @@ The targets of the error are at places that the fit does not see:
 
 - **Colour**: L*a*b*, light at 45°, at the aspecular angles :data:`BETWEEN_DEG`: those between the base's samples, and
   the measured ones, at which no sample of the fit sees base and coat together. From :data:`COAT_FROM_DEG` on it is that
-  of the whole paint, the coat taken as its mean around the mirror direction, which is all that round lobes can follow.
-  Nearer the coat outshines the base, so there it is the base alone.
+  of the whole paint: at the measured angles as an instrument sees it, in the plane of incidence; between them with
+  the coat's mean around the mirror direction, which is all that round lobes can follow. Nearer the coat outshines the
+  base, so there it is the base alone.
 - **Coat**: the share of the coat's energy within a radius of the mirror direction of a view at 45°, at
   :data:`RADII` radii evenly spaced in log from .1° to 30°, integrated on rings far finer than the fit's. What is
   within .9° is what a 20° glossmeter takes in; what is beyond is haze.
@@ -36,6 +37,7 @@ BETWEEN_DEG = (
     *(3.0, 5.5, 10.5, 12.5, 15.0, 17.5, 22.5, 27.5, 30.0, 32.5, 37.5, 40.0),
     *(42.5, 45.0, 47.5, 50.0, 55.0, 65.0, 70.0, 80.0, 85.0, 100.0, 105.0),
 )
+MEASURED_DEG = (15.0, 45.0, 110.0)
 COAT_FROM_DEG = 10.0
 LIGHT_DEG = 45.0
 #: Azimuths of half a ring around the mirror direction, for the coat's mean.
@@ -103,7 +105,10 @@ def coat_counts() -> FloatArray:
 
 
 def _coat_between(paint: Layered) -> FloatArray:
-    """f_r (angles, 3) of the coat as a mean over rings, ``f_r·(N·L)`` over the cosine of the colours' light."""
+    """f_r (angles, 3) of the coat, in the plane at the measured angles, else the mean over a ring.
+
+    The ring's mean is of ``f_r·(N·L)``, over the cosine of the colours' light.
+    """
     light = np.radians(LIGHT_DEG)
     mirror = np.array([np.sin(light), 0.0, np.cos(light)])
     inwards = np.array([-np.cos(light), 0.0, np.sin(light)])
@@ -112,7 +117,10 @@ def _coat_between(paint: Layered) -> FloatArray:
     gamma = np.radians(BETWEEN_DEG)[:, None, None]
     lights = np.cos(gamma) * mirror + np.sin(gamma) * around
     values = paint.coat.eval(lights, illumination(LIGHT_DEG)) * np.clip(lights[..., 2:], 0.0, None)
-    return np.asarray(coat_counts()[:, None] * values.mean(axis=1) / np.cos(light))
+    plane = paint.coat.eval(illumination(LIGHT_DEG), aspecular_view(LIGHT_DEG, np.array(BETWEEN_DEG)))
+    measured = np.isin(BETWEEN_DEG, MEASURED_DEG)[:, None]
+    seen = np.where(measured, plane, values.mean(axis=1) / np.cos(light))
+    return np.asarray(coat_counts()[:, None] * seen)
 
 
 @dataclass(frozen=True, eq=False)

@@ -25,6 +25,7 @@ from brdf_suite.errors import FittingError
 from brdf_suite.fitting.basis_search.database import (
     BETWEEN_DEG,
     LIGHT_DEG,
+    MEASURED_DEG,
     Database,
     coat_counts,
     coat_rings,
@@ -38,7 +39,6 @@ FloatArray = NDArray[np.float64]
 
 #: What counts as much at the measured angles as a ΔE00 of 1 elsewhere: there readings are compared with the paint.
 MEASURED_UNIT = 0.4
-MEASURED_DEG = (15.0, 45.0, 110.0)
 #: The share of a coat's energy that counts as much as a ΔE00 of 1.
 ENERGY_UNIT = 0.05
 #: Far beyond what a fit takes: the answer must not depend on how busy the machine is.
