@@ -128,6 +128,17 @@ def test_the_folds_never_see_what_they_are_judged_on(shared_data: Path) -> None:
     assert after.figures.cosine_rms > 5.0 * before.figures.cosine_rms
 
 
+def test_of_very_many_samples_a_share_judges(shared_data: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = fit_any(shared_data / "brdf" / "krylon_blue.brdf")
+    monkeypatch.setattr("brdf_suite.pipeline.fit_errors._MOST_IN_A_FOLD", 400)
+    fewer = held_out_errors(found.reflectance, found.weights)
+    assert found.held_out is not None
+    assert fewer is not None
+    assert fewer.pairs == found.held_out.pairs
+    assert fewer.figures.cube_root_rms == pytest.approx(found.held_out.figures.cube_root_rms, rel=0.2)
+    assert fewer.figures.cube_root_rms != found.held_out.figures.cube_root_rms
+
+
 def test_few_samples_have_no_held_out_error(shared_data: Path) -> None:
     found = fit_any(shared_data / "brdf" / "bird_example.json")
     assert found.held_out is None
