@@ -79,7 +79,9 @@ class LimitedSolver:
         self.channels = channels
         self._background = BackgroundSolver(self.parts, channels)
         self._solver = self._background.solver
-        self._fallbacks = tuple(FallbackSolver(part) for part in self.parts)
+        # One for each different part: the same one may stand for several groups of channels.
+        different = {id(part): FallbackSolver(part) for part in {id(p): p for p in self.parts}.values()}
+        self._fallbacks = tuple(different[id(part)] for part in self.parts)
         self.inline = self._solver.entry_count <= LARGEST_INLINE_ENTRIES if inline is None else inline
         self._vertex: KeptVertex | None = None
         self._pace_s = FIRST_PACE_S_PER_ENTRY * self._solver.entry_count

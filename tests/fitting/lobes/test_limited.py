@@ -172,6 +172,19 @@ def test_factors_are_weights_of_this_target_alone(solver: LimitedSolver) -> None
     assert (limited.objectives[0] >= exact_error * (1 - 1e-9)).all()
 
 
+def test_one_part_may_stand_several_times() -> None:
+    part, other = program(20, 6, 1), program(15, 9, 2)
+    rng = np.random.default_rng(9)
+    wanted = [rng.uniform(0, 1, (part.shape[0], 1)) for part in (part, part, other)]
+    solver = LimitedSolver([part, part, other], channels=1)
+    best = solver.solve(wanted, later())
+    limited = solver.solve(wanted, time.perf_counter() - 1.0, finish=False)
+    for k, made in enumerate((part, part, other)):
+        assert best.objectives[k][0] == pytest.approx(optimum(made.matrix, wanted[k][:, 0]), rel=1e-7)
+        np.testing.assert_allclose(limited.objectives[k], best.objectives[k], rtol=1e-9)
+    solver.close()
+
+
 def test_rows_of_any_sign_tie_unknowns_together() -> None:
     rng = np.random.default_rng(4)
     samples = rng.uniform(0, 1, (8, 4))
