@@ -1,0 +1,33 @@
+"""``brdf-suite fit PAINT --angles K``."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from brdf_suite.cli.main import main
+
+
+def test_weights_and_errors_as_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["fit", "blue", "--angles", "6", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["angles"] == len(found["cosines"]) == len(found["kg"]) == 6
+    assert found["cosines"] == sorted(found["cosines"])
+    assert not found["time_limited"]
+    assert {row["illumination_deg"] for row in found["errors"]} >= {20.0, 45.0, 65.0}
+
+
+def test_a_table_for_people(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["fit", "blue", "--angles", "6"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert "6 incidences" in lines[0]
+    at_45 = next(line for line in lines if line.split()[:1] == ["45"])
+    assert len(at_45.split()) == 7
+
+
+def test_too_few_angles_are_refused_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["fit", "blue", "--angles", "2"]) != 0
+    error = capsys.readouterr().err.strip()
+    assert "at least 3 angles" in error
+    assert "\n" not in error
