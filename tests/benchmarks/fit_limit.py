@@ -109,6 +109,18 @@ def hard_limit() -> dict[str, float]:
     return {"hard_limit_p99_ms": min(percentiles), "hard_limit_error_ratio": float(np.median(ratios))}
 
 
+def idle_p99_ms() -> float:
+    """Return the 99th percentile of loops that do nothing for the limit: what the machine alone makes of it."""
+    seconds = []
+    for _ in range(FITS):
+        start = time.perf_counter()
+        while time.perf_counter() - start < LIMIT_S:
+            pass
+        seconds.append(time.perf_counter() - start)
+        time.sleep(PAUSE_S)
+    return 1e3 * float(np.percentile(seconds, 99))
+
+
 def linprog_optimum(matrix: FloatArray, target: FloatArray, *, tight: bool = True) -> float:
     """Return ``min Σ|M x - b|, x ≥ 0`` as scipy finds it, residuals split in two; ``tight``: tolerances 1e-10."""
     from scipy.optimize import linprog
