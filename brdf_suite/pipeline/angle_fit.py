@@ -68,6 +68,7 @@ class AnglePaintFit:
             "kg": weights.kg.tolist(),
             "ior": weights.ior,
             "base_under_coat": weights.base_under_coat,
+            "base_of_facets": weights.base_of_facets,
             "ms": self.fit.seconds * 1e3,
             "time_limited": self.fit.time_limited,
             "l1_relative": {
@@ -113,7 +114,8 @@ def fit_at_angles(
             raise FittingError(
                 "it has no coat and base to be fitted at several angles; leave out the number of angles."
             )
-        fitter = AngleFitter(grid=grid, time_limit_s=time_limit_s)
+        facets = not getattr(layers, "base_under_coat", True)
+        fitter = AngleFitter(grid=grid, facets=facets, time_limit_s=time_limit_s)
         try:
             fit = fitter.fit(layers)
         finally:

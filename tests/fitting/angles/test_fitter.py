@@ -17,8 +17,9 @@ from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleGrid, An
 from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import find_paint
-from brdf_suite.reflectance.build import build_paint
+from brdf_suite.pipeline.scene import find_any_paint, find_paint
+from brdf_suite.reflectance.build import build_paint, build_reflectance
+from brdf_suite.reflectance.layers import layered
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 
 
@@ -284,3 +285,21 @@ def test_a_paint_without_transmission_is_flat_over_its_angles(
     bare = replace(target, ior=1.0)
     weights = angle_fitter.fit(bare).weights
     assert np.ptp(weights.kdd, axis=0).max() < 0.02 * weights.kdd.max()
+
+
+@pytest.mark.parametrize("name", ["table1_blue", "table1_polaris_silver"])
+def test_wide_facet_lobes_are_true_on_both_sides_of_the_mirror(name: str) -> None:
+    model = build_reflectance(find_any_paint(name))
+    layers = layered(model)
+    assert layers is not None
+    facets = AngleFitter(facets=True, time_limit_s=20.0).fit(layers).weights
+    plain = AngleFitter(time_limit_s=20.0).fit(layers).weights
+    for theta in (45.0, 65.0):
+        beyond = aspecular_delta_e(model, facets, [-15.0], theta)
+        assert beyond.max() < 0.5 * aspecular_delta_e(model, plain, [-15.0], theta).max()
+        assert aspecular_delta_e(model, facets, [15.0, 25.0, 45.0], theta).max() < 5.0
+
+
+def test_facets_are_not_for_a_base_under_a_coat() -> None:
+    with pytest.raises(FittingError, match="through a coat"):
+        AngleFitter(facets=True, time_limit_s=20.0).fit(paint("blue"))

@@ -66,3 +66,13 @@ def test_rings_of_a_constant_are_the_constant_and_lie_at_their_angle() -> None:
     assert samples.solid_angle[-1].sum() == pytest.approx(2.0 * np.pi, rel=0.01)
     energy = samples.lobe_energy(np.array([5.0, 5000.0]))
     np.testing.assert_allclose(energy[-1], 2.0 * np.pi / np.array([6.0, 5001.0]), rtol=0.01)
+
+
+def test_samples_of_facets_come_in_reciprocal_pairs_about_each_angle() -> None:
+    samples = AngleBaseSamples(GRID, facets=True)
+    half = np.sqrt(0.5 * (1.0 + (samples.lights * samples.views).sum(axis=1)))
+    np.testing.assert_allclose(half, GRID.cosines[samples.angle], atol=1e-9)
+    np.testing.assert_allclose(
+        np.abs(aspecular_angle(samples.lights, samples.views)), samples.gamma_rad, atol=1e-7
+    )
+    assert set(samples.angle) == set(range(GRID.count))

@@ -104,8 +104,19 @@ def test_texture_holds_every_weight_at_its_texel_centre() -> None:
         ({"kg": np.full((8, 2, 3), -1e-9)}, "kg hold a negative"),
         ({"kdd": np.full((8, 2, 3), np.nan)}, "kdd hold a negative or not finite"),
         ({"ior": 0.9}, "refractive index"),
+        ({"base_of_facets": True}, "one or the other"),
     ],
 )
 def test_refusals(change: dict[str, object], words: str) -> None:
     with pytest.raises(FittingError, match=words):
         table(**change)
+
+
+def test_a_base_of_facets_is_reciprocal_and_looked_up_halfway() -> None:
+    weights = table(base_under_coat=False, base_of_facets=True)
+    wi, wo = illumination(70.0), aspecular_view(70.0, 30.0)
+    there = weights.at(np.cos(np.radians(55.0)))
+    lobes = np.cos(np.radians(30.0)) ** EXPONENTS
+    expected = there.kd + lobes @ there.kdd + lobes @ there.kg / np.sqrt(wi[2] * wo[2])
+    np.testing.assert_allclose(weights.eval(wi, wo), expected, rtol=1e-9)
+    np.testing.assert_allclose(weights.eval(wo, wi), expected, rtol=1e-9)

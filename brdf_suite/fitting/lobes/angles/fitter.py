@@ -20,6 +20,7 @@ from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.fitter import LayeredReflectance, PartError
 from brdf_suite.fitting.lobes.limited import LimitedSolution, LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram
+from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS
 
 if TYPE_CHECKING:  # 3 ms with the logging that it loads, on the start-up path of programs that may not fit
     from concurrent.futures import Future
@@ -83,6 +84,8 @@ class AngleFitter:
         coat's; 0: each incidence for itself.
     time_limit_s
         Limit of a whole fit, samples in hand to weights, in seconds: hard, as that of the single fit.
+    facets
+        For paints whose base is wide facet lobes (Cook-Torrance): see ``samples``. Others are refused.
     base_gammas_deg, base_weights
         Aspecular angles of the base's samples and their weights; those of the single fit if left out.
 
@@ -95,6 +98,7 @@ class AngleFitter:
         basis: LobeBasis | None = None,
         grid: AngleGrid | None = None,
         *,
+        facets: bool = False,
         smoothness: float = SMOOTHNESS,
         time_limit_s: float = TIME_LIMIT_S,
         base_gammas_deg: tuple[float, ...] | None = None,
@@ -108,10 +112,9 @@ class AngleFitter:
         self.time_limit_s = float(time_limit_s)
         if (base_gammas_deg is None) != (base_weights is None):
             raise FittingError("Give the base's aspecular angles and their weights together.")
-        if base_gammas_deg is None or base_weights is None:
-            self.base_samples = AngleBaseSamples(self.grid)
-        else:
-            self.base_samples = AngleBaseSamples(self.grid, base_gammas_deg, base_weights)
+        self.base_samples = AngleBaseSamples(
+            self.grid, base_gammas_deg or BASE_GAMMAS_DEG, base_weights or BASE_WEIGHTS, facets
+        )
         self.coat_samples = AngleCoatSamples(self.grid)
         exponents = self.basis.array()
         self.programs: tuple[PartProgram, PartProgram] = (
@@ -140,7 +143,8 @@ class AngleFitter:
         base = 0.05 + 0.5 * np.clip(np.cos(self.base_samples.gamma_rad), 0.0, None) ** 6
         rings = np.exp(-20_000.0 * self.coat_samples.gamma_rad**2)
         look = np.repeat(base[:, None], 3, 1)
-        samples = AngleSamples(look, 0.0 * look, np.repeat(rings[..., None], 3, 2), 1.5)
+        under = not self.base_samples.facets
+        samples = AngleSamples(look, 0.0 * look, np.repeat(rings[..., None], 3, 2), 1.5, under)
         self._fit(samples, time.perf_counter(), 2.0 * WARM_UP_S)
 
     def sample(self, reflectance: LayeredReflectance) -> AngleSamples:
@@ -178,6 +182,10 @@ class AngleFitter:
         Raises :class:`FittingError` for a sample that is negative or not finite, and for an index below 1.
         """
         start = time.perf_counter()
+        if self.base_samples.facets and samples.base_under_coat:
+            raise FittingError(
+                "The base is seen through a coat; fit it without facets, which are for Cook-Torrance paints."
+            )
         if not (np.isfinite(samples.ior) and samples.ior >= 1.0):
             raise FittingError(f"The refractive index of the coat is {samples.ior:g}; it must be 1 or more.")
         checked = checked_samples(samples, self.base_samples, self.coat_samples)
@@ -246,6 +254,7 @@ class AngleFitter:
                 kg=coat.table,
                 ior=samples.ior,
                 base_under_coat=samples.base_under_coat,
+                base_of_facets=self.base_samples.facets,
                 time_limited=limited,
             ),
             base_error=base.error,

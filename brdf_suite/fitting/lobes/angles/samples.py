@@ -6,6 +6,10 @@ normal remain. Lower views are left out, because the coat lets out less and less
 the view at 84°, counted as one of those that are measured, would pull down what is seen at 75°. At 45° the samples
 are those of the single fit, all of them.
 
+**Base of facets.** Wide facet lobes (Cook-Torrance) take no light's way through a coat; they are brighter beyond the
+mirror direction than on the normal's side, which lobes cannot be. But at a fixed θd, half the angle between light and
+view, any reciprocal reflectance is even in γ. So their samples stand at θ + γ/2 and θ - γ/2 about each θ.
+
 **Coat.** At each view angle rings of lights around the mirror direction, as in the single fit. A microfacet lobe
 seen at θ is narrower across the plane of incidence than in it by cosθ. Even azimuths would miss it at grazing, and
 the rings of the single fit would begin outside it: so the first ring lies at .001 cosθ, and the azimuths are denser
@@ -27,6 +31,8 @@ FloatArray = NDArray[np.float64]
 
 #: Largest polar angle of a base sample's view, but for those of the measured incidence.
 HORIZON_DEG = 75.0
+#: The same for a base of facets, whose pairs divide γ between light and view, and that no coat darkens there.
+FACET_HORIZON_DEG = 82.0
 COAT_RINGS = 22
 COAT_AZIMUTHS = 8
 
@@ -35,12 +41,14 @@ COAT_AZIMUTHS = 8
 class AngleBaseSamples:
     """Samples of the base at K incidences, one after the other, N in all.
 
-    ``lights``, ``views`` (N, 3); ``gamma_rad``, ``weights`` (N,); ``angle`` (N,) the index of the incidence.
+    ``lights``, ``views`` (N, 3); ``gamma_rad``, ``weights`` (N,); ``angle`` (N,) the index of the incidence, or of
+    θd for a base of ``facets``.
     """
 
     grid: AngleGrid
     gammas_deg: tuple[float, ...] = BASE_GAMMAS_DEG
     raw_weights: tuple[float, ...] = BASE_WEIGHTS
+    facets: bool = False
     lights: FloatArray = field(init=False)
     views: FloatArray = field(init=False)
     gamma_rad: FloatArray = field(init=False)
@@ -50,11 +58,17 @@ class AngleBaseSamples:
     def __post_init__(self) -> None:
         theta = np.arccos(self.grid.cosines)
         gamma = np.deg2rad(np.array(self.gammas_deg, np.float64))
-        polar = theta[:, None] - gamma
-        seen_there = np.abs(polar) <= np.deg2rad(HORIZON_DEG)
-        seen_there[self.grid.measured] = np.abs(polar[self.grid.measured]) < np.pi / 2.0
-        angle, sample = np.nonzero(seen_there)
-        seen, light = polar[angle, sample], theta[angle]
+        towards = 0.5 * gamma if self.facets else np.zeros_like(gamma)
+        above, below = theta[:, None] + towards, theta[:, None] + towards - gamma
+        if self.facets:
+            # The mirror direction is always there, also where the angle itself is lower than the others may be.
+            lowest = np.maximum(np.deg2rad(FACET_HORIZON_DEG), theta + 1e-9)[:, None]
+            kept = (np.maximum(above, np.abs(below)) <= lowest) & (gamma >= 0.0)
+        else:
+            kept = np.abs(below) <= np.deg2rad(HORIZON_DEG)
+            kept[self.grid.measured] = np.abs(below[self.grid.measured]) < np.pi / 2.0
+        angle, sample = np.nonzero(kept)
+        seen, light = below[angle, sample], above[angle, sample]
         zero = np.zeros_like(seen)
         for name, value in {
             "lights": np.stack([-np.sin(light), zero, np.cos(light)], -1),

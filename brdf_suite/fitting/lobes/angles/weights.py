@@ -40,10 +40,15 @@ def gloss_brdf(
     up = light[:, 2] * view[:, 2]
     tangential = light[:, 0] * view[:, 0] + light[:, 1] * view[:, 1]
     lobes = np.clip(up - tangential, 0.0, 1.0)[:, None] ** exponents
-    halfway = np.sqrt(np.clip(0.5 * (1.0 + up + tangential), 0.0, 1.0))
     above = (light[:, 2] > 0.0) & (view[:, 2] > 0.0)
-    value = np.einsum("nm,nmc->nc", lobes, _mixed(grid, kg, halfway))
+    value = np.einsum("nm,nmc->nc", lobes, _mixed(grid, kg, halfway_cosine(light, view)))
     return np.where(above[:, None], value / np.sqrt(np.where(above, up, 1.0))[:, None], 0.0)
+
+
+def halfway_cosine(light: FloatArray, view: FloatArray) -> FloatArray:
+    """Return cos θd (...), θd half the angle between ``light`` and ``view`` (..., 3)."""
+    result: FloatArray = np.sqrt(np.clip(0.5 * (1.0 + (light * view).sum(axis=-1)), 0.0, 1.0))
+    return result
 
 
 def _mixed(grid: AngleGrid, table: FloatArray, cosine: FloatArray) -> FloatArray:
@@ -82,6 +87,9 @@ class AngleWeights:
         Refractive index of the coat.
     base_under_coat
         False: nothing is taken from the base for the coat, t = 1.
+    base_of_facets
+        KD and KDD are looked up at d, as KG, not at c: a base of wide facet lobes, whose samples were taken so.
+        Not with ``base_under_coat``.
     time_limited
         The time limit came before the optimum.
 
@@ -97,6 +105,7 @@ class AngleWeights:
     kg: FloatArray
     ior: float
     base_under_coat: bool = True
+    base_of_facets: bool = False
     time_limited: bool = False
     #: Channels of a texel of :meth:`texture`.
     TEXEL: ClassVar[int] = 4
@@ -117,6 +126,8 @@ class AngleWeights:
                 raise FittingError(f"The lobe weights {name} hold a negative or not finite value.")
             value.setflags(write=False)
             object.__setattr__(self, name, value)
+        if self.base_of_facets and self.base_under_coat:
+            raise FittingError("A base of facet lobes is not seen through a coat; it is one or the other.")
         if not (math.isfinite(self.ior) and self.ior >= 1.0):
             raise FittingError(f"The refractive index of the coat is {self.ior:g}; it must be 1 or more.")
 
@@ -162,8 +173,9 @@ class AngleWeights:
         above = (cos_i > 0.0) & (cos_o > 0.0)
         cos_gamma = cos_i * cos_o - light[:, 0] * view[:, 0] - light[:, 1] * view[:, 1]
         lobes = np.clip(cos_gamma, 0.0, 1.0)[:, None] ** self.exponents
-        base = _mixed(self.grid, self.kd, cos_i)
-        base = base + np.einsum("nm,nmc->nc", lobes, _mixed(self.grid, self.kdd, cos_i))
+        place = halfway_cosine(light, view) if self.base_of_facets else cos_i
+        base = _mixed(self.grid, self.kd, place)
+        base = base + np.einsum("nm,nmc->nc", lobes, _mixed(self.grid, self.kdd, place))
         base = np.where(above[:, None], base * self.leaving(cos_i, cos_o, cos_gamma)[:, None], 0.0)
         gloss = gloss_brdf(self.grid, self.exponents, self.kg, light, view)
         return cos_i.reshape(shape), base.reshape((*shape, 3)), gloss.reshape((*shape, 3))
