@@ -150,7 +150,7 @@ class ViewerController(QObject):
     def _show_title(self) -> None:
         """Name what is on show, for the task bar and for a screenshot."""
         stage = self.stage
-        names = [] if stage.fit is None else [stage.fit.paint.name]
+        names = [] if stage.fit is None else [stage.fit.name]
         props = (stage.surface, stage.environment)
         names += [title_of(prop.key, SHIPPED_TITLES) for prop in props if prop is not None]
         title = ", ".join(names)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from brdf_qt.exact_fit import ExactFit
 from brdf_qt.fit_error import fit_tips, is_large, marked
@@ -11,6 +11,7 @@ from brdf_qt.link import LiveLink
 from brdf_qt.message_bar import Message, message_of
 from PySide6.QtCore import QObject
 
+from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.paint import PaintFit, PaintFitter
@@ -22,6 +23,9 @@ from brdf_viewer.sections import set_note
 from brdf_viewer.source_chooser import Source, title_of
 from brdf_viewer.stage import Stage
 from brdf_viewer.window import ViewerWindow
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.any_fit import AnyFit
 
 _KEY = "paint"
 _OFFER = "follow"
@@ -106,15 +110,19 @@ class PaintControl(QObject):
         """Drop a fit that is still worked at."""
         self._fitter.close()
 
-    def _take(self, paint: Paint, key: str) -> None:
-        """The edit path: fit and draw; no file, no texture, no import."""
+    def _take(self, paint: Paint | CookTorrancePaint, key: str) -> None:
+        """The edit path: fit and draw; no file, no texture, no import. Only designed paints are edited."""
+        fit: PaintFit | AnyFit
         try:
-            fit = self._fitter.fit(paint)
+            fit = self._fitter.fit(paint) if isinstance(paint, Paint) else _fitted(paint)
         except SuiteError as error:
             self._tell(error)
             return
         self._window.messages.dismiss(_KEY)
-        self._exact.watch(fit)
+        if isinstance(fit, PaintFit):
+            self._exact.watch(fit)
+        else:
+            self._exact.forget()
         self._stage.set_fit(fit)
         self._shown_key = key
         self._show_fit(fit, key)
@@ -126,30 +134,29 @@ class PaintControl(QObject):
 
     def _tell(self, error: SuiteError) -> None:
         fit = self._stage.fit
-        shown = default_paint_name().capitalize() if fit is None else fit.paint.name
+        shown = default_paint_name().capitalize() if fit is None else fit.name
         todo = f"The picture shows {shown}. Choose another paint, or correct this one."
         self._window.messages.show_message(message_of(error, _KEY, todo=todo))
 
-    def _show_fit(self, fit: PaintFit, key: str) -> None:
+    def _show_fit(self, fit: PaintFit | AnyFit, key: str) -> None:
         section = self._window.paint
         section.chooser.show_source(key, self._designer_title() if key == DESIGNER else title_of(key, {}))
         self._name_designer()
-        section.patches.set_patches(
-            [Patch(a.aspecular_deg, a.asked, a.fitted, a.delta_e_2000, fit.time_limited) for a in fit.angles]
-        )
-        section.set_fit_error(fit.worst_delta_e, fit.time_limited)
+        section.patches.set_patches(_patches(fit))
+        worst = fit.worst_delta_e or 0.0
+        section.set_fit_error(worst, fit.time_limited)
         set_note(section.facts, "\n".join(fit.notices))
         limited = ", time-limited" if fit.time_limited else ""
         self._window.status.cell("lobes").set(
             f"{len(fit.weights.exponents)} lobes", "Cosine lobes of the fit"
         )
-        large = is_large(fit.worst_delta_e)
-        told = marked(f"ΔE {fit.worst_delta_e:.2f}", fit.worst_delta_e)
+        large = is_large(worst)
+        told = marked(f"ΔE {worst:.2f}", worst)
         tips = ["Time of the lobe fit, and its largest ΔE00 at the measured angles"]
-        if more := fit_tips(fit.worst_delta_e, fit.time_limited):
+        if more := fit_tips(worst, fit.time_limited):
             tips.append(more)
         self._window.status.cell("fit").set(
-            f"fit {fit.fit.seconds * 1e3:.2f} ms · {told}{limited}",
+            f"fit {fit.fit_seconds * 1e3:.2f} ms · {told}{limited}",
             "\n".join(tips),
             "warning" if large or fit.time_limited else "fresh",
         )
@@ -197,3 +204,21 @@ class PaintControl(QObject):
         files = self._recent.paths()
         self._window.paint.chooser.set_sources(self._shipped(), [Source(p, title_of(p, {})) for p in files])
         self._window.commands.set_recent(_KEY, files)
+
+
+def _fitted(paint: CookTorrancePaint) -> AnyFit:
+    # Not on the edit path nor at the start, so not imported with it.
+    from brdf_suite.pipeline.any_fit import fit_reflectance
+    from brdf_suite.reflectance.build import build_reflectance
+
+    return fit_reflectance(paint.name, build_reflectance(paint))
+
+
+def _patches(fit: PaintFit | AnyFit) -> list[Patch]:
+    """A designed paint's readings, or the usual angles that the fit looked at."""
+    limited = fit.time_limited
+    if isinstance(fit, PaintFit):
+        return [Patch(a.aspecular_deg, a.asked, a.fitted, a.delta_e_2000, limited) for a in fit.angles]
+    return [
+        Patch(a.aspecular_deg, a.lab, a.lab_fitted, a.delta_e_2000, limited) for a in fit.angles if a.fitted
+    ]

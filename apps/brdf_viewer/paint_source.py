@@ -8,14 +8,14 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_from_json
-from brdf_suite.pipeline.scene import find_paint
+from brdf_suite.pipeline.scene import find_any_paint
 
 DESIGNER = "designer:"
 """The key of the paint that Designer holds; no file and no shipped paint has a name with a colon at its end."""
 
 
 class PaintSource(QObject):
-    """Tells ``changed(paint, key)`` and ``following_changed(bool)``."""
+    """Tells ``changed(paint, key)``, a paint of any kind, and ``following_changed(bool)``."""
 
     changed = Signal(object, str)
     following_changed = Signal(bool)
@@ -51,11 +51,11 @@ class PaintSource(QObject):
             self.changed.emit(self._of_designer, DESIGNER)
 
     def start_with(self, name_or_path: str) -> None:
-        """Show a paint, where Designer is followed until it has another; errors as :func:`find_paint`."""
-        self.changed.emit(find_paint(name_or_path), name_or_path)
+        """Show a paint, where Designer is followed until it has another; errors as :func:`find_any_paint`."""
+        self.changed.emit(find_any_paint(name_or_path), name_or_path)
 
     def choose(self, name_or_path: str) -> None:
-        """Show a paint and stop following Designer; errors as :func:`find_paint`, nothing changed then."""
-        paint = find_paint(name_or_path)
+        """Show a paint and stop following Designer; errors as :func:`find_any_paint`, nothing changed then."""
+        paint = find_any_paint(name_or_path)
         self.set_following(False)
         self.changed.emit(paint, name_or_path)

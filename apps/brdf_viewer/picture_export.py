@@ -40,7 +40,7 @@ class PictureExport(QObject):
             todo = "Wait until paint, surface and environment are there, and save it then."
             messages.show_message(Message(_KEY, "There is no picture yet.", todo=todo, severity="error"))
             return
-        chosen = self._ask(self._window, re.sub(r"[^\w\- ]+", "_", fit.paint.name).strip(" _") or "picture")
+        chosen = self._ask(self._window, re.sub(r"[^\w\- ]+", "_", fit.name).strip(" _") or "picture")
         if not chosen:
             return
         path = Path(chosen)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
@@ -12,6 +12,9 @@ from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.surface.mesh import Mesh
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.any_fit import AnyFit
 
 T = TypeVar("T")
 
@@ -41,7 +44,7 @@ class Stage(QObject):
     def __init__(self, view: View, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.view = view
-        self.fit: PaintFit | None = None
+        self.fit: PaintFit | AnyFit | None = None
         self.environment: Prop[PreparedEnvironment] | None = None
         self._surface: Prop[Mesh] | None = None
         self._bounds = Bounds.of([])
@@ -80,7 +83,7 @@ class Stage(QObject):
         """Replace the camera."""
         self.change_view(camera=camera)
 
-    def set_fit(self, fit: PaintFit) -> None:
+    def set_fit(self, fit: PaintFit | AnyFit) -> None:
         """Draw this paint from the next frame on."""
         self.fit = fit
         self.contents_changed.emit()

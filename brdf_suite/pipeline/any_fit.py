@@ -75,10 +75,13 @@ class AnyFit:
 
     @property
     def worst_delta_e(self) -> float | None:
-        """The largest ΔE00 at the readings of a designed paint, or at the judged geometries; None without any."""
+        """The largest ΔE00 at a designed paint's readings, or where the fit looked among the judged geometries.
+
+        None where there is no such angle.
+        """
         if self.paint_fit is not None:
             return self.paint_fit.worst_delta_e
-        return max((row.delta_e_2000 for row in self.angles), default=None)
+        return max((row.delta_e_2000 for row in self.angles if row.fitted), default=None)
 
     def to_json(self) -> dict[str, object]:
         """Return everything as plain values; angles in degrees, times in milliseconds."""

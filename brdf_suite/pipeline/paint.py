@@ -62,6 +62,11 @@ class PaintFit:
         return self.paint.name
 
     @property
+    def fit_seconds(self) -> float:
+        """The time from target samples in hand to weights."""
+        return self.fit.seconds
+
+    @property
     def weights(self) -> LobeWeights:
         """The lobe weights, linear Rec. 2020."""
         return self.fit.weights

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,6 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.face_array import FaceArray
-from brdf_suite.pipeline.any_fit import AnyFit, fit_any
 from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment, load_surface
 from brdf_suite.progress import Progress, part, report
@@ -26,6 +25,9 @@ from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
 from brdf_suite.surface.mesh import Mesh
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.any_fit import AnyFit
 
 Size = tuple[int, int]
 PAINT_MATERIAL = "paint"
@@ -139,7 +141,7 @@ class Picture:
     """A picture that was written, and what it shows. Times: fit and draw in ms, environment maps in s.
 
     ``delta_e_2000_worst`` is over a designed paint's own readings, over the usual aspecular angles of anything
-    else, and None where the data hold no such angle.
+    else that the fit looked at, and None where there is no such angle.
     """
 
     path: Path
@@ -181,6 +183,9 @@ def render_to_file(
         The progress callback asked for it.
     """
     from brdf_suite.files.images import write_png
+
+    # The programs draw without it, and measured data are much to import.
+    from brdf_suite.pipeline.any_fit import fit_any
 
     if path.suffix.lower() != ".png":
         raise FileError(path, "pictures are written as PNG; give a name that ends in .png")

@@ -19,6 +19,7 @@ from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import save_paint
 from brdf_suite.documents.view import Camera
 from brdf_suite.errors import GraphicsError
+from brdf_suite.pipeline.scene import find_any_paint
 from brdf_suite.progress import report
 
 
@@ -275,6 +276,20 @@ def test_a_dropped_paint_is_shown(viewer, tmp_path) -> None:
     drop(viewer, file)
     assert str(file) in viewer.messages()["paint"]
     assert viewer.stage.fit.paint.name == "Ruby"
+
+
+def test_a_cook_torrance_paint_is_shown(viewer, tmp_path) -> None:
+    file = tmp_path / "measured.brdfpaint"
+    save_paint(find_any_paint("table1_2k_acrylack"), file)
+    before = viewer.pixels()
+    drop(viewer, file)
+    assert viewer.stage.fit.name == "2K Acrylack"
+    assert np.abs(viewer.pixels().astype(int) - before).max() > 30
+    assert viewer.window.windowTitle() == "2K Acrylack, Sphere, dim.exr"
+    assert "ΔE 0." in viewer.window.status.cell("fit").text()
+    drop(viewer, file.with_name("missing.brdfpaint"))
+    assert viewer.stage.fit.name == "2K Acrylack"
+    assert "2K Acrylack" in viewer.messages()["paint"]
 
 
 def test_many_environments_leave_nothing_behind(start, lights) -> None:
