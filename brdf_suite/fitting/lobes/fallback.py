@@ -26,6 +26,8 @@ FloatArray = NDArray[np.float64]
 STEPS = 40
 PENALTY = 0.2
 RELAXATION = 1.6
+#: Steps that are always made: without them the answer is far off, and together they take under .1 ms.
+FEWEST_STEPS = 8
 #: Rows whose ratios are sorted for the best factor; of a longer target every k-th row is taken.
 MOST_RATIOS = 256
 
@@ -71,7 +73,7 @@ class FallbackSolver:
     ) -> FloatArray:
         """Return columns ≥ 0 ``(m, channels)`` near the least-squares optimum for ``target`` (n, channels).
 
-        At most ``steps`` steps, fewer where ``time.perf_counter()`` passes ``deadline``. (Boyd et al. 2011,
+        At most ``steps`` steps, down to eight where ``time.perf_counter()`` passes ``deadline``. (Boyd et al. 2011,
         Distributed optimization and statistical learning via the alternating direction method of multipliers,
         section 3 with the over-relaxation of 3.4.3: the least squares on one side, the sign on the other.)
         """
@@ -80,8 +82,8 @@ class FallbackSolver:
         # The first step, from nothing and without the relaxation: what is left of a damped least squares.
         solution = np.maximum(pull, 0.0)
         price = pull - solution
-        for _ in range(steps):
-            if time.perf_counter() >= deadline:
+        for number in range(steps):
+            if number >= FEWEST_STEPS and time.perf_counter() >= deadline:
                 break
             free = pull + tie @ (solution - price)
             mixed = RELAXATION * free + (1.0 - RELAXATION) * solution + price
