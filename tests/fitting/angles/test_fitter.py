@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting import LobeBasis
 from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleGrid, AngleSamples
+from brdf_suite.fitting.lobes.angles.program import joint_program
 from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.pipeline.paint import PaintFitter
@@ -303,3 +304,18 @@ def test_wide_facet_lobes_are_true_on_both_sides_of_the_mirror(name: str) -> Non
 def test_facets_are_not_for_a_base_under_a_coat() -> None:
     with pytest.raises(FittingError, match="through a coat"):
         AngleFitter(facets=True, time_limit_s=20.0).fit(paint("blue"))
+
+
+def test_lobes_that_no_sample_of_an_incidence_sees_do_not_overflow() -> None:
+    # At 15°, the nearest sample at 88°, cos^E of these is between 0 and the smallest normal number.
+    fitter = AngleFitter(LobeBasis((2.0, 8.0, 20_450.0, 21_000.0)), AngleGrid(6), time_limit_s=20.0)
+    assert np.isfinite(fitter.fit(paint("blue")).weights.kdd).all()
+
+
+def test_systems_that_are_no_systems_are_refused() -> None:
+    grid = AngleGrid(3)
+    good = [np.ones((2, 2))] * 3
+    bad = [-np.ones((2, 2)), np.ones((2, 2)), np.ones((2, 2))]
+    with pytest.raises(FittingError, match="one incidence"):
+        joint_program(bad, [np.ones(2)] * 3, grid, 0.1)
+    assert joint_program(good, [np.ones(2)] * 3, grid, 0.1).shape == (10, 6)

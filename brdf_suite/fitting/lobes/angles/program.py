@@ -80,7 +80,8 @@ def joint_program(
     row_weights = np.ones(samples + ties)
     row = 0
     for k, (matrix, weight) in enumerate(zip(matrices, weights, strict=True)):
-        build_program(matrix, weight)  # the checks of a single system
+        if not (np.isfinite(matrix).all() and (matrix >= 0.0).all() and (weight > 0.0).all()):
+            raise FittingError("The system of one incidence holds a negative or not finite entry.")
         rows = slice(row, row + len(weight))
         joint[rows, k * unknowns : (k + 1) * unknowns] = weight[:, None] * matrix * scale
         row_weights[rows] = weight
