@@ -41,7 +41,7 @@ def test_the_paints_of_table_1_meet_their_readings(name: str) -> None:
     assert found.kind == "cook_torrance"
     assert not found.weights.base_under_coat
     # Round lobes cannot be narrower across the plane than in it, which a lobe of slope .075 is (Blue Matte).
-    limit = 2.0 if name == "table1_blue_matte" else 0.5
+    limit = 2.0 if name == "table1_blue_matte" else 1.0
     assert max(row.delta_e_2000 for row in found.angles if row.fitted) < limit
     assert [row.aspecular_deg for row in found.angles if row.fitted] == [15.0, 45.0, 110.0]
     # A sharp lobe reflects about 4 ks F at any angle.
@@ -135,7 +135,7 @@ def test_of_very_many_samples_a_share_judges(shared_data: Path, monkeypatch: pyt
     assert found.held_out is not None
     assert fewer is not None
     assert fewer.pairs == found.held_out.pairs
-    assert fewer.figures.cube_root_rms == pytest.approx(found.held_out.figures.cube_root_rms, rel=0.2)
+    assert fewer.figures.cube_root_rms == pytest.approx(found.held_out.figures.cube_root_rms, rel=0.5)
     assert fewer.figures.cube_root_rms != found.held_out.figures.cube_root_rms
 
 
