@@ -32,8 +32,8 @@ FloatArray = NDArray[np.float64]
 
 #: Feasibility tolerances of the scaled program, tighter than the solver's 1e-7.
 TOLERANCE = 1e-9
-#: What costs are multiplied by: of 9,000 random programs 45 missed their optimum by more than 1e-7 without it, and
-#: none with it; a larger factor gave nothing more.
+#: What costs are multiplied by: of 9,600 random programs 31 missed their optimum by more than 1e-7 without it, and
+#: none with it; at 100,000 the solver lost its way in two.
 COST_SCALE = 1_000.0
 #: More iterations than any program needs: the solver's own "no limit".
 NO_ITERATION_LIMIT = 2**31 - 1
