@@ -10,6 +10,7 @@ from __future__ import annotations
 import itertools
 import math
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -17,16 +18,13 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.reading import FieldReader, read_json
 from brdf_suite.errors import DocumentError, FittingError
+from brdf_suite.resources import resource
 
 FloatArray = NDArray[np.float64]
 
 #: What the stored answer of a search calls itself.
 STORED_FORMAT, STORED_VERSION = "lobe_basis", 1
 STORED_NAME = "search.json"
-
-#: The default set, chosen by measurement (docs/fit.md): octaves from 1 to 16, where the bell of flake tilts
-#: of a metallic paint lies (E of about 5 to 8), then factors of 5 to the clearcoat of 90 gloss units.
-DEFAULT_EXPONENTS = (1.0, 2.0, 4.0, 8.0, 16.0, 80.0, 400.0, 2_000.0, 10_000.0, 50_000.0)
 
 
 @dataclass(frozen=True)
@@ -114,6 +112,14 @@ def stored_bases(path: Path) -> tuple[dict[int, LobeBasis], int]:
     return bases, count
 
 
+@cache
 def default_basis() -> LobeBasis:
-    """Return the suite's default exponents; docs/fit.md holds the measurements behind them."""
-    return LobeBasis(DEFAULT_EXPONENTS)
+    """Return the suite's default exponents; docs/basis.md tells how they were found and chosen.
+
+    Raises
+    ------
+    FileError
+        The packaged answer is missing or damaged; the install is.
+    """
+    bases, count = stored_bases(resource("basis", STORED_NAME))
+    return bases[count]

@@ -1,0 +1,136 @@
+"""``brdf-suite basis`` as a process: killed it goes on, interrupted it keeps what it has, refused it says why."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+ORDER = ("--lobes", "2", "--starts", "2", "--workers", "2")
+
+
+def start(folder: Path, database: Path, *more: str) -> subprocess.Popen[str]:
+    command = [
+        sys.executable,
+        "-m",
+        "brdf_suite.cli.main",
+        "basis",
+        "--database",
+        str(database),
+        *ORDER,
+        *more,
+    ]
+    return subprocess.Popen(
+        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+    )
+
+
+def run(folder: Path, database: Path, *more: str) -> tuple[int, str, str]:
+    process = start(folder, database, *more)
+    out, err = process.communicate(timeout=200)
+    return process.returncode, out, err
+
+
+def kept(folder: Path) -> int:
+    state = folder / "basis.json.part"
+    return len(json.loads(state.read_text())["results"]) if state.exists() else 0
+
+
+def wait_for_one(process: subprocess.Popen[str], folder: Path) -> None:
+    """Wait until one count is kept; the state is written whole, so that it can be read at any time."""
+    while kept(folder) < 1:
+        assert process.poll() is None, process.communicate()
+        time.sleep(0.05)
+
+
+def members(group: int) -> list[int]:
+    """The living processes of a process group."""
+    found = []
+    for entry in Path("/proc").glob("[0-9]*"):
+        try:
+            fields = (entry / "stat").read_text().rpartition(")")[2].split()
+        except OSError:
+            continue  # it ended meanwhile
+        if int(fields[2]) == group and fields[0] != "Z":
+            found.append(int(entry.name))
+    return found
+
+
+def results(folder: Path) -> list[dict[str, object]]:
+    rows: list[dict[str, object]] = json.loads((folder / "basis.json").read_text())["results"]
+    for row in rows:
+        del row["seconds"]
+    return rows
+
+
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="the process table is read from /proc")
+def test_killed_and_started_again_it_gives_what_it_would_have_given(tmp_path: Path, few_paints: Path) -> None:
+    undisturbed, killed = tmp_path / "undisturbed", tmp_path / "killed"
+    undisturbed.mkdir()
+    killed.mkdir()
+    status, out, err = run(undisturbed, few_paints)
+    assert status == 0, err
+    assert "2 counts" in out
+    assert not (undisturbed / "basis.json.part").exists()
+
+    process = start(killed, few_paints)
+    wait_for_one(process, killed)
+    os.kill(process.pid, signal.SIGKILL)
+    process.communicate()
+    deadline = time.monotonic() + 60.0
+    while members(process.pid) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert members(process.pid) == [], "its workers leave with it"
+    assert kept(killed) == 1
+    assert not (killed / "basis.json").exists()
+
+    status, out, err = run(killed, few_paints, "--json")
+    assert status == 0, err
+    answer = json.loads(out)
+    assert answer == json.loads((killed / "basis.json").read_text())
+    assert answer["provenance"]["counts_of_an_interrupted_run"] == 1
+    assert results(killed) == results(undisturbed)
+
+
+def test_interrupted_it_keeps_what_is_done_and_says_so(tmp_path: Path, few_paints: Path) -> None:
+    process = start(tmp_path, few_paints)
+    wait_for_one(process, tmp_path)
+    os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to the workers too
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert out == ""
+    assert "1 of 2 counts are kept in basis.json.part" in err
+    assert err.splitlines()[-1] == "brdf-suite: cancelled"
+    assert "Traceback" not in err
+    assert kept(tmp_path) == 1
+    # Another order does not go on from it without being told to.
+    status, _out, err = run(tmp_path, few_paints, "--starts", "3")
+    assert status == 1
+    assert "other paints or other starts" in err
+    assert "--fresh" in err
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        (("--lobes", "13"), "'13' is not a whole number from 1 to 12"),
+        (("--starts", "1"), "'1' is not a whole number from 2"),
+        (("--default", "3"), "--default 3 is more than the 2 lobes"),
+        (("--database", "nowhere"), "there is no paint"),
+        (("-o", "missing/basis.json"), "missing"),
+    ],
+)
+def test_a_bad_order_is_refused_in_words(
+    tmp_path: Path, few_paints: Path, more: tuple[str, ...], words: str
+) -> None:
+    status, _out, err = run(tmp_path, few_paints, *more)
+    assert status in (1, 2)
+    assert words in err
+    assert "Traceback" not in err
+    assert kept(tmp_path) == 0
