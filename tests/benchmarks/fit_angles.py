@@ -10,6 +10,7 @@ include γ = -15, 25 and 75: so those angles, and the ones at 20° and 65°, are
 
 from __future__ import annotations
 
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -116,23 +117,31 @@ def drag_paint(step: int, steps: int = STEPS) -> Paint:
     return replace(start, measurements=tuple(readings), gloss=Gloss(88.0 - 28.0 * float(travelled[3])))
 
 
-def drag(progress: Progress | None, steps: int = STEPS) -> list[AngleFit]:
-    """Return the fits of a drag, under the default limit."""
+def drag(progress: Progress | None, steps: int = STEPS) -> tuple[list[AngleFit], list[float]]:
+    """Return the fits of a drag, under the default limit, and the processor time of each, s."""
     fitter = AngleFitter()
-    fits = []
+    fits, processor = [], []
     for step in range(steps):
-        fits.append(fitter.fit(build_paint(drag_paint(step, steps))))
+        samples = fitter.sample(build_paint(drag_paint(step, steps)))
+        start = time.thread_time()
+        fits.append(fitter.fit_samples(samples))
+        processor.append(time.thread_time() - start)
         report(progress, step / steps, "drag at 16 incidences")
     fitter.close()
-    return fits
+    return fits, processor
 
 
 def run(progress: Progress | None = None) -> dict[str, float | None]:
     """Return the figures of :data:`BOUNDS`."""
-    fits = drag(progress)
+    fits, processor = drag(progress)
     taken = 1e3 * np.array([fit.seconds for fit in fits])
     limited = sum(fit.time_limited for fit in fits)
-    NOTES["multi_angle_p99_ms"] = f"{limited} of {len(fits)} met the limit of 16 ms"
+    # A fit that other programs interrupt waits for its turn, and that is no property of the fit.
+    median, high = 1e3 * np.percentile(processor, [50, 99])
+    NOTES["multi_angle_p99_ms"] = (
+        f"processor time {median:.2f} ms in the median, {high:.2f} ms at the 99th percentile; "
+        f"{limited} of {len(fits)} met the limit of 16 ms"
+    )
     paints = designed()
     usual, blind = AngleFitter(time_limit_s=10.0), held_out_fitter()
     measured, held = {}, {}

@@ -36,6 +36,8 @@ TIME_LIMIT_S = 0.016
 WARM_UP_S = 2.0
 #: Share of the limit after which the coat's answer is taken as it is.
 COAT_SHARE = 0.5
+#: Kept of the limit for making the weights and their errors.
+RESERVE_S = 0.0005
 #: Channels of a coat that differ by less than this share of it are one.
 SAME = 1e-12
 
@@ -206,7 +208,7 @@ class AngleFitter:
         below, below_scale = self._base_target(samples, coat)
         answered = self._base.solve(
             [below],
-            start + limit_s,
+            start + limit_s - min(RESERVE_S, 0.25 * limit_s),
             finish=answer.optimal,
             then=lambda exact: self._result(samples, self._part(0, exact, below, below_scale), coat, start),
         )
