@@ -19,7 +19,9 @@ from pip_progress import PipError, run_pip
 ROOT = Path(__file__).resolve().parent.parent
 LOCK = ROOT / "packaging" / "lock.txt"
 NEEDED = (
+    "brdf_suite/_resources/basis/search.json",
     "brdf_suite/_resources/paints/blue.brdfpaint",
+    "brdf_suite/_resources/paints/cook_torrance/table1_blue.brdfpaint",
     "brdf_suite/_resources/meshes/speed_form.glb",
     "brdf_suite/_resources/environments/booth.exr",
     "brdf_suite/_resources/colour/cie.csv",
