@@ -47,8 +47,12 @@ def finish(axes: Axes, title: str, across: str, up: str) -> None:
 def plot_solvers(database: Database, path: Path) -> None:
     """Draw error over the number of lobes, for three solvers."""
     found = compare_solvers.curves(database)
-    figure, panels = pyplot.subplots(1, 3, figsize=(12.5, 4.0), layout="constrained")
-    for axes, (name, by_solver) in zip(panels, found.items(), strict=True):
+    figure, panels = pyplot.subplots(2, 3, figsize=(12.5, 7.6), layout="constrained")
+    upper = [title for title in found if title.startswith("bases")]
+    lower = [title for title in found if title.startswith("coats")]
+    panels[1, -1].axis("off")
+    for axes, name in zip([*panels[0], *panels[1]], [*upper, *lower], strict=False):
+        by_solver = found[name]
         for solver, values in by_solver.items():
             colour, mark = STYLES[solver]
             mean, largest = ([value[k] for value in values] for k in (0, 1))
@@ -62,12 +66,10 @@ def plot_solvers(database: Database, path: Path) -> None:
                 markerfacecolor="white",
                 label=f"{solver}, worst",
             )
-        coat = name == "coat"
-        title = "Coats: lobes from 2 to 50,000" if coat else f"Bases: lobes from {name}"
-        up = "share of the energy misplaced" if coat else "ΔE00 at angles not used (RMS per paint)"
-        finish(axes, title, "number of lobes, log-spaced", up)
+        up = "share of energy misplaced" if name in lower else "ΔE00 at angles not used (RMS per paint)"
+        finish(axes, name, "number of lobes", up)
         axes.set_xticks(compare_solvers.COUNTS)
-    panels[0].legend(fontsize=8)
+    panels[1, -1].legend(*panels[0, 0].get_legend_handles_labels(), loc="center", fontsize=10, frameon=False)
     figure.savefig(path, dpi=RESOLUTION)
     pyplot.close(figure)
 

@@ -10,15 +10,19 @@ it up.
 from __future__ import annotations
 
 import numpy as np
-from lobe_experiment import COSINE, HELD_OUT, Database, Lobes, arguments, paints, table
+from lobe_experiment import COSINE, HELD_OUT, Database, Lobes, arguments, l1_program, paints, table
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colorimetry import working_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.files.images import read_environment_image
 from brdf_suite.fitting import default_basis
+from brdf_suite.fitting.lobes.fitter import ENERGY_WEIGHT
+from brdf_suite.fitting.lobes.samples import CoatSamples
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
+from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.layers import Layered
 from brdf_suite.resources import resource, resource_names
 
@@ -43,6 +47,7 @@ def sets() -> dict[str, Lobes]:
     for half in (1.0, 2.0, 2.5, 3.0):
         named[f"the broadest replaced by half {half:g}"] = Lobes(exponents[1:], (half,))
     named["half 2 added"] = Lobes(exponents, (2.0,))
+    named["cosine 1 added"] = Lobes((1.0, *exponents))
     named["two replaced, by half 2 and 4"] = Lobes(exponents[2:], (2.0, 4.0))
     named["all broad ones replaced"] = Lobes(sharp, tuple(2.0 * e for e in broad))
     return named
@@ -58,7 +63,7 @@ def searched(databases: dict[str, Database], replaced: int, steps: int) -> Lobes
     cosines = broad.size - replaced
 
     def lobes(x: FloatArray) -> Lobes:
-        moved = np.exp(np.clip(x, -2.5, 4.0))
+        moved = np.exp(np.clip(x, 0.0, 4.0))  # a basis holds no exponent below 1
         return Lobes((*np.sort(moved[:cosines]), *exponents[broad.size :]), tuple(moved[cosines:]))
 
     simplex = np.vstack([start, start + 0.25 * np.eye(start.size)])
@@ -89,6 +94,49 @@ def readings(databases: dict[str, Database], steps: int) -> None:
             cells += [f"{e.held_out[:, part].max():.2f}" for part in (~dark, dark)] + [f"{e.equation_4:.2f}"]
         rows.append(cells)
     table(header, rows, "worst ΔE00 at angles not used in the fit, and equation 4 over its RMS per paint")
+
+
+def coats() -> None:
+    """Print how coats are fitted with half lobes added: energy elsewhere, and f_r in the plane at 15°."""
+    rings, fine = CoatSamples(), CoatSamples(first_ring_rad=2e-4, log_step=0.05, azimuths=12)
+    exponents = default_basis().exponents
+    octaves = tuple(2.0**k for k in range(2, 9))
+    named = {
+        "default": Lobes(exponents),
+        "half octaves added": Lobes(exponents, octaves),
+        # The cosine of E is about as wide as the half lobe of 2 E: what more lobes of any kind bring.
+        "cosine octaves added": Lobes(tuple(sorted({*exponents, *(0.5 * e for e in octaves)}))),
+    }
+    rows = []
+    for roughness in (0.02, 0.05, 0.08, 0.1, 0.2):
+        coat = CoatLobe(1.5, roughness)
+        cells = [f"{roughness:g}"]
+        target, wanted = (
+            (coat.eval(of.lights, of.view) * of.cosines[..., None]).mean(axis=1)[None, :, :1]
+            for of in (rings, fine)
+        )
+        energy = rings.solid_angle @ target[0]
+        whole = float((fine.solid_angle @ wanted[0])[0])
+        seen = np.pi * coat.eval(illumination(45.0), aspecular_view(45.0, np.array([15.0])))[0, 0]
+        for lobes in named.values():
+            on_rings, on_fine = (
+                of.lit[:, None] * lobes.of_cosine(np.cos(of.gamma_rad)) for of in (rings, fine)
+            )
+            matrix = np.concatenate([on_rings, (fine.solid_angle @ on_fine)[None]])
+            weights = np.concatenate([rings.solid_angle, [ENERGY_WEIGHT]])
+            kg = l1_program(matrix, weights, np.concatenate([target, energy[None, None]], axis=1))
+            misplaced = 0.5 * float(fine.solid_angle @ np.abs(wanted[0] - on_fine @ kg[0])[:, 0]) / whole
+            given = (
+                np.pi / COSINE * float(lobes.of_cosine(np.cos(np.radians(np.array([15.0]))))[0] @ kg[0][:, 0])
+            )
+            cells += [f"{misplaced:.4f}", f"{given:.4f}"]
+        rows.append([*cells, f"{seen:.4f}"])
+    header = [
+        "α",
+        *(f"{name}: {what}" for name in named for what in ("misplaced", "ρ at 15°")),
+        "the coat's ρ at 15°",
+    ]
+    table(header, rows, "satin and matte coats, n = 1.5")
 
 
 def light(name: str) -> tuple[FloatArray, FloatArray]:
@@ -178,6 +226,7 @@ def main() -> None:
     databases = {rule: Database.of(list(paints(rule, given.paints).values())) for rule in RULES}
     print(f"{len(databases['flake'].layers)} paints")
     readings(databases, 12 if given.paints else 120)
+    coats()
     pictures(given.paints)
 
 

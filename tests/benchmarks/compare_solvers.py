@@ -22,9 +22,11 @@ from lobe_experiment import (
 )
 
 from brdf_suite.fitting import log_spaced
+from brdf_suite.fitting.lobes.basis import STORED_NAME, stored_bases
 from brdf_suite.fitting.lobes.fitter import ENERGY_WEIGHT
 from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.reflectance.coat_lobe import CoatLobe
+from brdf_suite.resources import resource
 
 SOLVERS: dict[str, Solver] = {
     "L1 program": l1_program,
@@ -77,20 +79,29 @@ def coat_errors(lobes: Lobes) -> dict[str, tuple[float, ...]]:
     return errors
 
 
+def sets() -> dict[str, dict[int, Lobes]]:
+    """Return the lobes of each count: log-spaced over :data:`RANGES`, and what the search found."""
+    named = {
+        f"log-spaced from {title}": {n: Lobes(log_spaced(n, low, high).exponents) for n in COUNTS}
+        for title, (low, high) in RANGES.items()
+    }
+    bases, _ = stored_bases(resource("basis", STORED_NAME))
+    named["found by the search"] = {count: Lobes(bases[count].exponents) for count in COUNTS}
+    return named
+
+
 def curves(database: Database) -> dict[str, dict[str, list[tuple[float, ...]]]]:
-    """Return the errors over :data:`COUNTS` by range and solver; the range "coat" holds misplaced shares."""
+    """Return the errors over :data:`COUNTS` by set and solver; what begins with "coats" holds misplaced shares."""
     found: dict[str, dict[str, list[tuple[float, ...]]]] = {}
-    for title, (low, high) in RANGES.items():
-        found[title] = {name: [] for name in SOLVERS}
-        for count in COUNTS:
-            lobes = Lobes(log_spaced(count, low, high).exponents)
-            for name, errors in base_errors(database, lobes).items():
-                found[title][name].append(errors)
-    found["coat"] = {name: [] for name in SOLVERS}
-    for count in COUNTS:
-        for name, errors in coat_errors(Lobes(log_spaced(count, 2.0, 50_000.0).exponents)).items():
-            found["coat"][name].append(errors)
+    for title, by_count in sets().items():
+        found[f"bases: {title}"] = _by_solver([base_errors(database, by_count[n]) for n in COUNTS])
+        if title != "log-spaced from 2 to 64":  # no lobe of a coat among them
+            found[f"coats: {title}"] = _by_solver([coat_errors(by_count[n]) for n in COUNTS])
     return found
+
+
+def _by_solver(errors: list[dict[str, tuple[float, ...]]]) -> dict[str, list[tuple[float, ...]]]:
+    return {name: [item[name] for item in errors] for name in SOLVERS}
 
 
 def main() -> None:
@@ -99,19 +110,14 @@ def main() -> None:
     database = Database.of(list(paints(count=given.paints).values()))
     print(f"{len(database.layers)} paints, {len(ROUGHNESSES)} coats")
     for title, by_solver in curves(database).items():
-        coat = title == "coat"
+        coat = title.startswith("coats")
         digits, kinds = (3, ("mean", "max")) if coat else (2, ("mean", "max", "15/45/110"))
         header = ["lobes", *(f"{name}: {what}" for name in SOLVERS for what in kinds)]
         rows = [
             [str(count), *(f"{e:.{digits}f}" for name in SOLVERS for e in by_solver[name][k])]
             for k, count in enumerate(COUNTS)
         ]
-        what = (
-            "share of a coat's energy that is misplaced, log-spaced from 2 to 50,000"
-            if coat
-            else f"base: RMS ΔE00 per paint at angles not used in the fit, log-spaced from {title}"
-        )
-        table(header, rows, what)
+        table(header, rows, title)
 
 
 if __name__ == "__main__":
