@@ -12,13 +12,19 @@ def generate(checkout: Path, *arguments: str) -> subprocess.CompletedProcess[str
     return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
 
 
+def contents(folder: Path) -> dict[str, bytes]:
+    """The files of a folder and those below it, by their names from it."""
+    files = (path for path in folder.rglob("*") if path.is_file())
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
+
+
 def test_the_same_code_writes_the_same_files(checkout: Path, tmp_path: Path) -> None:
     """The paints, as the quickest kind; forms and environments are compared in their own rooms' tests."""
     done = generate(checkout, "paints", "--output", str(tmp_path))
     assert done.returncode == 0, done.stderr
-    written = {path.name: path.read_bytes() for path in (tmp_path / "paints").iterdir()}
-    packaged = {path.name: path.read_bytes() for path in (checkout / "resources" / "paints").iterdir()}
-    assert len(written) >= 12
+    written, packaged = contents(tmp_path / "paints"), contents(checkout / "resources" / "paints")
+    assert len(written) >= 30
+    assert any(name.startswith("cook_torrance/") for name in written)
     assert written == packaged
     assert all(f"paints/{name}" in done.stdout for name in written)
 
