@@ -72,7 +72,10 @@ def main() -> int:
         start = time.perf_counter()
         for path in KINDS[kind](folder):
             taken, start = time.perf_counter() - start, time.perf_counter()
-            print(f"{kind}/{path.name}: {path.stat().st_size / 1024:,.0f} KiB, {taken:.1f} s", flush=True)
+            print(
+                f"{path.relative_to(arguments.output).as_posix()}: {path.stat().st_size / 1024:,.0f} KiB, {taken:.1f} s",
+                flush=True,
+            )
     return 0
 
 
