@@ -40,14 +40,19 @@ def chi_square() -> Callable[..., float]:
 
 
 def _chi_square(
-    drawn: np.ndarray, density: Callable[[np.ndarray], np.ndarray], peak_theta: float = 0.0
+    drawn: np.ndarray,
+    density: Callable[[np.ndarray], np.ndarray],
+    peak_theta: float = 0.0,
+    parts: int = 1,
 ) -> float:
     """Return the probability of a worse fit by chance of ``drawn`` (n, 3) to ``density`` (per solid angle).
 
     Pearson's test on cells in polar angle and azimuth above the horizon, and one cell for all that is lost below
     it. Cell edges are quantiles of the first tenth of the directions, which the test then leaves out. The density
     is integrated by Gauss-Legendre points on panels that narrow towards ``peak_theta`` on the +x side, where a
-    mirror lobe may be. Cells that expect fewer than 5 are pooled.
+    mirror lobe may be, and are cut into ``parts`` along the polar angle where
+    the density has kinks there, as a tabulated one has. Cells that expect
+    fewer than 5 are pooled.
     """
     from scipy.special import gammaincc
 
@@ -56,14 +61,16 @@ def _chi_square(
     near = 1e-4 * 2.0 ** np.arange(16)
     levels = np.linspace(0.0, 1.0, 61)
     edges, fine = [], []
-    for values, low, high, peak in (
-        (np.arccos(np.clip(pilot[:, 2], 0.0, 1.0)), 0.0, 0.5 * np.pi, peak_theta),
-        (np.arctan2(pilot[:, 1], pilot[:, 0]), -np.pi, np.pi, 0.0),
+    for values, low, high, peak, cut in (
+        (np.arccos(np.clip(pilot[:, 2], 0.0, 1.0)), 0.0, 0.5 * np.pi, peak_theta, parts),
+        (np.arctan2(pilot[:, 1], pilot[:, 0]), -np.pi, np.pi, 0.0, 1),
     ):
         quantiles = np.quantile(values, levels)
         quantiles[0], quantiles[-1] = low, high
         panels = np.concatenate((quantiles, [peak], peak - near, peak + near))
-        fine.append(np.unique(panels[(panels >= low) & (panels <= high)]))
+        panels = np.unique(panels[(panels >= low) & (panels <= high)])
+        steps = np.arange((len(panels) - 1) * cut + 1) / cut
+        fine.append(np.interp(steps, np.arange(len(panels)), panels))
         edges.append(np.unique(quantiles[::4]))
     (theta_edges, phi_edges), (theta_fine, phi_fine) = edges, fine
     nodes, shares = np.polynomial.legendre.leggauss(4)

@@ -22,3 +22,18 @@ class Reflectance(Protocol):
             they broadcast.
         """
         ...
+
+
+class SampledReflectance(Reflectance, Protocol):
+    """A reflectance that can be path-traced: every model, every measured table, every designed paint."""
+
+    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+        """Return directions (..., 3) to the light for views ``wo`` and ``u`` (..., 3), even in [0, 1).
+
+        Some may lie below the horizon, where the light is lost.
+        """
+        ...
+
+    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
+        ...

@@ -58,11 +58,11 @@ def test_the_paper_is_white_and_the_vinyl_golden(shared_data: Path) -> None:
     assert gold[0, 2] > 25.0
 
 
-def test_samples_follow_the_pdf(shared_data: Path) -> None:
+def test_samples_of_the_stored_density_follow_it(shared_data: Path) -> None:
     value = read_rgl(shared_data / "brdf" / REAL[1])
     view = spherical(0.6, 0.4)
     rng = np.random.default_rng(0)
-    wi = value.sample(view, rng.random((200_000, 2)))
+    wi = value.sample_stored(view, rng.random((200_000, 2)))
     assert wi.shape == (200_000, 3)
     np.testing.assert_allclose(np.linalg.norm(wi, axis=1), 1.0, atol=1e-9)
     # Counts in cells of the sphere of directions against the integral of the density over the cells.
@@ -73,7 +73,7 @@ def test_samples_follow_the_pdf(shared_data: Path) -> None:
     z = (z_edges[:-1, None] + np.diff(z_edges)[:, None] * steps).ravel()
     phi = (phi_edges[:-1, None] + np.diff(phi_edges)[:, None] * steps).ravel()
     grid = spherical(np.arccos(z)[:, None], phi[None, :])
-    density = value.pdf(grid, view).reshape(7, inner, 8, inner).mean(axis=(1, 3))
+    density = value.pdf_stored(grid, view).reshape(7, inner, 8, inner).mean(axis=(1, 3))
     expected = density * np.diff(z_edges)[:, None] * np.diff(phi_edges)[None, :] * 200_000
     large = expected > 50.0
     assert large.sum() > 20

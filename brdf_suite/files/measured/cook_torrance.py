@@ -12,7 +12,7 @@ from brdf_suite.documents.store import load_any_paint, save_paint
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
 from brdf_suite.geometry.directions import Floats
-from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.protocol import SampledReflectance
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class CookTorranceFile:
     """The parameters of a file and the reflectance that they make."""
 
     paint: CookTorrancePaint
-    reflectance: Reflectance
+    reflectance: SampledReflectance
 
     @property
     def facts(self) -> dict[str, object]:
@@ -36,6 +36,14 @@ class CookTorranceFile:
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3), working space, 1/sr, without the cosine."""
         return self.reflectance.eval(wi, wo)
+
+    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+        """Return directions (..., 3) to the light for views ``wo`` and ``u`` (..., 3)."""
+        return self.reflectance.sample(wo, u)
+
+    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
+        return self.reflectance.pdf(wi, wo)
 
 
 def read_cook_torrance(path: PathLike, _options: ReadOptions | None = None) -> CookTorranceFile:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import product
 from types import MappingProxyType
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +18,9 @@ from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
+
+if TYPE_CHECKING:
+    from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 
 Singles = npt.NDArray[np.float32]
 Places = npt.NDArray[np.intp]
@@ -110,6 +114,21 @@ class AnisotropicTable:
             return look_up_above(self._look_up, light, view)
 
         return in_blocks(block, wi, wo)
+
+    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+        """Return directions (..., 3) to the light for views ``wo`` and ``u`` (..., 3): about as the values are."""
+        return self._sampler.sample(wo, u)
+
+    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
+        return self._sampler.pdf(wi, wo)
+
+    @cached_property
+    def _sampler(self) -> HalfVectorDensity:
+        # Only a path tracer asks for it.
+        from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
+
+        return HalfVectorDensity(self, isotropic=False)
 
     def made_reciprocal(self) -> AnisotropicTable:
         """Return the table with each node the mean of the pair and its swap.

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
-from typing import Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +20,9 @@ from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.holes import fill_holes
 from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
 from brdf_suite.reflectance.tabulated.trilinear import trilinear
+
+if TYPE_CHECKING:
+    from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 
 Singles = npt.NDArray[np.float32]
 Bools = npt.NDArray[np.bool_]
@@ -144,6 +147,21 @@ class IsotropicTable:
             return look_up_above(lambda i, o: trilinear(self.values, self.grid, i, o), light, view)
 
         return in_blocks(block, wi, wo)
+
+    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+        """Return directions (..., 3) to the light for views ``wo`` and ``u`` (..., 3): about as the values are."""
+        return self._sampler.sample(wo, u)
+
+    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
+        return self._sampler.pdf(wi, wo)
+
+    @cached_property
+    def _sampler(self) -> HalfVectorDensity:
+        # Only a path tracer asks for it.
+        from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
+
+        return HalfVectorDensity(self, isotropic=True)
 
     def holes_above_horizon(self) -> int:
         """Return how many bins with their centre above the horizon were not measured."""

@@ -25,9 +25,13 @@ from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
 
+    from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
+
 NEIGHBOURS = 8
 # Below this distance in feature space (1 is 90°) a query is on the sample.
 _ON_SAMPLE = 1e-9
+# Up to so many polar angles the sampler has nodes at each: there the samples lie close, and peaks stand out.
+_MOST_ANGLES = 12
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,6 +117,24 @@ class ScatteredSamples:
             return look_up_above(lambda i, o: self._mean(self.values, i, o), light, view)
 
         return in_blocks(block, wi, wo)
+
+    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+        """Return directions (..., 3) to the light for views ``wo`` and ``u`` (..., 3): about as the values are."""
+        return self._sampler.sample(wo, u)
+
+    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
+        return self._sampler.pdf(wi, wo)
+
+    @cached_property
+    def _sampler(self) -> HalfVectorDensity:
+        # Only a path tracer asks for it.
+        from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
+
+        polar = np.unique(np.arccos(np.minimum(self.wi[:, 2], 1.0)).round(3))
+        return HalfVectorDensity(
+            self, isotropic=self.isotropic, views=polar if polar.size <= _MOST_ANGLES else ()
+        )
 
     def eval_spectra(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., k) in 1/sr at ``wavelengths_nm``; 0 below the horizon.

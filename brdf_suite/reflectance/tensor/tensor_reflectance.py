@@ -20,7 +20,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -32,6 +32,9 @@ from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.tensor.density import Blend, GridDensity, bilinear, blend_of, cells
+
+if TYPE_CHECKING:
+    from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 
 Float32s = npt.NDArray[np.float32]
 
@@ -220,10 +223,26 @@ class TensorReflectance:
         return blend_of(axes, [phi_i, theta_i])
 
     def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return a direction to the light (..., 3) for the view ``wo`` and uniform ``u`` (..., 2).
+        """Return directions (..., 3) to the light for views ``wo`` and ``u`` (..., 3): about as the values are."""
+        return self._sampler.sample(wo, u)
 
-        It follows the values measured with ``wo`` as the incident direction, which reciprocity makes the
-        right ones; its density is :meth:`pdf`. Some directions fall below the horizon, where ``eval`` is 0.
+    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
+        return self._sampler.pdf(wi, wo)
+
+    @cached_property
+    def _sampler(self) -> HalfVectorDensity:
+        # Only a path tracer asks for it.
+        from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
+
+        return HalfVectorDensity(self, isotropic=self.isotropic)
+
+    def sample_stored(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+        """Return a direction to the light (..., 3) for the view ``wo`` and uniform ``u`` (..., 2), as the file has it.
+
+        It follows the file's own luminance with ``wo`` as the incident direction, as other readers do; its density
+        is :meth:`pdf_stored`. Some directions fall below the horizon, where ``eval`` is 0; and where the stored
+        luminance is 0 none are drawn, though ``eval`` need not be 0 there. :meth:`sample` has neither fault.
         """
         wo, u = np.asarray(wo, float), np.asarray(u, float)
         shape = np.broadcast_shapes(wo.shape[:-1], u.shape[:-1])
@@ -240,8 +259,8 @@ class TensorReflectance:
         wi[:, :2] *= signs
         return np.asarray(wi.reshape(*shape, 3))
 
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...), 1/sr, of :meth:`sample` giving ``wi`` for the view ``wo``."""
+    def pdf_stored(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...), 1/sr, of :meth:`sample_stored` giving ``wi`` for the view ``wo``."""
         wi, wo = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
         shape = wi.shape[:-1]
         wi, wo = wi.reshape(-1, 3), wo.reshape(-1, 3)
