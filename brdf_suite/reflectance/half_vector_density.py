@@ -91,17 +91,17 @@ class HalfVectorDensity:
         """The bilinear densities of all views with a node."""
         across, along = np.linspace(0.0, 1.0, self._columns), np.linspace(0.0, 1.0, self._rows)
         square = np.stack(np.meshgrid(across, along), axis=-1).reshape(-1, 2)
-        grids = np.empty((len(self._phi_o), len(self._theta_o), self._rows, self._columns))
-        for row, column in np.ndindex(*grids.shape[:2]):
-            wo = np.tile(spherical(self._theta_o[column], self._phi_o[row]), (len(square), 1))
-            wi = self._to_light(square, wo)
-            cosine = np.maximum(wi[:, 2], 0.0)
-            light = self._reflectance.eval(wi, wo) @ LUMINANCE * cosine
-            if not light.any():
-                # What is black may be sampled in any way.
-                light = cosine
-            grids[row, column] = (light * self._area(square, wi, wo)).reshape(self._rows, self._columns)
-        return GridDensity(grids)
+        phi, theta = np.meshgrid(self._phi_o, self._theta_o, indexing="ij")
+        views = spherical(theta, phi).reshape(-1, 3)
+        # All views in one call, which a table works through on several threads.
+        wo, place = np.repeat(views, len(square), axis=0), np.tile(square, (len(views), 1))
+        wi = self._to_light(place, wo)
+        cosine = np.maximum(wi[:, 2], 0.0)
+        light = (self._reflectance.eval(wi, wo) @ LUMINANCE * cosine).reshape(len(views), -1)
+        # What is black may be sampled in any way.
+        light = np.where(light.any(axis=1, keepdims=True), light, cosine.reshape(light.shape))
+        grids = light * self._area(place, wi, wo).reshape(light.shape)
+        return GridDensity(grids.reshape(len(views), self._rows, self._columns))
 
     def _draw(self, wo: Floats, u: Floats) -> Floats:
         out = np.empty_like(wo)

@@ -168,6 +168,17 @@ def test_an_anisotropic_density_does_not_turn_with_the_view() -> None:
         assert found.std() < 0.2 * found.mean()
 
 
+def test_scattered_samples_of_brushed_metal_are_sampled_by_their_azimuth() -> None:
+    brushed, random = MODELS["poulin_fournier"].default, np.random.default_rng(6)
+    wi, wo = spherical(np.arccos(random.random((2, 3000))), random.uniform(-np.pi, np.pi, (2, 3000)))
+    samples = ScatteredSamples(wi, wo, brushed.eval(wi, wo), isotropic=False)
+    for azimuth in (0.0, 1.5):
+        found = weights(samples, spherical(0.8, azimuth), 10_000)
+        truth = white_furnace(samples, spherical(0.8, azimuth), 256) @ LUMINANCE
+        assert abs(found.mean() - truth) < 4.0 * found.std() / 100.0 + 1e-3 * truth
+        assert found.std() < 0.25 * found.mean()
+
+
 def small(values: float) -> IsotropicTable:
     return IsotropicTable(np.full((6, 6, 8, 3), values, np.float32))
 
