@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import shlex
 import sys
 from collections.abc import Callable
 from importlib.metadata import version
@@ -14,6 +15,7 @@ from brdf_suite.cli.output import print_json, progress_bar
 if TYPE_CHECKING:
     from brdf_suite.fitting.basis_search.search import CountResult
 
+_OUTPUT = Path("basis.json")
 _MOST_STARTS, _MOST_WORKERS = 64, 64
 _LIBRARIES = ("brdf-suite", "numpy", "scipy", "highspy")
 
@@ -29,7 +31,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "same command goes on from there.",
     )
     command.add_argument(
-        "-o", "--output", metavar="FILE", type=Path, default=Path("basis.json"), help="default: basis.json"
+        "-o", "--output", metavar="FILE", type=Path, default=_OUTPUT, help=f"default: {_OUTPUT}"
     )
     command.add_argument(
         "--database",
@@ -127,6 +129,27 @@ def _number(low: int, high: int) -> Callable[[str], int]:
     return parse
 
 
+def _command(options: argparse.Namespace, workers: int) -> str:
+    """Return the command that makes this answer again; what was left out and has one default stays out."""
+    words = [
+        "brdf-suite",
+        "basis",
+        "--lobes",
+        options.lobes,
+        "--starts",
+        options.starts,
+        "--workers",
+        workers,
+    ]
+    if options.database is not None:
+        words += ["--database", options.database]
+    if options.output != _OUTPUT:
+        words += ["-o", options.output]
+    if options.default is not None:
+        words += ["--default", options.default]
+    return shlex.join(str(word) for word in words)
+
+
 def _provenance(
     options: argparse.Namespace, sha256: str, workers: int, resumed: int, results: list[CountResult]
 ) -> dict[str, object]:
@@ -136,11 +159,8 @@ def _provenance(
     from brdf_suite.cli.machine import describe_machine
 
     machine = describe_machine()
-    command = f"brdf-suite basis --lobes {options.lobes} --starts {options.starts} --workers {workers}"
-    if options.default is not None:
-        command += f" --default {options.default}"
     return {
-        "command": command,
+        "command": _command(options, workers),
         "database_sha256": sha256,
         "starts": options.starts,
         "workers": workers,

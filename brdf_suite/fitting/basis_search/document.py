@@ -13,8 +13,8 @@ from pathlib import Path
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.reading import FieldReader, read_json
 from brdf_suite.errors import DocumentError, FittingError
-from brdf_suite.fitting.basis_search import error as error_function
 from brdf_suite.fitting.basis_search.database import Database
+from brdf_suite.fitting.basis_search.error import MEANING
 from brdf_suite.fitting.basis_search.search import CountResult
 from brdf_suite.fitting.lobes.basis import STORED_FORMAT, STORED_VERSION, LobeBasis
 
@@ -100,7 +100,7 @@ def save_basis(
         "format": STORED_FORMAT,
         "version": STORED_VERSION,
         "default_count": default_count,
-        "error": " ".join((error_function.__doc__ or "").split()),
+        "error": MEANING,
         "provenance": dict(provenance),
         "paints": list(names),
         "results": [_result_to_json(result) for result in results],

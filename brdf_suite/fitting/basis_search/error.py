@@ -30,8 +30,8 @@ from brdf_suite.fitting.basis_search.database import (
     coat_counts,
     coat_rings,
 )
-from brdf_suite.fitting.lobes.fitter import ENERGY_WEIGHT
-from brdf_suite.fitting.lobes.program import PartProgram, build_program
+from brdf_suite.fitting.lobes.layer_programs import base_program, coat_program, with_energy
+from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
 from brdf_suite.fitting.lobes.solver import BlockSolver, Outcome
 
@@ -41,6 +41,13 @@ FloatArray = NDArray[np.float64]
 MEASURED_UNIT = 0.4
 #: The share of a coat's energy that counts as much as a ΔE00 of 1.
 ENERGY_UNIT = 0.05
+#: What the numbers of a stored search are; part of the file.
+MEANING = (
+    "Error(E, paint) of the seed's equation 4: the root mean square of two kinds of residual, half and half, of the "
+    "fit that the product makes. Colour: ΔE00 between paint and fit at aspecular angles that the fit does not see, at "
+    f"the measured angles in units of {MEASURED_UNIT:g}, else of 1. Coat: the share of its energy within a radius of "
+    f"the mirror direction, in units of {ENERGY_UNIT:g}. Both units are about what an observer just sees."
+)
 #: Far beyond what a fit takes: the answer must not depend on how busy the machine is.
 PATIENCE_S = 60.0
 #: Channels that one model of the solver holds for base and coat: enough to save calls, few enough to stay fast.
@@ -53,14 +60,13 @@ class BasisError:
     def __init__(self, database: Database) -> None:
         self.database = database
         self._base_samples, self._coat_samples = BaseSamples(), CoatSamples()
-        self._cosine = float(np.cos(self._base_samples.theta_rad))
         self._fine, self._at = coat_rings()
         self._cos_between = np.clip(np.cos(np.radians(BETWEEN_DEG)), 0.0, None)[:, None]
         units = np.where(np.isin(BETWEEN_DEG, MEASURED_DEG), MEASURED_UNIT, 1.0)
         self._colour_weights = units**-2 / (units**-2).sum()
         self._gloss_counts = coat_counts()[:, None] / np.cos(np.radians(LIGHT_DEG))
         self._base = np.concatenate([paint.base for paint in database.paints], axis=1)
-        coats = [self._with_energy(paint.coat) for paint in database.paints]
+        coats = [with_energy(self._coat_samples, paint.coat) for paint in database.paints]
         # A coat without colour is fitted once; where[i] says which column a paint's channel is.
         grey = [bool((coat == coat[:, :1]).all()) for coat in coats]
         columns = [coat[:, :1] if same else coat for coat, same in zip(coats, grey, strict=True)]
@@ -74,16 +80,10 @@ class BasisError:
         energy = np.array([paint.energy for paint in database.paints])
         self._scale = np.where(energy > 0.0, 1.0 / np.where(energy > 0.0, energy, 1.0), 0.0)
 
-    def _with_energy(self, rings: FloatArray) -> FloatArray:
-        return np.concatenate([rings, (self._coat_samples.solid_angle @ rings)[None, :]], axis=0)
-
     def programs(self, exponents: FloatArray) -> tuple[PartProgram, PartProgram]:
         """Return the programs of base and coat, those of a :class:`LobeFitter` with these exponents."""
-        base, coat = self._base_samples, self._coat_samples
-        lobes = np.concatenate([np.ones((base.gamma_rad.size, 1)), base.cosine_lobes(exponents)], axis=1)
-        rings = np.concatenate([coat.cosine_lobes(exponents), coat.lobe_energy(exponents)[None, :]], axis=0)
-        weights = np.concatenate([coat.solid_angle, [ENERGY_WEIGHT]])
-        return build_program(self._cosine * lobes, base.weights), build_program(rings, weights)
+        base = base_program(self._base_samples, exponents)
+        return base, coat_program(self._coat_samples, exponents)
 
     def layers(self, exponents: Sequence[float] | FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return RMS errors ``(paints,)`` of colour and of the coat's energy, each in its unit.
@@ -96,9 +96,9 @@ class BasisError:
         lobes = np.sort(np.asarray(exponents, dtype=np.float64))
         if lobes.ndim != 1 or lobes.size == 0 or not (np.isfinite(lobes).all() and lobes[0] >= 1.0):
             raise FittingError(f"Lobe exponents must be finite and at least 1, not {lobes}.")
-        base_program, coat_program = self.programs(lobes)
-        base = _solve(base_program, self._base, BASE_BATCH).reshape(lobes.size + 1, -1, 3)
-        coat = _solve(coat_program, self._coat, COAT_BATCH)[:, self._where]
+        programs = self.programs(lobes)
+        base = _solve(programs[0], self._base, BASE_BATCH).reshape(lobes.size + 1, -1, 3)
+        coat = _solve(programs[1], self._coat, COAT_BATCH)[:, self._where]
         between = self._cos_between**lobes
         brdf = base[0] + np.einsum("am,mpc->apc", between, base[1:])
         brdf += np.einsum("am,mpc->apc", self._gloss_counts * between, coat)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import os
 import signal
@@ -11,6 +12,8 @@ import time
 from pathlib import Path
 
 import pytest
+
+from brdf_suite.cli import basis
 
 ORDER = ("--lobes", "2", "--starts", "2", "--workers", "2")
 
@@ -94,8 +97,26 @@ def test_killed_and_started_again_it_gives_what_it_would_have_given(tmp_path: Pa
     assert status == 0, err
     answer = json.loads(out)
     assert answer == json.loads((killed / "basis.json").read_text())
+    assert answer["provenance"]["command"] == (
+        f"brdf-suite basis --lobes 2 --starts 2 --workers 2 --database {few_paints}"
+    )
     assert answer["provenance"]["counts_of_an_interrupted_run"] == 1
     assert results(killed) == results(undisturbed)
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ((), ""),
+        (("--database", "my paints"), " --database 'my paints'"),
+        (("-o", "found/basis.json", "--default", "2"), " -o found/basis.json --default 2"),
+    ],
+)
+def test_the_command_that_is_kept_makes_the_answer_again(more: tuple[str, ...], words: str) -> None:
+    parser = argparse.ArgumentParser()
+    basis.add(parser.add_subparsers())
+    options = parser.parse_args(["basis", *more])
+    assert basis._command(options, 3) == f"brdf-suite basis --lobes 11 --starts 4 --workers 3{words}"
 
 
 def test_interrupted_it_keeps_what_is_done_and_says_so(tmp_path: Path, few_paints: Path) -> None:

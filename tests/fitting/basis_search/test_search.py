@@ -11,7 +11,7 @@ import pytest
 from brdf_suite.errors import Cancelled, DocumentError, FittingError
 from brdf_suite.fitting.basis_search import document
 from brdf_suite.fitting.basis_search.database import Database
-from brdf_suite.fitting.basis_search.error import BasisError, equation_4
+from brdf_suite.fitting.basis_search.error import MEANING, BasisError, equation_4
 from brdf_suite.fitting.basis_search.search import CountResult, search
 from brdf_suite.fitting.lobes.basis import stored_bases
 
@@ -98,7 +98,8 @@ def test_a_state_of_other_paints_or_damaged_is_refused(
 
 def test_the_answer_is_read_back(few: Database, found: list[CountResult], tmp_path: Path) -> None:
     path = tmp_path / "basis.json"
-    document.save_basis(path, few.names, found, 2, {"command": "test"})
+    answer = document.save_basis(path, few.names, found, 2, {"command": "test"})
+    assert answer["error"] == MEANING
     bases, count = stored_bases(path)
     assert count == 2
     assert {n: basis.exponents for n, basis in bases.items()} == {r.count: r.exponents for r in found}
