@@ -14,14 +14,15 @@ import numpy as np
 from brdf_suite.errors import FittingError, UnreachableError
 from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleGrid, AngleWeights
 from brdf_suite.fitting.metrics import aspecular_delta_e
+from brdf_suite.pipeline.fit_errors import JUDGED_GAMMAS_DEG
+from brdf_suite.pipeline.measuring import is_measured_file
 from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S
 from brdf_suite.pipeline.scene import find_any_paint
 from brdf_suite.reflectance.build import build_reflectance
 from brdf_suite.reflectance.layers import layered
 
-#: Where the errors are told: incidences, and aspecular angles as far as a view stands above the horizon.
+#: Where the errors are told: incidences, each at the judged aspecular angles as far as a view stands no lower.
 JUDGED_INCIDENCES_DEG = (10.0, 20.0, 30.0, 45.0, 60.0, 65.0, 75.0, 80.0)
-JUDGED_GAMMAS_DEG = (-15.0, 15.0, 25.0, 45.0, 75.0, 110.0)
 LOWEST_VIEW_DEG = 85.0
 
 
@@ -101,11 +102,17 @@ def fit_at_angles(
     Raises
     ------
     UnreachableError, FittingError
-        No such paint can be, or it cannot be fitted at so few angles; with the paint's name before the message.
+        No such paint can be, or it cannot be fitted at so few or so many angles, or is measured data; the paint's name
+        stands before the message.
     FileError, DocumentError
         There is no such paint, or its file is not valid.
     """
     grid = AngleGrid(count)
+    if is_measured_file(Path(name_or_path)):
+        raise FittingError(
+            f"{Path(name_or_path).name}: nothing divides measured data into coat and base, so they cannot be fitted at "
+            "several angles; leave out the number of angles."
+        )
     paint = find_any_paint(name_or_path)
     try:
         reflectance = build_reflectance(paint)
@@ -114,7 +121,7 @@ def fit_at_angles(
             raise FittingError(
                 "it has no coat and base to be fitted at several angles; leave out the number of angles."
             )
-        facets = not getattr(layers, "base_under_coat", True)
+        facets = not layers.base_under_coat
         fitter = AngleFitter(grid=grid, facets=facets, time_limit_s=time_limit_s)
         try:
             fit = fitter.fit(layers)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
@@ -26,8 +27,19 @@ def test_a_table_for_people(capsys: pytest.CaptureFixture[str]) -> None:
     assert len(at_45.split()) == 7
 
 
-def test_too_few_angles_are_refused_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["fit", "blue", "--angles", "2"]) != 0
+@pytest.mark.parametrize(
+    ("paint", "count", "words"),
+    [
+        ("blue", "2", "at least 3 angles"),
+        ("blue", "3000", "at most 256, not 3000"),
+        ("cayman.brdf", "8", "nothing divides measured data into coat and base"),
+    ],
+)
+def test_what_cannot_be_fitted_so_is_refused_in_one_line(
+    capsys: pytest.CaptureFixture[str], shared_data: Path, paint: str, count: str, words: str
+) -> None:
+    known = shared_data / "brdf" / paint
+    assert main(["fit", str(known) if known.exists() else paint, "--angles", count]) != 0
     error = capsys.readouterr().err.strip()
-    assert "at least 3 angles" in error
+    assert words in error
     assert "\n" not in error

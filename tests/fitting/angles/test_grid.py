@@ -42,6 +42,8 @@ def test_denser_towards_grazing_with_a_larger_power() -> None:
     ("values", "words"),
     [
         ((2,), "at least 3 angles"),
+        ((257,), "at most 256, not 257"),
+        ((3000,), "at most 256, not 3000"),
         ((16, 0.0), "power"),
         ((16, float("nan")), "power"),
         ((16, 1.5, 0.0), "smallest cosine"),

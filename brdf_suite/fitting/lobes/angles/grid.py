@@ -23,6 +23,8 @@ from brdf_suite.errors import FittingError
 FloatArray = npt.NDArray[np.float64]
 
 DEFAULT_COUNT = 16
+#: The least angles of a fit, and the most: the joint program grows with the square of their number.
+FEWEST, MOST = 3, 256
 DEFAULT_POWER = 1.5
 #: The smallest cosine: 88.3°. Below it weights are held.
 LOWEST_COSINE = 0.03
@@ -36,7 +38,7 @@ class AngleGrid:
     Parameters
     ----------
     count
-        K, at least 3.
+        K, 3 to 256.
     wanted_power
         The power p asked for, more than 0; ``power`` is the nearest that has a texel at 45°.
     lowest_cosine
@@ -56,7 +58,7 @@ class AngleGrid:
     Raises
     ------
     FittingError
-        A count below 3, or a power or cosine out of range.
+        A count, power or cosine out of range.
     """
 
     count: int = DEFAULT_COUNT
@@ -67,9 +69,10 @@ class AngleGrid:
     cosines: FloatArray = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        if self.count < 3:
+        if not FEWEST <= self.count <= MOST:
             raise FittingError(
-                f"A fit at several angles needs at least 3 angles of incidence, not {self.count}."
+                f"A fit at several angles needs at least {FEWEST} angles of incidence and takes at most {MOST}, "
+                f"not {self.count}."
             )
         if not (math.isfinite(self.wanted_power) and self.wanted_power > 0.0):
             raise FittingError(

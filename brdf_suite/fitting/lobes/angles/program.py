@@ -21,7 +21,8 @@ from numpy.typing import NDArray
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles.grid import AngleGrid
 from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
-from brdf_suite.fitting.lobes.program import PartProgram, build_program
+from brdf_suite.fitting.lobes.fitter import ENERGY_WEIGHT
+from brdf_suite.fitting.lobes.program import SMALLEST_ENTRY, PartProgram, build_program
 
 FloatArray = NDArray[np.float64]
 
@@ -42,7 +43,7 @@ def coat_program(samples: AngleCoatSamples, exponents: FloatArray, smoothness: f
     """Return the coat's joint program; at each angle KG_i, the last data row the coat's energy."""
     rings, energy = samples.cosine_lobes(exponents), samples.lobe_energy(exponents)
     # A lobe's energy, moved or lost, gains at most 1 on the rings and 2 μ in smoothness: losing it never pays.
-    weight = [2.0 * (1.0 + 2.0 * smoothness)]
+    weight = [ENERGY_WEIGHT * (1.0 + 2.0 * smoothness)]
     return joint_program(
         [np.concatenate([rings[k], energy[k][None, :]]) for k in range(samples.grid.count)],
         [np.concatenate([angle, weight]) for angle in samples.solid_angle],
@@ -90,5 +91,5 @@ def joint_program(
         tie = np.arange(ties)
         joint[samples + tie, tie] = smoothness
         joint[samples + tie, tie + unknowns] = -smoothness
-    joint[np.abs(joint) < 1e-9] = 0.0
+    joint[np.abs(joint) < SMALLEST_ENTRY] = 0.0
     return PartProgram(joint, row_weights, np.tile(scale, count))
