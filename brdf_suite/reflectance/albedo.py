@@ -19,6 +19,8 @@ _NARROWEST_RING = 2e-4
 # ... up to this, narrow enough that the horizon's cut through a ring costs less than 1e-3.
 _WIDEST_RING = 0.05
 _RING_NODES = 4
+# More azimuths than 128 are asked for where a peak lies away from the mirror direction: narrower rings then, too.
+_RING_TIMES_AZIMUTHS = 6.4
 
 
 def normal_albedo(reflectance: Reflectance) -> Floats:
@@ -68,7 +70,9 @@ def _integral(reflectance: Reflectance, fixed: npt.ArrayLike, azimuths: int, *, 
     out = np.empty(fixed.shape)
     for index in np.ndindex(fixed.shape[:-1]):
         one = fixed[index]
-        half, solid = _rings(azimuths * _refinement(float(one[2])))
+        half, solid = _rings(
+            azimuths * _refinement(float(one[2])), min(_WIDEST_RING, _RING_TIMES_AZIMUTHS / azimuths)
+        )
         other, dot = mirrored_at(one, half), half @ one
         up = (other[:, 2] > 0.0) & (dot > 0.0)
         other = other[up]
@@ -83,11 +87,11 @@ def _refinement(cosine: float) -> int:
 
 
 @cache
-def _rings(azimuths: int) -> tuple[Floats, Floats]:
+def _rings(azimuths: int, widest: float) -> tuple[Floats, Floats]:
     """Half vectors (n, 3) above the horizon, and their solid angles (n,)."""
     edges = [0.0, _NARROWEST_RING]
     while edges[-1] < 0.5 * math.pi:
-        edges.append(edges[-1] + min(edges[-1], _WIDEST_RING))
+        edges.append(edges[-1] + min(edges[-1], widest))
     edges[-1] = 0.5 * math.pi
     nodes, shares = np.polynomial.legendre.leggauss(_RING_NODES)
     low, high = np.array(edges[:-1])[:, None], np.array(edges[1:])[:, None]

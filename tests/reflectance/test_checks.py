@@ -104,3 +104,21 @@ def test_the_median_tells_a_common_violation_from_a_rare_one() -> None:
     found = finding(check_reflectance(Tilted(0.0, 1.0), "cosine"), "reciprocity")
     assert found.typical == pytest.approx(1.0 - math.sqrt(0.5), abs=0.02)
     assert finding(check_reflectance(Lambertian(0.5), "matt"), "reciprocity").typical == 0.0
+
+
+class BackToTheLamp:
+    """Light sent back to where it came from, in a lobe of exponent n: the furnace of a view is k·2π/(n+1)."""
+
+    n, share = 3000.0, 0.4
+
+    def eval(self, wi: Floats, wo: Floats) -> Floats:
+        wi, wo = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
+        above = (wi[..., 2] > 0.0) & (wo[..., 2] > 0.0)
+        lobe = np.clip((wi * wo).sum(axis=-1), 0.0, 1.0) ** self.n * (self.n + 1.0) / (2.0 * math.pi)
+        value = np.where(above, self.share * lobe / np.maximum(wi[..., 2], 1e-9), 0.0)
+        return np.repeat(value[..., None], 3, axis=-1)
+
+
+def test_a_peak_away_from_the_mirror_direction_is_not_missed() -> None:
+    report = check_reflectance(BackToTheLamp(), "tape", incidence_deg=(15.0, 30.0, 60.0))
+    np.testing.assert_allclose(report.furnace[:, 1], 0.4, rtol=5e-3)
