@@ -76,12 +76,17 @@ def run(options: argparse.Namespace) -> int:
     result = compare(first, second, geometry, aperture(options.aperture), tolerances)
     failed = result.verdict is not None and result.verdict.passes is False
     if options.json:
-        print_json({"a": first.name, "b": second.name, **result.to_json()})
+        notices = {"a": list(first.notices), "b": list(second.notices)}
+        print_json({"a": first.name, "b": second.name, **result.to_json(), "notices": notices})
         return 1 if failed else 0
+    names = [first.name, second.name]
+    if names[0] == names[1]:  # two paints of one name, or one paint twice: what was typed tells them apart
+        names = [f"{name} ({typed})" for name, typed in zip(names, (options.a, options.b), strict=True)]
+    print(f"{names[1]} against {names[0]}: {result.first.geometry_set.title}; {result.first.aperture.title}")
     print(
-        f"{second.name} against {first.name}: {result.first.geometry_set.title}; {result.first.aperture.title}"
+        f"{'geometry':>10} {'ΔE00':>8} {'ΔE*ab':>8} {'CMC 2:1':>8} {'CMC 1:1':>8} {'CAM02':>8}"
+        + ("  verdict" if result.verdict else "")
     )
-    print(f"{'geometry':>10} {'ΔE00':>8} {'ΔE*ab':>8} {'CMC 2:1':>8} {'CMC 1:1':>8} {'CAM02':>8}  verdict")
     for k, reading in enumerate(result.first.readings):
         numbers = "".join(f" {values[k]:8.3f}" for values in result.differences.values())
         row = None if result.verdict is None else result.verdict.angles[k]
@@ -103,4 +108,7 @@ def run(options: argparse.Namespace) -> int:
         )
     for light, values in (result.metamerism or {}).items():
         print(f"  metamerism index, D65 to {light}: " + ", ".join(f"{value:.2f}" for value in values))
+    for measurable, name in zip((first, second), names, strict=True):
+        for notice in measurable.notices:
+            print(f"note: {name}: {notice}")
     return 1 if failed else 0

@@ -72,7 +72,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             options = parser().parse_args(given)
             status = int(getattr(options, "run", programs.open_both)(options))
         finally:
-            sys.stdout.flush()  # here and not at exit, where a failure can be told no more
+            if sys.stdout is not None:  # None where the caller closed it
+                sys.stdout.flush()  # here and not at exit, where a failure can be told no more
         return status
     except BrokenPipeError:  # whoever read our output wants no more, as `head` does
         _drop_output()
@@ -94,7 +95,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _drop_output() -> None:
     """Let what is not yet written go nowhere, or it would fail once more at exit."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    if sys.stdout is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 if __name__ == "__main__":

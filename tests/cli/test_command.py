@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -210,6 +211,12 @@ def test_a_reader_that_ends_early_gets_no_traceback() -> None:
         )
     assert done.stderr == ""
     assert done.returncode == 1
+
+
+def test_a_closed_output_is_no_fault() -> None:
+    line = f"exec {shlex.quote(sys.executable)} -m brdf_suite.cli.main measure blue >&-"
+    done = subprocess.run(["bash", "-c", line], capture_output=True, text=True, timeout=60, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full, a disk that is always full")

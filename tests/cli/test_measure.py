@@ -325,3 +325,18 @@ def test_the_process_itself() -> None:
     assert done.returncode == 0, done.stderr
     assert "BMW 339" in done.stdout
     assert done.stderr == ""
+
+
+def test_compare_tells_what_is_to_be_known_of_each(asked, shared_data: Path) -> None:
+    bird = shared_data / "brdf" / "bird_example.json"
+    status, out, _err = asked("compare", "blue", bird)
+    assert status == 0
+    assert "note: bird_example.json: " in out
+    assert "verdict" not in out
+    answer = json.loads(asked("compare", "blue", bird, "--json")[1])
+    assert answer["notices"]["a"] == []
+    assert answer["notices"]["b"]
+
+
+def test_paints_of_one_name_are_told_apart(asked) -> None:
+    assert "Blue (table1_blue) against Blue (blue)" in asked("compare", "blue", "table1_blue")[1]
