@@ -228,7 +228,7 @@ def _of_layers(name: str, reflectance: Reflectance, layers: Layered, basis: Lobe
         fit = fitter.fit(layers)
     finally:
         fitter.close()
-    weights = replace(fit.weights, base_under_coat=getattr(layers, "base_under_coat", True))
+    weights = fit.weights
     notices: tuple[str, ...] = ()
     if weights.ior == 1.0:
         notices = ("It has no sharp lobe that would be a coat: everything is fitted as base.",)

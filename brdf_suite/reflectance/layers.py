@@ -57,6 +57,11 @@ class Layered(Protocol):
         """Refractive index of the coat, 1 to :data:`LARGEST_IOR`; 1 where there is none."""
         ...
 
+    @property
+    def base_under_coat(self) -> bool:
+        """Whether light for the base crosses the coat, so that T² applies."""
+        ...
+
 
 @dataclass(frozen=True)
 class Layers:

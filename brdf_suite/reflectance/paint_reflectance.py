@@ -33,6 +33,7 @@ class PaintReflectance:
     reciprocal: ClassVar[bool] = True
     # The readings are what they are: a paint that would send back more than it gets carries a notice.
     energy_conserving: ClassVar[bool] = False
+    base_under_coat: ClassVar[bool] = True
 
     @property
     def ior(self) -> float:

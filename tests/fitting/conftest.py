@@ -29,6 +29,7 @@ class AnalyticPaint:
     base: Layer
     coat: Layer
     ior: float
+    base_under_coat: bool = True
 
 
 def analytic_paint(

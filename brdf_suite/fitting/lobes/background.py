@@ -4,6 +4,9 @@ The model belongs to whoever holds the lock: the caller inside its limit, or thi
 slices a request that was cancelled is dropped, so that the newest edit gets the model soon. The slices are
 tasks of an executor of one thread, each of which asks for the next: an executor that is shut down, or an
 interpreter that ends, refuses the next one, and the thread ends after at most one slice.
+
+A caller may wait for the rest of its limit. It gets the optimum before anything is made of it; what is made of an
+optimum is for those who come later, and not made where the caller was in time.
 """
 
 from __future__ import annotations
@@ -13,6 +16,7 @@ import sys
 import threading
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -39,6 +43,18 @@ NICENESS = 5
 MOST_TRIES = 2
 
 
+@dataclass(eq=False)
+class Work:
+    """A request in work. ``waited``: its caller waits, and takes the optimum as it is; ``answer`` is then here."""
+
+    request: Request
+    then: Then
+    future: Future[Any]
+    waited: bool
+    answer: tuple[LimitedSolution, Solutions] | None = None
+    changed: threading.Condition = field(default_factory=threading.Condition)
+
+
 class BackgroundSolver:
     """Finishes one request at a time; ``last`` are the newest solutions of size 1, for the next start."""
 
@@ -52,8 +68,6 @@ class BackgroundSolver:
         self._parts = tuple(parts)
         self._slice_s = max(SHORTEST_SLICE_S, SLICE_S_PER_ENTRY * self.solver.entry_count)
         self._new_future: Callable[[], Future[Any]] = Future
-        # The newest optimum: its future, the answer before ``then``, and its solutions of size 1.
-        self._finished: tuple[Future[Any], LimitedSolution, Solutions] | None = None
         self._loaded: Request | None = None
         self._iterations = 0
         self._tries = 0
@@ -71,21 +85,23 @@ class BackgroundSolver:
             self._newest.cancel()
             self._newest = None
 
-    def start(self, request: Request, then: Then) -> Future[Any]:
-        """Begin ``request``; the future gets ``then(answer)``, computed on this thread."""
+    def start(self, request: Request, then: Then, *, waited: bool = False) -> Work:
+        """Begin ``request``; its future gets ``then(answer)``, computed on this thread.
+
+        With ``waited``, :meth:`wait` is to follow, and the future gets nothing where that was in time.
+        """
         self.supersede()
-        future = self._new_future()
-        self._newest = future
-        self._next(request, then, future)
-        return future
+        work = Work(request, then, self._new_future(), waited)
+        self._newest = work.future
+        self._next(work)
+        return work
 
-    def wait(self, future: Future[Any], seconds: float) -> tuple[LimitedSolution, Solutions] | None:
-        """Return the answer of the newest request, before ``then``, and its solutions of size 1; None if late."""
-        from concurrent.futures import wait
-
-        wait([future], timeout=seconds)
-        finished = self._finished
-        return finished[1:] if finished is not None and finished[0] is future else None
+    def wait(self, work: Work, seconds: float) -> tuple[LimitedSolution, Solutions] | None:
+        """Return the optimum and its solutions of size 1; None where it is late, lost or no longer wanted."""
+        with work.changed:
+            work.changed.wait_for(lambda: not work.waited, timeout=seconds)
+            work.waited = False
+            return work.answer
 
     def close(self, *, wait: bool = True) -> None:
         """Drop what is in work and end the thread, at the latest after its slice."""
@@ -100,32 +116,56 @@ class BackgroundSolver:
             with suppress(OSError):
                 os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), min(os.nice(0) + NICENESS, 19))
 
-    def _next(self, request: Request, then: Then, future: Future[Any]) -> None:
+    def _next(self, work: Work) -> None:
         try:
-            self._executor.submit(self._slice, request, then, future)
+            self._executor.submit(self._slice, work)
         except RuntimeError:  # shut down, or the interpreter ends: nobody waits for the rest
-            future.cancel()
+            self._drop(work)
 
-    def _slice(self, request: Request, then: Then, future: Future[Any]) -> None:
+    def _drop(self, work: Work) -> None:
+        """End ``work`` without a result, and tell whoever waits: a future that is cancelled does not by itself."""
+        work.future.cancel()
+        work.future.set_running_or_notify_cancel()
+        self._let_go(work, None)
+
+    @staticmethod
+    def _let_go(work: Work, answer: tuple[LimitedSolution, Solutions] | None) -> bool:
+        """Return whether a caller waited, who now goes on with ``answer``."""
+        with work.changed:
+            waited, work.waited = work.waited, False
+            if waited:
+                work.answer = answer
+                work.changed.notify_all()
+            return waited
+
+    def _slice(self, work: Work) -> None:
+        future = work.future
         try:
-            answer = self._advance(request, future)
+            answer = self._advance(work)
             if answer is None:
-                if not future.cancelled():
-                    self._next(request, then, future)
+                if future.cancelled():
+                    self._drop(work)
+                else:
+                    self._next(work)
                 return
-            value = then(answer[0])
+            if self._let_go(work, answer):
+                self._drop(work)
+                return
+            value = work.then(answer[0])
         except Exception as error:  # noqa: BLE001 - carried to whoever waits; a future left alone hangs
             if future.set_running_or_notify_cancel():
                 future.set_exception(error)
+            self._let_go(work, None)
             return
         if future.set_running_or_notify_cancel():
-            self._finished, self.last = (future, *answer), answer[1]
+            self.last = answer[1]
             future.set_result(value)
 
-    def _advance(self, request: Request, future: Future[Any]) -> tuple[LimitedSolution, Solutions] | None:
+    def _advance(self, work: Work) -> tuple[LimitedSolution, Solutions] | None:
         """Solve for one slice; None where the optimum is still to come or nobody wants it."""
+        request = work.request
         with self.lock:
-            if future.cancelled():
+            if work.future.cancelled():
                 return None
             if request is not self._loaded:
                 self.solver.load(request.targets, request.factors)

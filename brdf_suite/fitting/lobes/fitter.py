@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.answers import LimitedSolution
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
+from brdf_suite.fitting.lobes.checks import checked_ior, checked_limit, checked_targets
+from brdf_suite.fitting.lobes.layer_programs import base_program, coat_program, with_energy
 from brdf_suite.fitting.lobes.limited import LimitedSolver
-from brdf_suite.fitting.lobes.program import PartProgram, build_program
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
 from brdf_suite.fitting.lobes.weighting import (
     Weighting,
@@ -22,18 +23,13 @@ from brdf_suite.fitting.lobes.weighting import (
     ring_solid_angles,
 )
 from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
     from concurrent.futures import Future  # see answers.py
 
 FloatArray = NDArray[np.float64]
 
-CHANNELS = ("red", "green", "blue")
-#: Samples above this are no reflectance, in 1/sr; sums of what is below stay finite.
-BRIGHTEST = 1e100
-#: Weight of the row that holds the coat's energy against the rings' (columns sum to about 1): above 1 the
-#: optimum keeps the energy exactly, because no gain on the rings can pay for losing it.
-ENERGY_WEIGHT = 2.0
 #: Limit of the first solve, made with the fitter itself: no edit waits for it.
 WARM_UP_S = 1.0
 #: Where the measured diffuse term is read: beyond 90°, where no cosine lobe reaches.
@@ -42,30 +38,27 @@ DIFFUSE_GAMMA_DEG = 110.0
 Diffuse = Literal["joint", "measured"]
 
 
-class SampledReflectance(Protocol):
-    """One layer: ``eval`` gives f_r in 1/sr without the cosine, ``(..., 3)``, linear Rec. 2020."""
-
-    def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
-        """Return f_r for unit directions ``(..., 3)``."""
-        ...
-
-
 class LayeredReflectance(Protocol):
-    """What a fit needs of a designed paint: its two layers apart, and the coat's index of refraction."""
+    """What a fit needs of a paint: its two layers apart, and what the coat does to light for the base."""
 
     @property
-    def base(self) -> SampledReflectance:
+    def base(self) -> Reflectance:
         """Flakes and pigment, seen through the coat."""
         ...
 
     @property
-    def coat(self) -> SampledReflectance:
+    def coat(self) -> Reflectance:
         """The clearcoat's own reflection."""
         ...
 
     @property
     def ior(self) -> float:
         """Refractive index of the coat."""
+        ...
+
+    @property
+    def base_under_coat(self) -> bool:
+        """Whether light for the base crosses the coat, see :class:`LobeWeights`."""
         ...
 
 
@@ -104,6 +97,14 @@ class LobeFit:
     def __getstate__(self) -> dict[str, object]:
         """Leave out ``exact``: another process cannot be told of what this one's thread finds."""
         return {**self.__dict__, "exact": None}
+
+
+@dataclass(frozen=True)
+class _Coat:
+    """What the weights say of the coat."""
+
+    ior: float
+    base_under_coat: bool
 
 
 class LobeFitter:
@@ -150,15 +151,13 @@ class LobeFitter:
         diffuse: Diffuse = "joint",
         diffuse_gamma_deg: float = DIFFUSE_GAMMA_DEG,
     ) -> None:
-        if not (np.isfinite(time_limit_s) and time_limit_s > 0.0):
-            raise FittingError(f"The time limit of a fit is {time_limit_s:g} s; it must be more than 0.")
+        self.time_limit_s = checked_limit(time_limit_s)
         checked_weighting(weighting)
         if diffuse not in get_args(Diffuse):
             raise FittingError(
                 f"There is no way {diffuse!r} for the diffuse term; choose 'joint' or 'measured'."
             )
         self.basis = default_basis() if basis is None else basis
-        self.time_limit_s = float(time_limit_s)
         self.base_samples = base_samples or BaseSamples()
         self.coat_samples = coat_samples or CoatSamples()
         self.weighting = weighting
@@ -166,7 +165,17 @@ class LobeFitter:
         self._diffuse_sample = self._sample_at(diffuse_gamma_deg) if diffuse == "measured" else None
         self._cosine = float(np.cos(self.base_samples.theta_rad))
         exponents = self.basis.array()
-        self.programs = (self._base_program(exponents), self._coat_program(exponents))
+        self.programs = (
+            base_program(
+                self.base_samples,
+                exponents,
+                weights=ring_solid_angles(self.base_samples.gamma_rad)
+                if weighting == "solid angle"
+                else None,
+                with_diffuse=self._diffuse_sample is None,
+            ),
+            coat_program(self.coat_samples, exponents),
+        )
         self._solver = LimitedSolver(self.programs)
         self._warm_up()
 
@@ -176,23 +185,6 @@ class LobeFitter:
             raise FittingError(f"The base has no sample at {gamma_deg:g}° to read the diffuse term from.")
         return int(np.argmin(distances))
 
-    def _base_program(self, exponents: FloatArray) -> PartProgram:
-        samples = self.base_samples
-        columns = samples.cosine_lobes(exponents)
-        if self._diffuse_sample is None:
-            columns = np.concatenate([np.ones((samples.gamma_rad.size, 1)), columns], axis=1)
-        weights = samples.weights
-        if self.weighting == "solid angle":
-            weights = ring_solid_angles(samples.gamma_rad)
-        return build_program(self._cosine * columns, weights)
-
-    def _coat_program(self, exponents: FloatArray) -> PartProgram:
-        samples = self.coat_samples
-        matrix = np.concatenate(
-            [samples.cosine_lobes(exponents), samples.lobe_energy(exponents)[None, :]], axis=0
-        )
-        return build_program(matrix, np.concatenate([samples.solid_angle, [ENERGY_WEIGHT]]))
-
     def _warm_up(self) -> None:
         """Solve once for a plain metallic look, so that the first edit starts from a basis."""
         base = 0.05 + 0.5 * np.clip(np.cos(self.base_samples.gamma_rad), 0.0, None) ** 6
@@ -200,7 +192,7 @@ class LobeFitter:
         self._solve(
             base[:, None].repeat(3, 1),
             coat[:, None].repeat(3, 1),
-            1.5,
+            _Coat(1.5, True),
             time.perf_counter() + WARM_UP_S,
             finish=False,
         )
@@ -208,11 +200,6 @@ class LobeFitter:
     def close(self) -> None:
         """End the background thread, should there be one, and drop what it works at."""
         self._solver.close()
-
-    def _with_energy(self, rings: FloatArray) -> FloatArray:
-        energy = self.coat_samples.solid_angle @ rings
-        result: FloatArray = np.concatenate([rings, energy[None, :]], axis=0)
-        return result
 
     def sample(self, reflectance: LayeredReflectance) -> tuple[FloatArray, FloatArray]:
         """Return ``f_r·(N·L)`` at the base's samples ``(n, 3)`` and the coat's rings ``(k, 3)``."""
@@ -232,27 +219,38 @@ class LobeFitter:
         start = time.perf_counter()
         base, coat = self.sample(reflectance)
         return self.fit_samples(
-            base, coat, ior=float(reflectance.ior), sampling_seconds=time.perf_counter() - start
+            base,
+            coat,
+            ior=float(reflectance.ior),
+            base_under_coat=reflectance.base_under_coat,
+            sampling_seconds=time.perf_counter() - start,
         )
 
     def fit_samples(
-        self, base: FloatArray, coat: FloatArray, *, ior: float, sampling_seconds: float = 0.0
+        self,
+        base: FloatArray,
+        coat: FloatArray,
+        *,
+        ior: float,
+        base_under_coat: bool = True,
+        sampling_seconds: float = 0.0,
     ) -> LobeFit:
         """Fit given samples of ``f_r·(N·L)``: ``(n, 3)`` at ``base_samples``, ``(k, 3)`` at ``coat_samples``.
 
         Same result as :meth:`fit` on a reflectance with those samples; the way in for data that were
-        measured. Raises :class:`FittingError` for a negative or not finite sample.
+        measured. Raises :class:`FittingError` for a negative or not finite sample, and for an index below 1.
         """
         start = time.perf_counter()
-        base = _checked("base", base, self.base_samples.gamma_rad)
-        coat = _checked("coat", coat, self.coat_samples.gamma_rad)
-        return self._solve(base, coat, ior, start + self.time_limit_s, start, sampling_seconds)
+        over = _Coat(checked_ior(ior), base_under_coat)
+        base = _checked("The base", base, self.base_samples.gamma_rad)
+        coat = _checked("The coat", coat, self.coat_samples.gamma_rad)
+        return self._solve(base, coat, over, start + self.time_limit_s, start, sampling_seconds)
 
     def _solve(
         self,
         base: FloatArray,
         coat: FloatArray,
-        ior: float,
+        over: _Coat,
         deadline: float,
         start: float = 0.0,
         sampling_seconds: float = 0.0,
@@ -264,12 +262,12 @@ class LobeFitter:
         if self._diffuse_sample is not None:
             kd = base[self._diffuse_sample] / self._cosine
             base = base - base[self._diffuse_sample]
-        targets = (base, self._with_energy(coat))
+        targets = (base, with_energy(self.coat_samples, coat))
         factors = self._factors(base, coat) if self.weighting == "relative" else None
         weighted = [p.row_weights[:, None] * t for p, t in zip(self.programs, targets, strict=True)]
 
         def fit_of(answer: LimitedSolution) -> LobeFit:
-            return self._fit_of(answer, kd, ior, start, sampling_seconds)
+            return self._fit_of(answer, kd, over, start, sampling_seconds)
 
         return fit_of(self._solver.solve(weighted, deadline, factors=factors, finish=finish, then=fit_of))
 
@@ -282,7 +280,7 @@ class LobeFitter:
         self,
         answer: LimitedSolution,
         kd: FloatArray,
-        ior: float,
+        over: _Coat,
         start: float,
         sampling_seconds: float,
     ) -> LobeFit:
@@ -303,8 +301,9 @@ class LobeFitter:
             kdd=base,
             kg=coat,
             theta_fit_rad=self.base_samples.theta_rad,
-            ior=ior,
+            ior=over.ior,
             time_limited=not answer.optimal,
+            base_under_coat=over.base_under_coat,
         )
         return LobeFit(
             weights=weights,
@@ -318,20 +317,8 @@ class LobeFitter:
         )
 
 
-def _checked(part: str, values: FloatArray, gamma_rad: FloatArray) -> FloatArray:
-    """Return ``values`` as float64 ``(n, 3)``, or raise a FittingError that names the first bad sample."""
-    array = np.asarray(values, dtype=np.float64)
-    if array.shape != (gamma_rad.size, 3):
-        raise FittingError(f"The {part} has samples of shape {array.shape}, not {(gamma_rad.size, 3)}.")
-    if array.min() >= 0.0 and array.max() <= BRIGHTEST:  # neither holds for a not-a-number
-        return array
-    bad = ~((array >= 0.0) & (array <= BRIGHTEST))
-    sample, channel = np.argwhere(bad)[0]
-    value = array[sample, channel]
-    what = "is not finite"
-    if np.isfinite(value):
-        what = f"is {'negative' if value < 0.0 else 'beyond any reflectance'} ({value:g} 1/sr)"
-    raise FittingError(
-        f"The {part} cannot be fitted: its {CHANNELS[channel]} channel {what} at the aspecular angle "
-        f"{np.rad2deg(gamma_rad[sample]):.4g}°."
-    )
+def _checked(subject: str, values: FloatArray, gamma_rad: FloatArray) -> FloatArray:
+    def where(sample: tuple[int, ...]) -> str:
+        return f"at the aspecular angle {np.rad2deg(gamma_rad[sample]):.4g}°"
+
+    return checked_targets(subject, values, (gamma_rad.size, 3), where)

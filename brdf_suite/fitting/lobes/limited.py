@@ -20,7 +20,7 @@ import time
 import weakref
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,11 +33,14 @@ from brdf_suite.fitting.lobes.answers import (
     request_of,
     scaled_back,
 )
-from brdf_suite.fitting.lobes.background import BackgroundSolver
+from brdf_suite.fitting.lobes.background import MOST_TRIES, BackgroundSolver
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
 from brdf_suite.fitting.lobes.kept_vertex import KeptVertex, kept_vertex
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.solver import Outcome
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future  # see answers.py
 
 __all__ = ["LimitedSolution", "LimitedSolver"]
 
@@ -54,6 +57,8 @@ HAND_OVER_S = 0.0001
 SHORTEST_WAIT_S = 0.0003
 #: No run is begun with less time than this.
 SHORTEST_RUN_S = 0.0001
+#: No run is longer where the caller watches.
+WATCHED_RUN_S = 0.1
 #: Iterations of a run, at least; and what one is first thought to take, per matrix entry.
 FEWEST_ITERATIONS = 10
 FIRST_PACE_S_PER_ENTRY = 4e-9
@@ -67,21 +72,25 @@ class LimitedSolver:
     """A kept model over ``parts`` × ``channels`` that answers inside a limit and finishes in the background.
 
     Any sequence of :class:`PartProgram` will do; each is solved for every channel, all in one block-diagonal
-    model. ``inline`` forces the caller's way (True) or the thread's (False); by size where left out.
+    model. ``inline`` forces the caller's way (True) or the thread's (False); by size where left out. ``fallbacks``,
+    one per part, are those of another solver of the same parts, which saves making them again.
 
     One solver serves one thread. :meth:`close` ends its background thread, as does losing the last reference.
     """
 
     def __init__(
-        self, parts: Sequence[PartProgram], channels: int = 3, *, inline: bool | None = None
+        self,
+        parts: Sequence[PartProgram],
+        channels: int = 3,
+        *,
+        inline: bool | None = None,
+        fallbacks: Sequence[FallbackSolver] | None = None,
     ) -> None:
         self.parts = tuple(parts)
         self.channels = channels
         self._background = BackgroundSolver(self.parts, channels)
         self._solver = self._background.solver
-        # One for each different part: the same one may stand for several groups of channels.
-        different = {id(part): FallbackSolver(part) for part in {id(p): p for p in self.parts}.values()}
-        self._fallbacks = tuple(different[id(part)] for part in self.parts)
+        self.fallbacks = _fallbacks(self.parts) if fallbacks is None else tuple(fallbacks)
         self.inline = self._solver.entry_count <= LARGEST_INLINE_ENTRIES if inline is None else inline
         self._vertex: KeptVertex | None = None
         self._pace_s = FIRST_PACE_S_PER_ENTRY * self._solver.entry_count
@@ -97,6 +106,7 @@ class LimitedSolver:
         factors: Sequence[FloatArray] | None = None,
         finish: bool = True,
         then: Callable[[LimitedSolution], Any] = _same,
+        watch: Callable[[], None] | None = None,
     ) -> LimitedSolution:
         """Return the best weights for ``targets`` that are at hand at ``deadline``.
 
@@ -113,6 +123,9 @@ class LimitedSolver:
             call of this method comes first and cancels it.
         then
             What becomes of the optimum before it is delivered; called on the background thread.
+        watch
+            Called between the runs of the caller's way, each then of a tenth of a second at most; to cancel, it raises
+            what is to leave this method.
 
         Raises
         ------
@@ -122,15 +135,35 @@ class LimitedSolver:
         self._background.supersede()
         request = request_of(self.parts, self.channels, targets, factors)
         if self.inline:
-            return self._solve_here(request, deadline, finish, then)
+            return self._solve_here(request, deadline, finish, then, watch)
         return self._solve_there(request, deadline, finish, then)
+
+    def begin(
+        self,
+        targets: Sequence[FloatArray],
+        *,
+        factors: Sequence[FloatArray] | None = None,
+        then: Callable[[LimitedSolution], Any] = _same,
+    ) -> Future[Any]:
+        """Begin to look for the optimum, in slices on the solver's thread; the future gets ``then`` of it.
+
+        For work for which nobody waits. The next call of this method or of :meth:`solve`, and :meth:`close`, cancel
+        the future. Arguments and errors as :meth:`solve`.
+        """
+        request = request_of(self.parts, self.channels, targets, factors)
+        return self._background.start(request, then).future
 
     def close(self) -> None:
         """Drop what is in work and wait for the thread to end: at most one slice of the solver."""
         self._background.close()
 
     def _solve_here(
-        self, request: Request, deadline: float, finish: bool, then: Callable[[LimitedSolution], Any]
+        self,
+        request: Request,
+        deadline: float,
+        finish: bool,
+        then: Callable[[LimitedSolution], Any],
+        watch: Callable[[], None] | None,
     ) -> LimitedSolution:
         if self._vertex is not None and request.factors is None:
             found = self._vertex.answer(request.targets)
@@ -146,8 +179,8 @@ class LimitedSolver:
         if until - start > SHORTEST_RUN_S and self._background.lock.acquire(timeout=until - start):
             try:
                 self._solver.load(request.targets, request.factors)
-                outcome, iterations = self._run_until(until)
-                if outcome is not None:
+                outcome, iterations = self._run_until(until, watch)
+                if outcome in (Outcome.OPTIMAL, Outcome.STOPPED):
                     held = self._solver.solution()
                     if outcome is Outcome.OPTIMAL:
                         answer, self._background.last = optimal_answer(self.parts, held, request, iterations)
@@ -158,12 +191,18 @@ class LimitedSolver:
             finally:
                 self._background.lock.release()
         answer = self._feasible(request, deadline, partial, iterations)
-        return replace(answer, exact=self._background.start(request, then)) if finish else answer
+        return replace(answer, exact=self._background.start(request, then).future) if finish else answer
 
-    def _run_until(self, until: float) -> tuple[Outcome | None, int]:
-        """Run in pieces until the optimum or the time; None where there was no time for any."""
-        outcome, iterations = None, 0
+    def _run_until(self, until: float, watch: Callable[[], None] | None = None) -> tuple[Outcome | None, int]:
+        """Run in pieces until the optimum, the time, or a solver that is lost again and again.
+
+        None where there was no time for any.
+        """
+        outcome, iterations, tries = None, 0, 0
         while (left := until - time.perf_counter()) > SHORTEST_RUN_S:
+            if watch is not None:
+                watch()
+                left = min(left, WATCHED_RUN_S)
             begun = time.perf_counter()
             outcome = self._solver.run(left, max(FEWEST_ITERATIONS, int(0.5 * left / self._pace_s)))
             done = self._solver.iterations
@@ -176,23 +215,26 @@ class LimitedSolver:
                 break
             if outcome is Outcome.LOST:
                 self._solver.forget()
+                tries += 1
+                if tries >= MOST_TRIES:
+                    break
         return outcome, iterations
 
     def _solve_there(
         self, request: Request, deadline: float, finish: bool, then: Callable[[LimitedSolution], Any]
     ) -> LimitedSolution:
         answer = self._feasible(request, deadline - HAND_OVER_S, None, 0)
-        exact = self._background.start(request, then)
-        finished = None
-        if (left := deadline - time.perf_counter()) > SHORTEST_WAIT_S:
-            finished = self._background.wait(exact, left)
+        left = deadline - time.perf_counter()
+        waited = left > SHORTEST_WAIT_S
+        work = self._background.start(request, then, waited=waited)
+        finished = self._background.wait(work, deadline - time.perf_counter()) if waited else None
         if finished is not None:
             answer, self._background.last = finished
             return answer
         if not finish:
-            exact.cancel()
+            work.future.cancel()
             return answer
-        return replace(answer, exact=exact)
+        return replace(answer, exact=work.future)
 
     def _feasible(
         self,
@@ -206,16 +248,16 @@ class LimitedSolver:
         for k, part in enumerate(self.parts):
             begun = time.perf_counter()
             target, factors = request.targets[k], request.factors_of(k)
-            last, last_error = self._fallbacks[k].rescaled(self._background.last[k], target, factors)
+            last, last_error = self.fallbacks[k].rescaled(self._background.last[k], target, factors)
             now = time.perf_counter()
             # What rescaling took, cold, is kept for comparing; the parts to come get their share.
             stop = now + (deadline - now) / (len(self.parts) - k) - 0.8 * (now - begun)
-            squares = self._fallbacks[k].least_squares(target, deadline=stop)
+            squares = self.fallbacks[k].least_squares(target, deadline=stop)
             whole = np.abs(target) if factors is None else factors * np.abs(target)
             candidates = {
                 "rescaled": (last, last_error),
                 # Its factor is best for squares; clamped after few steps, it may be far from best.
-                "least squares": self._fallbacks[k].rescaled(squares, target, factors),
+                "least squares": self.fallbacks[k].rescaled(squares, target, factors),
                 "zero": (np.zeros_like(last), whole.sum(axis=0)),
             }
             if partial is not None:
@@ -230,3 +272,9 @@ class LimitedSolver:
             methods.append(tuple(names[w] for w in winner))
         self._background.last = tuple(solutions)
         return scaled_back(request, solutions, errors, tuple(methods), False, iterations)
+
+
+def _fallbacks(parts: Sequence[PartProgram]) -> tuple[FallbackSolver, ...]:
+    """Return one for each part; parts that are the same one, as for several groups of channels, share theirs."""
+    different = {id(part): FallbackSolver(part) for part in {id(p): p for p in parts}.values()}
+    return tuple(different[id(part)] for part in parts)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.checks import checked_ior
 from brdf_suite.reflectance.lobe_sum import lobe_sums
 
 FloatArray = NDArray[np.float64]
@@ -31,7 +32,7 @@ class LobeWeights:
     theta_fit_rad
         Incidence angle of the fit, from which Fresnel factors are taken towards grazing.
     ior
-        Refractive index of the coat; 1 is none: the weights hold at every angle.
+        Refractive index of the coat, ≥ 1; 1 is none: the weights hold at every angle.
     base_under_coat
         Light for the base crosses the coat, so that the base darkens towards grazing by T(θ)²/T(θ_fit)² as the
         gloss gains F(θ)/F(θ_fit). False where gloss and base are parts of one sum that take nothing from each
@@ -42,7 +43,7 @@ class LobeWeights:
     Raises
     ------
     FittingError
-        A shape that does not fit, or a weight that is negative or not finite.
+        A shape that does not fit, a weight that is negative or not finite, or an index that is not one.
     """
 
     exponents: FloatArray
@@ -68,6 +69,7 @@ class LobeWeights:
         if not (together.min() >= 0.0 and together.max() < np.inf):
             name = next(n for n in shapes if not _is_sound(getattr(self, n)))
             raise FittingError(f"The lobe weights {name} hold a negative or not finite value.")
+        checked_ior(self.ior)
 
     def reflected(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
         """Return ``f_r·(N·L)`` in 1/sr: reflected radiance for light of unit strength (cosine included).

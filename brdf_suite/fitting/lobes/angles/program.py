@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles.grid import AngleGrid
 from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
-from brdf_suite.fitting.lobes.fitter import ENERGY_WEIGHT
+from brdf_suite.fitting.lobes.layer_programs import ENERGY_WEIGHT
 from brdf_suite.fitting.lobes.program import SMALLEST_ENTRY, PartProgram, build_program
 
 FloatArray = NDArray[np.float64]

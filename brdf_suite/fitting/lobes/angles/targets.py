@@ -16,10 +16,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
 from brdf_suite.fitting.lobes.angles.weights import gloss_brdf, leaving
-from brdf_suite.fitting.lobes.fitter import CHANNELS
+from brdf_suite.fitting.lobes.checks import checked_targets
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 
@@ -46,13 +45,21 @@ class AngleSamples:
 
 def checked_samples(samples: AngleSamples, flat: AngleBaseSamples, rings: AngleCoatSamples) -> AngleSamples:
     """Return ``samples`` as float64 of the right shapes, or raise a FittingError that names the first bad one."""
-    cosines = flat.grid.cosines
-    around = np.broadcast_to(cosines[:, None], rings.gamma_rad.shape)
+    theta = np.arccos(np.clip(flat.grid.cosines, 0.0, 1.0))
+
+    def checked(part: str, values: FloatArray, gamma_rad: FloatArray, theta_rad: FloatArray) -> FloatArray:
+        def where(place: tuple[int, ...]) -> str:
+            gamma, light = np.rad2deg(gamma_rad[place]), np.rad2deg(theta_rad[place])
+            return f"at the aspecular angle {gamma:.4g}° under light at {light:.4g}°"
+
+        return checked_targets(f"The {part}", values, (*gamma_rad.shape, 3), where)
+
+    around = np.broadcast_to(theta[:, None], rings.gamma_rad.shape)
     return replace(
         samples,
-        base=_checked("base", samples.base, flat.gamma_rad, cosines[flat.angle]),
-        coat=_checked("coat", samples.coat, flat.gamma_rad, cosines[flat.angle]),
-        rings=_checked("coat", samples.rings, rings.gamma_rad, around),
+        base=checked("base", samples.base, flat.gamma_rad, theta[flat.angle]),
+        coat=checked("coat", samples.coat, flat.gamma_rad, theta[flat.angle]),
+        rings=checked("coat", samples.rings, rings.gamma_rad, around),
     )
 
 
@@ -96,20 +103,3 @@ def _weighted(program: PartProgram, values: FloatArray) -> FloatArray:
     target = np.zeros((program.shape[0], 3))
     target[: len(values)] = program.row_weights[: len(values), None] * values
     return target
-
-
-def _checked(part: str, values: FloatArray, gamma_rad: FloatArray, cosines: FloatArray) -> FloatArray:
-    """Return ``values`` as float64 (..., 3), or raise a FittingError that names the first bad sample."""
-    array = np.asarray(values, dtype=np.float64)
-    if array.shape != (*gamma_rad.shape, 3):
-        raise FittingError(f"The {part} has samples of shape {array.shape}, not {(*gamma_rad.shape, 3)}.")
-    bad = ~(np.isfinite(array) & (array >= 0.0))
-    if bad.any():
-        place = tuple(np.argwhere(bad)[0])
-        value, sample = array[place], place[:-1]
-        what = "is not finite" if not np.isfinite(value) else f"is negative ({value:g} 1/sr)"
-        raise FittingError(
-            f"The {part} cannot be fitted: its {CHANNELS[place[-1]]} channel {what} at the aspecular angle "
-            f"{np.rad2deg(gamma_rad[sample]):.4g}° under light at {np.rad2deg(np.arccos(cosines[sample])):.4g}°."
-        )
-    return array
