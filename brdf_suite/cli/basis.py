@@ -104,6 +104,10 @@ def run(options: argparse.Namespace) -> int:
             file=sys.stderr,
         )
         raise
+    except SuiteError:
+        if not results:  # refused before anything was found: nothing to go on from
+            state.unlink(missing_ok=True)
+        raise
     results = results[: options.lobes]
     answer = document.save_basis(
         options.output,

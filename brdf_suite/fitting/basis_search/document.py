@@ -19,9 +19,9 @@ from brdf_suite.fitting.basis_search.search import CountResult
 from brdf_suite.fitting.lobes.basis import STORED_FORMAT, STORED_VERSION, LobeBasis
 
 STATE_FORMAT, STATE_VERSION = "lobe_basis_search", 1
-#: The default is the smallest count whose equation 4 is below this: an error that is just seen, on the worst paint
-#: and on the mean one together (docs/basis.md).
-SMALL_ENOUGH = 1.5
+#: The default is the smallest count whose equation 4 is within this factor of the lowest that the search found: each
+#: lobe costs a map in the prefilter and a look-up for every pixel (docs/basis.md).
+NEAR_BEST = 1.02
 
 
 def settings_of(database: Database, starts: int) -> dict[str, object]:
@@ -69,11 +69,9 @@ def load_state(path: Path, settings: Mapping[str, object]) -> list[CountResult]:
 
 
 def choose_default(results: Sequence[CountResult]) -> int:
-    """Return the count that :data:`SMALL_ENOUGH` picks, or that of the lowest equation 4 where none is so low."""
-    good = [result for result in results if result.value <= SMALL_ENOUGH]
-    if good:
-        return min(result.count for result in good)
-    return min(results, key=lambda result: (result.value, result.count)).count
+    """Return the smallest count whose equation 4 is within :data:`NEAR_BEST` of the lowest."""
+    limit = NEAR_BEST * min(result.value for result in results)
+    return min(result.count for result in results if result.value <= limit)
 
 
 def save_basis(

@@ -155,3 +155,9 @@ def test_a_bad_order_is_refused_in_words(
     assert words in err
     assert "Traceback" not in err
     assert kept(tmp_path) == 0
+
+
+def test_a_refused_search_leaves_nothing(few_paints: Path, tmp_path: Path) -> None:
+    code, _out, err = run(tmp_path, few_paints, "--lobes", "12")
+    assert (code, list(tmp_path.iterdir())) == (1, []), err
+    assert "holds" in err

@@ -13,11 +13,13 @@ from brdf_suite.errors import FileError, FittingError
 from brdf_suite.fitting.basis_search.database import (
     BETWEEN_DEG,
     COAT_FROM_DEG,
+    EDITS,
     Database,
     load_database,
     reflectances,
 )
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG
+from brdf_suite.pipeline.scene import load_shipped_paint
 from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.layers import Layers
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
@@ -81,3 +83,21 @@ class Negative:
 def test_a_negative_reflectance_is_refused_by_name() -> None:
     with pytest.raises(FittingError, match=r"odd: .* negative"):
         reflectances({"odd": Layers(Negative(), CoatLobe(1.5, 0.01), 1.5)})
+
+
+def test_paints_of_three_readings_have_an_edit_of_the_middle_one(whole: Database) -> None:
+    edited = [name.removesuffix(", edited") for name in whole.names if name.endswith(", edited")]
+    assert len(edited) >= 20
+    assert not any(name.startswith("table1_") for name in edited)
+    assert not set(edited) & {"gold_green_shift", "teal_violet_shift", "solid_red"}
+    middle = BETWEEN_DEG.index(45.0)
+    seen = set()
+    for name in edited:
+        bright, own, dark = (load_shipped_paint(name).lab_at(angle)[0] for angle in (15.0, 45.0, 110.0))
+        found = whole.paints[whole.names.index(f"{name}, edited")].lab[middle, 0]
+        # The whole paint is read, so that what was asked comes back to the rounding of the coat's mean.
+        share = min(EDITS, key=lambda one: abs(dark + one * (bright - dark) - found))
+        assert found == pytest.approx(dark + share * (bright - dark), abs=0.5), name
+        assert abs(found - own) > 4.0
+        seen.add(share)
+    assert seen == set(EDITS)

@@ -113,13 +113,13 @@ def test_the_rule_takes_the_fewest_lobes_that_are_good_enough(found: list[CountR
         exponents = tuple(float(k + 1) for k in range(count))
         return dataclasses.replace(found[0], exponents=exponents, errors=(0.5 * value,))
 
-    enough = document.SMALL_ENOUGH
-    assert document.choose_default([of(1, 9.0), of(2, 0.9 * enough), of(3, 0.5 * enough)]) == 2
+    near = 2.0 * document.NEAR_BEST
+    assert document.choose_default([of(1, 9.0), of(2, 1.001 * near), of(3, 0.999 * near), of(4, 2.0)]) == 3
     assert document.choose_default([of(1, 9.0), of(2, 4.0), of(3, 5.0)]) == 2
 
 
 @pytest.mark.parametrize(
-    ("largest", "starts", "workers"), [(0, 2, 1), (13, 2, 1), (3, 1, 1), (3, 2, 0), (4, 2, 1)]
+    ("largest", "starts", "workers"), [(0, 2, 1), (13, 2, 1), (3, 1, 1), (3, 2, 0), (12, 2, 1)]
 )
 def test_bad_orders_are_refused(few: Database, largest: int, starts: int, workers: int) -> None:
     with pytest.raises(FittingError, match=r"lobes|starts|paints"):
