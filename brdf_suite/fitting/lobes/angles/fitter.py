@@ -12,11 +12,13 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles.grid import AngleGrid
+from brdf_suite.fitting.lobes.angles.late import one_after_another
 from brdf_suite.fitting.lobes.angles.program import base_program, coat_program
 from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
 from brdf_suite.fitting.lobes.angles.targets import AngleSamples, base_target, checked_samples, coat_target
 from brdf_suite.fitting.lobes.angles.weights import AngleWeights
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
+from brdf_suite.fitting.lobes.checks import checked_ior, checked_limit
 from brdf_suite.fitting.lobes.fitter import LayeredReflectance, PartError
 from brdf_suite.fitting.lobes.limited import LimitedSolution, LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram
@@ -60,6 +62,10 @@ class AngleFit:
     time_limited: bool
     iterations: int
     exact: Future[AngleFit] | None = field(default=None, repr=False)
+
+    def __getstate__(self) -> dict[str, object]:
+        """Leave out ``exact``: another process cannot be told of what this one's thread finds."""
+        return {**self.__dict__, "exact": None}
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,12 +112,10 @@ class AngleFitter:
         base_gammas_deg: tuple[float, ...] | None = None,
         base_weights: tuple[float, ...] | None = None,
     ) -> None:
-        if not (np.isfinite(time_limit_s) and time_limit_s > 0.0):
-            raise FittingError(f"The time limit of a fit is {time_limit_s:g} s; it must be more than 0.")
         self.basis = default_basis() if basis is None else basis
         self.grid = grid or AngleGrid()
         self.smoothness = float(smoothness)
-        self.time_limit_s = float(time_limit_s)
+        self.time_limit_s = checked_limit(time_limit_s)
         if (base_gammas_deg is None) != (base_weights is None):
             raise FittingError("Give the base's aspecular angles and their weights together.")
         self.base_samples = AngleBaseSamples(
@@ -127,18 +131,26 @@ class AngleFitter:
         # A coat is the same in all channels, as a rule, and its program is then solved once; sharp lobes of
         # Cook-Torrance paints are coloured.
         self._grey_coat = LimitedSolver([coat], 1)
-        self._coloured_coat = LimitedSolver([coat], 3)
+        self._coloured_coat = LimitedSolver([coat], 3, fallbacks=self._grey_coat.fallbacks)
         self._base = LimitedSolver([base], 3)
-        # For a base that has to wait for the optimum of its coat, in the background.
-        self._late_base = LimitedSolver([base], 3)
+        # A base that has to wait for the optimum of its coat is begun from the coat's thread: held meanwhile, so that
+        # the next fit either finds it begun, and supersedes it, or keeps it from being begun.
         self._late = threading.Lock()
         self._exact: Future[AngleFit] | None = None
         self._warm_up()
 
     def close(self) -> None:
-        """Drop what is in work and end the background thread."""
-        for solver in (self._grey_coat, self._coloured_coat, self._base, self._late_base):
+        """Drop what is in work and end the background threads, each at most one slice of its solver later."""
+        self._supersede()
+        for solver in (self._grey_coat, self._coloured_coat, self._base):
             solver.close()
+
+    def _supersede(self) -> None:
+        """Cancel what the last fit left to the background."""
+        with self._late:
+            if self._exact is not None:
+                self._exact.cancel()
+                self._exact = None
 
     def _warm_up(self) -> None:
         """Fit a plain metallic look, so that the first edit starts from a basis."""
@@ -150,10 +162,7 @@ class AngleFitter:
         self._fit(samples, time.perf_counter(), 2.0 * WARM_UP_S)
 
     def sample(self, reflectance: LayeredReflectance) -> AngleSamples:
-        """Evaluate ``reflectance`` at the samples of the fit.
-
-        An attribute ``base_under_coat`` that is False says that the coat takes nothing from the base.
-        """
+        """Evaluate ``reflectance`` at the samples of the fit."""
         start = time.perf_counter()
         flat, rings = self.base_samples, self.coat_samples
         base = np.asarray(reflectance.base.eval(flat.lights, flat.views), np.float64)
@@ -164,7 +173,7 @@ class AngleFitter:
             coat,
             np.einsum("knac,kna->knc", around, rings.cosines),
             float(reflectance.ior),
-            bool(getattr(reflectance, "base_under_coat", True)),
+            bool(reflectance.base_under_coat),
             time.perf_counter() - start,
         )
 
@@ -188,21 +197,19 @@ class AngleFitter:
             raise FittingError(
                 "The base is seen through a coat; fit it without facets, which are for Cook-Torrance paints."
             )
-        if not (np.isfinite(samples.ior) and samples.ior >= 1.0):
-            raise FittingError(f"The refractive index of the coat is {samples.ior:g}; it must be 1 or more.")
+        checked_ior(samples.ior)
         checked = checked_samples(samples, self.base_samples, self.coat_samples)
         return self._fit(checked, start, self.time_limit_s)
 
     def _fit(self, samples: AngleSamples, start: float, limit_s: float) -> AngleFit:
-        if self._exact is not None:
-            self._exact.cancel()
+        self._supersede()
         target, scale = coat_target(self.programs[1], self.coat_samples, samples)
         grey = bool(np.ptp(target, axis=1).max() <= SAME * target.max(initial=0.0))
         # The base takes what is left of the coat in the plane, so the coat comes first, and half of the time is its.
         answer = (self._grey_coat if grey else self._coloured_coat).solve(
             [target[:, :1] if grey else target],
             start + COAT_SHARE * limit_s,
-            then=lambda exact: self._after_coat(samples, self._coat(exact, target, scale), start),
+            then=lambda exact: self._coat(exact, target, scale),
         )
         coat = self._coat(answer, target, scale)
         below, below_scale = self._base_target(samples, coat)
@@ -213,15 +220,25 @@ class AngleFitter:
             then=lambda exact: self._result(samples, self._part(0, exact, below, below_scale), coat, start),
         )
         found = self._result(samples, self._part(0, answered, below, below_scale), coat, start)
-        self._exact = answered.exact if answer.optimal else answer.exact
+        self._exact = answered.exact
+        if answer.exact is not None:
+            self._exact = one_after_another(
+                answer.exact, lambda coat, whole: self._begin_base(samples, coat, start, whole)
+            )
         return replace(found, exact=self._exact)
 
-    def _after_coat(self, samples: AngleSamples, coat: _Solved, start: float) -> AngleFit:
-        """Finish a fit whose coat met the limit; on the background thread."""
+    def _begin_base(
+        self, samples: AngleSamples, coat: _Solved, start: float, whole: Future[AngleFit]
+    ) -> Future[AngleFit] | None:
+        """Begin the base of a fit whose coat met the limit and has its optimum now; on the coat's thread."""
         below, scale = self._base_target(samples, coat)
-        with self._late:  # grey and coloured coats are finished by threads of their own
-            answer = self._late_base.solve([below], time.perf_counter() + WARM_UP_S, finish=False)
-        return self._result(samples, self._part(0, answer, below, scale), coat, start)
+        with self._late:
+            if whole.cancelled():
+                return None
+            return self._base.begin(
+                [below],
+                then=lambda exact: self._result(samples, self._part(0, exact, below, scale), coat, start),
+            )
 
     def _coat(self, answer: LimitedSolution, target: FloatArray, scale: FloatArray) -> _Solved:
         if answer.solutions[0].shape[1] == 1:
