@@ -5,6 +5,7 @@ import pickle
 import threading
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -244,3 +245,10 @@ def test_the_limit_is_that_of_one_fit_and_not_of_all_together() -> None:
 def test_a_senseless_limit_is_refused(limit: float) -> None:
     with pytest.raises(FittingError, match="time limit"):
         LobeFitter(time_limit_s=limit)
+
+
+@pytest.mark.parametrize("under", [True, False])
+def test_weights_say_whether_the_base_is_under_a_coat(
+    fitter: LobeFitter, make_paint: MakePaint, under: bool
+) -> None:
+    assert fitter.fit(replace(make_paint(), base_under_coat=under)).weights.base_under_coat is under

@@ -1,0 +1,126 @@
+"""Whoever waits is told: of the optimum before anything is made of it, and of what will never come."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterator
+from concurrent.futures import CancelledError, as_completed, wait
+
+import numpy as np
+import pytest
+
+from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.limited import LimitedSolver
+from brdf_suite.fitting.lobes.program import PartProgram, build_program
+from brdf_suite.fitting.lobes.solver import Outcome
+
+PATIENCE_S = 60.0
+
+
+def program(seed: int = 1) -> PartProgram:
+    rng = np.random.default_rng(seed)
+    return build_program(rng.uniform(0, 1, (20, 6)) ** 4, np.ones(20))
+
+
+def target(seed: int = 0) -> np.ndarray:
+    return np.random.default_rng(seed).uniform(0, 1, (20, 3))
+
+
+@pytest.fixture(params=[True, False], ids=["inline", "thread"])
+def solver(request: pytest.FixtureRequest) -> Iterator[LimitedSolver]:
+    made = LimitedSolver([program()], inline=request.param)
+    yield made
+    made.close()
+
+
+def past() -> float:
+    return time.perf_counter() - 1.0
+
+
+def test_waiting_for_a_request_that_was_dropped_ends(solver: LimitedSolver) -> None:
+    with solver._background.lock:
+        dropped = solver.solve([target()], past()).exact
+        given_up = solver.solve([target(1)], past()).exact
+        assert dropped is not None
+        assert given_up is not None
+        given_up.cancel()
+    assert wait([dropped, given_up], timeout=PATIENCE_S).done == {dropped, given_up}
+    assert set(as_completed([dropped, given_up], timeout=PATIENCE_S)) == {dropped, given_up}
+    for future in (dropped, given_up):
+        with pytest.raises(CancelledError):
+            future.result(timeout=PATIENCE_S)
+
+
+def test_waiting_for_a_request_of_a_closed_solver_ends(solver: LimitedSolver) -> None:
+    with solver._background.lock:
+        dropped = solver.solve([target()], past()).exact
+        closing = threading.Thread(target=solver.close)
+        closing.start()
+    closing.join()
+    refused = solver.solve([target()], past()).exact
+    assert dropped is not None
+    assert refused is not None
+    assert wait([dropped, refused], timeout=PATIENCE_S).done == {dropped, refused}
+
+
+def test_a_caller_in_time_has_its_optimum_before_anything_is_made_of_it() -> None:
+    solver = LimitedSolver([program()], inline=False)
+    made = []
+    free = threading.Event()
+
+    def then(answer: object) -> None:
+        made.append(answer)
+        free.wait(2.0 * PATIENCE_S)  # what is made of it takes longer than the caller's limit
+
+    answer = solver.solve([target()], time.perf_counter() + PATIENCE_S, then=then)
+    assert answer.optimal
+    assert answer.exact is None
+    free.set()
+    solver.close()
+    assert made == []  # the caller has it, so nobody else does
+
+
+def test_a_caller_whose_solver_is_lost_is_told_before_its_limit(solver: LimitedSolver) -> None:
+    tries = []
+
+    def lost(*_: object) -> Outcome:
+        tries.append(threading.current_thread().name)
+        if len(tries) > 100:
+            raise AssertionError("it tries on and on")
+        return Outcome.LOST
+
+    solver._solver.run = lost  # type: ignore[method-assign]  # no target is known that loses it
+    answer = solver.solve([target()], time.perf_counter() + PATIENCE_S)
+    assert not answer.optimal
+    assert answer.exact is not None
+    with pytest.raises(FittingError, match="no optimum"):
+        answer.exact.result(timeout=PATIENCE_S)
+    assert sum(name.startswith("brdf-fit") for name in tries) == 2
+    assert len(tries) == (4 if solver.inline else 2)
+
+
+def test_work_for_which_nobody_waits_is_begun_and_dropped(solver: LimitedSolver) -> None:
+    best = solver.solve([target()], time.perf_counter() + PATIENCE_S)
+    late = solver.begin([target()], then=lambda answer: (answer, threading.current_thread().name))
+    answer, name = late.result(timeout=PATIENCE_S)
+    assert answer.optimal
+    assert name.startswith("brdf-fit")
+    np.testing.assert_allclose(answer.objectives[0], best.objectives[0], rtol=1e-9)
+    with solver._background.lock:
+        first = solver.begin([target(1)])
+        second = solver.begin([target(2)])
+    assert wait([first, second], timeout=PATIENCE_S).not_done == set()
+    assert first.cancelled()
+    assert second.result().optimal
+
+
+def test_solvers_of_one_part_share_its_feasible_answers() -> None:
+    part = program()
+    solver = LimitedSolver([part], 3)
+    other = LimitedSolver([part], 1, fallbacks=solver.fallbacks)
+    assert other.fallbacks[0] is solver.fallbacks[0]
+    answer = other.solve([target()[:, :1]], past(), finish=False)
+    assert (answer.relative[0] < 1.0).all()
+    for made in (solver, other):
+        made.close()
