@@ -113,12 +113,16 @@ def check_surface(name_or_path: str | os.PathLike[str]) -> None:
 
 @dataclass(frozen=True, eq=False)
 class PreparedEnvironment:
-    """An environment with its prefiltered maps, ready to be shown. ``name`` is what the user called it."""
+    """An environment with its prefiltered maps, ready to be shown.
+
+    ``name`` is what the user called it; ``notices`` say what went wrong with the cache, which costs only time.
+    """
 
     name: str
     environment: Environment
     maps: LobeMaps
     from_cache: bool
+    notices: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, object]:
         """Return what it is, as plain values."""
@@ -130,7 +134,7 @@ class PreparedEnvironment:
             "exponents": [float(e) for e in self.maps.exponents],
             "face_sizes": [int(lobe.faces.shape[1]) for lobe in self.maps.lobes],
             "from_cache": self.from_cache,
-            "notes": list(self.environment.notes),
+            "notes": [*self.environment.notes, *self.notices],
         }
 
 
@@ -166,6 +170,7 @@ def load_environment(
     environment = Environment(path.stem, image.pixels, image.notes)
     exponents = (basis or default_basis()).exponents
     store = cache or MapCache()
+    told = len(store.notices)
     filtered: list[float | None] = []
     maps = store.get_or_compute(
         environment,
@@ -173,7 +178,9 @@ def load_environment(
         part(progress, _READING_SHARE, 1.0),
         ready=lambda exponent, _faces: filtered.append(exponent),
     )
-    return PreparedEnvironment(name, environment, maps, from_cache=not filtered)
+    return PreparedEnvironment(
+        name, environment, maps, from_cache=not filtered, notices=tuple(store.notices[told:])
+    )
 
 
 def load_surface(name_or_path: str | os.PathLike[str]) -> Mesh:
