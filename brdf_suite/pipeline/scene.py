@@ -15,6 +15,7 @@ from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.prefilter import LobeMaps
+from brdf_suite.pipeline.environments import AUTOMATIC, read_environment
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.resources import resource, resource_names
 from brdf_suite.surface.mesh import Mesh
@@ -142,6 +143,7 @@ def load_environment(
     name_or_path: str | os.PathLike[str],
     progress: Progress | None = None,
     *,
+    layout: str = AUTOMATIC,
     basis: LobeBasis | None = None,
     cache: MapCache | None = None,
 ) -> PreparedEnvironment:
@@ -150,7 +152,9 @@ def load_environment(
     Parameters
     ----------
     name_or_path
-        A packaged name (``booth``, ``sunny``, ``overcast``) or an ``.exr`` or ``.hdr`` lat-long file.
+        A packaged name (``booth``, ``sunny``, ``overcast``) or an ``.exr`` or ``.hdr`` file.
+    layout
+        How the image is laid out, where its shape does not tell; see :func:`read_environment`.
 
     Raises
     ------
@@ -159,15 +163,12 @@ def load_environment(
     Cancelled
         The progress callback asked for it.
     """
-    from brdf_suite.files.images import read_environment_image
-
     check_environment(name_or_path)
     shipped = _shipped_name(os.fspath(name_or_path), environment_names())
     name = shipped or os.fspath(name_or_path)
     path = resource("environments", shipped + ".exr") if shipped else Path(name)
     report(progress, 0.0, f"reading {path.name}")
-    image = read_environment_image(path)
-    environment = Environment(path.stem, image.pixels, image.notes)
+    environment = read_environment(path, layout, part(progress, 0.0, _READING_SHARE))
     exponents = (basis or default_basis()).exponents
     store = cache or MapCache()
     told = len(store.notices)
