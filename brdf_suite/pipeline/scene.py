@@ -106,6 +106,14 @@ def check_environment(name_or_path: str | os.PathLike[str]) -> None:
         _check_there(name_or_path, "environment", environment_names())
 
 
+def find_environment(name_or_path: str | os.PathLike[str]) -> tuple[str, Path]:
+    """Return an environment's name, as the user knows it, and its file; errors as :func:`check_environment`."""
+    check_environment(name_or_path)
+    shipped = _shipped_name(os.fspath(name_or_path), environment_names())
+    name = shipped or os.fspath(name_or_path)
+    return name, resource("environments", shipped + ".exr") if shipped else Path(name)
+
+
 def check_surface(name_or_path: str | os.PathLike[str]) -> None:
     """Raise :class:`SuiteError` about what the user typed where it names no surface."""
     if _shipped_name(os.fspath(name_or_path), surface_names()) is None:
@@ -163,10 +171,7 @@ def load_environment(
     Cancelled
         The progress callback asked for it.
     """
-    check_environment(name_or_path)
-    shipped = _shipped_name(os.fspath(name_or_path), environment_names())
-    name = shipped or os.fspath(name_or_path)
-    path = resource("environments", shipped + ".exr") if shipped else Path(name)
+    name, path = find_environment(name_or_path)
     report(progress, 0.0, f"reading {path.name}")
     environment = read_environment(path, layout, part(progress, 0.0, _READING_SHARE))
     exponents = (basis or default_basis()).exponents

@@ -1,0 +1,22 @@
+"""``brdf-suite environment …``: what an environment map is, and what can be made from it.
+
+Each action is a module of its own, with ``add(actions)`` and ``run(arguments) -> int``.
+"""
+
+from __future__ import annotations
+
+import argparse
+
+from brdf_suite.cli import environment_lights
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command and its actions."""
+    command = commands.add_parser(
+        "environment",
+        help="what an environment map holds: its lights",
+        description="Look into an environment map: an .exr or .hdr file, or a shipped one (booth, sunny, overcast).",
+    )
+    actions = command.add_subparsers(dest="action", metavar="ACTION", required=True)
+    for module in (environment_lights,):
+        module.add(actions)
