@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from brdf_suite.cli.layout import add_layout
 from brdf_suite.cli.output import print_json
 
 if TYPE_CHECKING:
@@ -37,6 +38,7 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="relaxed errs least; structured and median-cut keep a sun apart even with few lights "
         f"(default: {_METHODS[0]})",
     )
+    add_layout(action)
     action.add_argument("--json", action="store_true", help="print one JSON object")
     action.add_argument(
         "--image", metavar="OUT.png", type=Path, help="write the map with a ring around each light, as PNG"
@@ -57,7 +59,7 @@ def run(options: argparse.Namespace) -> int:
     if options.image is not None and options.image.suffix.lower() != ".png":
         raise FileError(options.image, "must end in .png")
     name, path = find_environment(options.environment)
-    environment = read_environment(path)
+    environment = read_environment(path, options.layout)
     lights = directional_lights(environment, options.count, options.method)
     if options.image is not None:
         _write_image(options.image, name, environment, lights)

@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from brdf_suite.cli import environment_lights
+from brdf_suite.cli import environment_lights, layout
 from brdf_suite.cli.main import main
+from brdf_suite.files.images import write_exr
+from brdf_suite.lighting.layouts import LAYOUTS
 from brdf_suite.lighting.lights import METHODS, directional_lights
 from brdf_suite.lighting.lights.extract import DEFAULT_METHOD, MAX_LIGHTS
 from brdf_suite.lighting.procedural.sunny import SUN
@@ -72,3 +74,22 @@ def test_the_help_names_what_there_is() -> None:
     assert set(environment_lights._METHODS) == set(METHODS)
     assert environment_lights._METHODS[0] == DEFAULT_METHOD
     assert environment_lights._MOST == MAX_LIGHTS
+    assert tuple(LAYOUTS) == layout.LAYOUTS
+
+
+def test_the_layout_can_be_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A square image is a light probe or a dome: the shape cannot tell, and the lights differ."""
+    pixels = np.zeros((64, 64, 3), dtype=np.float32)
+    pixels[24:40, 24:40] = 1.0
+    write_exr(tmp_path / "probe.exr", pixels)
+    strongest = {}
+    for name in ("angular", "dome"):
+        assert (
+            main(
+                ["environment", "lights", str(tmp_path / "probe.exr"), "-n", "1", "--layout", name, "--json"]
+            )
+            == 0
+        )
+        strongest[name] = json.loads(capsys.readouterr().out)["lights"][0]["direction"]
+    assert strongest["angular"] == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
+    assert strongest["dome"] == pytest.approx([0.0, 1.0, 0.0], abs=0.05)

@@ -76,13 +76,13 @@ def test_any_small_map(rows: int, columns: int, count: int, method: str, spread:
     check(environment, directional_lights(environment, count, method), min(count, rows * columns))
 
 
-@every_method
-def test_real_maps(method: str, shared_data: Path) -> None:
+def test_real_maps(shared_data: Path) -> None:
     files = sorted((shared_data / "environments").glob("*.*r"))
     assert files
     for path in files:
         environment = read_environment(path)
-        check(environment, directional_lights(environment, 64, method), 64)
+        for method in METHODS:
+            check(environment, directional_lights(environment, 64, method), 64)
 
 
 @every_method
