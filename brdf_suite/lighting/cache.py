@@ -182,6 +182,8 @@ class MapCache:
                 f"The filtered maps are not kept: {self.folder} cannot be written ({error.strerror or error}). "
                 f"Make room there, or set {ENVIRONMENT_VARIABLE} to another folder."
             )
+            return
+        cache_folder.make_room(self.folder, 0, self.limit_bytes)  # others may have written meanwhile, too
 
     def _notice(self, text: str) -> None:
         self.notices.append(text)

@@ -18,6 +18,7 @@ from brdf_suite.lighting import cache as cache_module
 from brdf_suite.lighting.cache import MapCache, cache_key, default_root
 from brdf_suite.lighting.cache_turn import lock_path, take_turn
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.lighting.prefilter import LobeMaps, prefilter
 
 
@@ -145,6 +146,7 @@ import sys, numpy as np
 from pathlib import Path
 from brdf_suite.lighting import cache
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.face_array import FaceArray
 real = cache.prefilter
 def counted(*rest):
     Path(sys.argv[1], f"made-{sys.argv[2]}").touch()
@@ -299,3 +301,46 @@ def test_the_limit_can_be_set_and_nonsense_is_told(
     with caplog.at_level(logging.WARNING):
         assert MapCache().limit_bytes == 2 * 1024**3
     assert "-1 GB" in caplog.text
+
+
+def test_cancelled_work_leaves_nothing_and_frees_the_lock(environment: Environment) -> None:
+    def cancel(fraction: float, what: str) -> None:
+        if fraction > 0.0:
+            raise Cancelled
+
+    cache = MapCache()
+    with pytest.raises(Cancelled):
+        cache.get_or_compute(environment, [3.0], cancel)
+    assert cache.entries() == []
+    assert cache.unfinished() == []
+    with FileLock(lock_path(cache.folder, cache_key(environment, [3.0])), timeout=0.0):
+        pass
+
+
+def test_many_at_once_in_a_cache_too_small_for_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Entries come and go under everybody's hands: each still gets its own maps."""
+
+    def made(environment: Environment, exponents: list[float], *_: object) -> LobeMaps:
+        rng = np.random.default_rng(int(environment.name))
+        faces = [FaceArray(rng.random((6, 32, 32, 3)).astype(np.float16), 1.0) for _ in range(3)]
+        return LobeMaps((3.0,), (faces[0],), faces[1], faces[2])
+
+    monkeypatch.setattr(cache_module, "prefilter", made)
+    environments = [Environment(str(i), np.full((4, 8, 3), i, np.float32)) for i in range(6)]
+    size = 3 * 6 * 32 * 32 * 3 * 2
+    caches = [MapCache(limit_bytes=int(2.5 * size)) for _ in range(120)]
+
+    def ask(index: int) -> bool:
+        wanted = environments[index * 7 % 6]
+        if index % 10 == 0:
+            caches[index].clear()
+        if index % 10 == 5:
+            assert caches[index].verify().passed
+        return same(caches[index].get_or_compute(wanted, [3.0]), made(wanted, [3.0]))
+
+    with ThreadPoolExecutor(8) as pool:
+        assert all(pool.map(ask, range(120)))
+    assert [notice for cache in caches for notice in cache.notices] == []
+    assert MapCache().verify().passed
+    assert sum(entry.size for entry in MapCache().entries()) <= 2.5 * size + 4096
+    assert MapCache().unfinished() == []
