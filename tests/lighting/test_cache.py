@@ -19,7 +19,7 @@ from brdf_suite.lighting.cache import MapCache, cache_key, default_root
 from brdf_suite.lighting.cache_turn import lock_path, take_turn
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.face_array import FaceArray
-from brdf_suite.lighting.prefilter import LobeMaps, prefilter
+from brdf_suite.lighting.prefilter import LobeMaps
 
 
 @pytest.fixture
@@ -165,7 +165,7 @@ def test_two_programs_do_the_work_once(tmp_path: Path) -> None:
         )
         for name in "ab"
     ]
-    answers = [program.communicate(timeout=60)[0] for program in programs]
+    answers = [program.communicate(timeout=200)[0] for program in programs]
     assert [program.returncode for program in programs] == [0, 0]
     assert answers[0] == answers[1] != ""
     assert len(list(tmp_path.glob("made-*"))) == 1
@@ -197,9 +197,8 @@ def test_waiting_can_be_cancelled_and_a_killed_holder_frees_the_lock(environment
             cache.get_or_compute(environment, [3.0], cancel)
         assert "waiting" in waits[0]
         holder.kill()
-    start = time.monotonic()
     assert cache.get_or_compute(environment, [3.0]).exponents == (3.0,)
-    assert time.monotonic() - start < 10.0
+    assert cache.notices == []  # it did not wait until it gave up
 
 
 def test_the_folder_can_be_chosen(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -240,26 +239,25 @@ def test_a_holder_that_gives_signs_of_life_is_waited_for(environment: Environmen
     folder = MapCache().folder
     steps = 0
 
-    def slow() -> LobeMaps:
+    def slow() -> None:
+        nonlocal steps
         with take_turn(
             folder, key, timeout_s=60.0, silence_s=60.0, progress=None, notice=pytest.fail
         ) as turn:
             watched = turn.watched(None)
-            for _ in range(5):
+            for _ in range(8):
                 watched(0.1, "slow")
                 started.set()
-                time.sleep(0.6)
-            nonlocal steps
-            steps += 1
-            return prefilter(environment, [3.0])
+                time.sleep(0.5)
+                steps += 1
 
     started = threading.Event()
     with ThreadPoolExecutor(1) as pool:
         first = pool.submit(slow)
         assert started.wait(20.0)
-        second = MapCache(silence_s=1.8)
+        second = MapCache(silence_s=3.0)
         second.get_or_compute(environment, [3.0])
-        assert steps == 1, "it did not wait"
+        assert steps == 8, "it did not wait"
         assert second.notices == []
         first.result()
 
