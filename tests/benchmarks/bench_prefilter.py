@@ -65,7 +65,7 @@ def errors(environment: Environment, progress: Progress | None) -> tuple[float, 
     found = []
     for index, exponent in enumerate(ERROR_EXPONENTS):
         report(progress, index / len(ERROR_EXPONENTS), f"checking exponent {exponent:g}")
-        size = face_size(exponent, background_size(environment))
+        size = face_size(exponent)
         got = lobe_filter.lobe(exponent, size)
         brightest = np.unravel_index(got.max(axis=3).argmax(), got.shape[:3])
         at = tuple(np.vstack([rng.integers(0, [6, size, size], size=(DIRECTIONS, 3)), brightest]).T)
