@@ -7,16 +7,17 @@ from __future__ import annotations
 
 import argparse
 
-from brdf_suite.cli import environment_lights
+from brdf_suite.cli import environment_info, environment_light, environment_lights
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare the command and its actions."""
     command = commands.add_parser(
         "environment",
-        help="what an environment map holds: its lights",
-        description="Look into an environment map: an .exr or .hdr file, or a shipped one (booth, sunny, overcast).",
+        help="what an environment map holds; studios and skies from a description",
+        description="Look into an environment: an .exr, .hdr or .brdfstudio file, or a shipped one (booth, sunny, "
+        "overcast); or make one.",
     )
     actions = command.add_subparsers(dest="action", metavar="ACTION", required=True)
-    for module in (environment_lights,):
+    for module in (environment_info, environment_lights, environment_light):
         module.add(actions)

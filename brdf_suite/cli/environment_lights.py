@@ -26,7 +26,9 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "comes first; strengths are ∫L dω over the cell, linear Rec. 2020, in the file's own units.",
     )
     action.add_argument(
-        "environment", metavar="FILE", help="an .exr or .hdr environment, or booth, sunny, overcast"
+        "environment",
+        metavar="FILE",
+        help="an .exr, .hdr or .brdfstudio environment, or booth, sunny, overcast",
     )
     action.add_argument(
         "-n", "--count", type=_count, default=16, metavar="N", help=f"how many, 1 to {_MOST:,} (default: 16)"

@@ -4,28 +4,17 @@ from __future__ import annotations
 
 import argparse
 
-# Those of lighting.layouts, which --help does not wait for; a test holds the two together.
-LAYOUTS = (
-    "latlong",
-    "horizontal_cross",
-    "vertical_cross",
-    "horizontal_strip",
-    "vertical_strip",
-    "exr_cube",
-    "angular",
-    "mirror_ball",
-    "dome",
-)
+from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS
 
 
 def add_layout(command: argparse.ArgumentParser) -> None:
     """Declare ``--layout``."""
     command.add_argument(
         "--layout",
-        choices=("auto", *LAYOUTS),
+        choices=ENVIRONMENT_LAYOUTS,
         default="auto",
         metavar="LAYOUT",
         help="how the image is laid out, where its shape misleads: "
-        + ", ".join(LAYOUTS)
+        + ", ".join(ENVIRONMENT_LAYOUTS[1:])
         + " (default: auto)",
     )

@@ -17,7 +17,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "which the Viewer and `render` take them.",
     )
     command.add_argument(
-        "environment", metavar="ENV", help="an .exr or .hdr environment, or booth, sunny, overcast"
+        "environment",
+        metavar="ENV",
+        help="an .exr, .hdr or .brdfstudio environment, or booth, sunny, overcast",
     )
     add_layout(command)
     command.add_argument("--json", action="store_true", help="print one JSON object")

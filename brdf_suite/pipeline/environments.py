@@ -1,15 +1,20 @@
-"""An environment from an image file, whatever its layout."""
+"""An environment from an image file, whatever its layout, or from the description of a studio or a sky."""
 
 from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
+from brdf_suite.documents.light_store import STUDIO_ENDING, LightDocument, load_light
+from brdf_suite.documents.studio import Sky
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.layouts import LAYOUTS, Layout, as_latlong, detect_layout
 from brdf_suite.progress import Progress
+
+if TYPE_CHECKING:
+    from brdf_suite.lighting.procedural import ProceduralEnvironment
 
 AUTOMATIC = "auto"
 
@@ -21,6 +26,8 @@ def read_environment(
 
     Parameters
     ----------
+    path
+        An image, or a ``.brdfstudio`` file, which is drawn at 1,024 × 512.
     layout
         One of :data:`brdf_suite.lighting.layouts.LAYOUTS`, or ``auto``: what the file says of itself, else what
         its shape tells; the environment's notes say what was assumed.
@@ -29,6 +36,8 @@ def read_environment(
     ------
     FileError
         The file cannot be read, or its image cannot have the layout; the message says why.
+    DocumentError
+        The description of a studio or a sky is not valid; with the place.
     ValueRangeError
         There is no such layout.
     """
@@ -36,6 +45,8 @@ def read_environment(
 
     if layout != AUTOMATIC and layout not in LAYOUTS:
         raise ValueRangeError("layout", f"must be {AUTOMATIC} or one of {', '.join(LAYOUTS)}, not {layout!r}")
+    if Path(path).suffix.lower() == STUDIO_ENDING:
+        return _drawn(path, progress)
     image = read_environment_image(path)
     height, width = image.pixels.shape[:2]
     assumed: tuple[str, ...] = ()
@@ -50,3 +61,15 @@ def read_environment(
         return Environment(Path(path).stem, pixels, (*image.notes, *assumed))
     except ValueRangeError as error:
         raise FileError(path, error.reason, error.place) from error
+
+
+def draw_light(light: LightDocument, progress: Progress | None = None) -> ProceduralEnvironment:
+    """Return the map, 1,024 × 512, of a studio or a sky."""
+    from brdf_suite.lighting.procedural import sky, studio
+
+    return sky(light, progress=progress) if isinstance(light, Sky) else studio(light, progress=progress)
+
+
+def _drawn(path: str | os.PathLike[str], progress: Progress | None) -> Environment:
+    made = draw_light(load_light(path), progress)
+    return Environment(Path(path).stem, made.radiance, (made.comment.rstrip("."),))

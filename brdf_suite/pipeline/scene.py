@@ -160,7 +160,8 @@ def load_environment(
     Parameters
     ----------
     name_or_path
-        A packaged name (``booth``, ``sunny``, ``overcast``) or an ``.exr`` or ``.hdr`` file.
+        A packaged name (``booth``, ``sunny``, ``overcast``), an ``.exr`` or ``.hdr`` file, or a ``.brdfstudio``
+        file, which is drawn.
     layout
         How the image is laid out, where its shape does not tell; see :func:`read_environment`.
 

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from brdf_suite.cli import environment_lights, layout
+from brdf_suite.cli import environment_lights
 from brdf_suite.cli.main import main
+from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS
 from brdf_suite.files.images import write_exr
 from brdf_suite.lighting.layouts import LAYOUTS
 from brdf_suite.lighting.lights import METHODS, directional_lights
@@ -74,7 +75,7 @@ def test_the_help_names_what_there_is() -> None:
     assert set(environment_lights._METHODS) == set(METHODS)
     assert environment_lights._METHODS[0] == DEFAULT_METHOD
     assert environment_lights._MOST == MAX_LIGHTS
-    assert tuple(LAYOUTS) == layout.LAYOUTS
+    assert ("auto", *LAYOUTS) == ENVIRONMENT_LAYOUTS
 
 
 def test_the_layout_can_be_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
