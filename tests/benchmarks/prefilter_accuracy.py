@@ -30,12 +30,13 @@ def double_sum(radiance: np.ndarray, wanted: np.ndarray, exponent: float) -> np.
     towards = direction(ring_angles(height)[:, None], column_angles(width)[None, :]).reshape(-1, 3)
     weights = np.repeat(fejer_weights(height) * (2.0 * np.pi / width), width)
     flux = radiance.reshape(-1, 3).astype(np.float64) * weights[:, None]
-    values = []
-    for way in wanted:
-        cosine = towards @ way
-        seen = np.flatnonzero(cosine > 1e-18 ** (1.0 / exponent))
-        values.append(cosine[seen] ** exponent @ flux[seen])
-    return np.array(values) * (exponent + 1.0) / (2.0 * np.pi)
+    total = np.zeros((len(wanted), 3))
+    for start in range(0, len(flux), 4096):  # a block of texels at a time, only to bound the memory
+        texels = slice(start, start + 4096)
+        # cosδ ** exponent by way of the logarithm: numpy's own power is ten times as slow.
+        cosine = np.maximum(wanted @ towards[texels].T, 1e-200)
+        total += np.exp(np.maximum(exponent * np.log(cosine), -700.0)) @ flux[texels]
+    return total * (exponent + 1.0) / (2.0 * np.pi)
 
 
 def errors(
