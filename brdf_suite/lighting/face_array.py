@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from brdf_suite.lighting.harmonics import worker_count
 
 _HALF_CEILING = 60000.0  # below 65504, so that rounding up never reaches infinity
+_ROWS = 32
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,10 +55,13 @@ def pack_faces(radiance: NDArray[np.floating]) -> FaceArray:
         scale = float(2.0 ** max(exponent, -100.0))
         faces = np.empty(values.shape, dtype=np.float16)
 
-        def pack(face: int) -> None:  # one face at a time: large maps shall not need much memory beside them
-            scaled = np.multiply(values[face], 1.0 / scale)
-            np.maximum(scaled, 0.0, out=scaled)
-            faces[face] = scaled
+        def pack(face: int) -> None:
+            # A few rows at a time: large maps shall not need much memory beside them.
+            for first in range(0, values.shape[1], _ROWS):
+                rows = slice(first, first + _ROWS)
+                scaled = np.multiply(values[face, rows], 1.0 / scale)
+                np.maximum(scaled, 0.0, out=scaled)
+                faces[face, rows] = scaled
 
         list(pool.map(pack, range(6)))
     return FaceArray(faces, scale)
