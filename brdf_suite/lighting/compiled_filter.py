@@ -25,7 +25,7 @@ from brdf_suite.progress import Progress, part, report
 _BLOCK_VALUES = 1 << 18  # pixels of one block of ring pairs: 50 MB with their spectrum
 _BLOCK_RINGS = 192  # ring pairs at once in a synthesis: what stays in the nearest cache
 _ORDERS = 8  # orders of one piece of work: neighbours share lines of memory
-_COLUMNS = 32
+_COLUMNS = 16  # of a face at once: their rings stay in the second cache
 _DEGREE = 12  # of the polynomials in place of the interpolating kernel: 1e-9
 
 Floats = NDArray[np.float64]
