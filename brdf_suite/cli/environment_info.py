@@ -36,18 +36,21 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read, count and print."""
     from brdf_suite.lighting.statistics import environment_statistics
-    from brdf_suite.pipeline.environments import read_environment
+    from brdf_suite.pipeline.environments import read_environment_file
     from brdf_suite.pipeline.scene import find_environment
 
     name, path = find_environment(options.environment)
-    environment = read_environment(path, options.layout)
+    read = read_environment_file(path, options.layout)
+    environment = read.environment
     statistics = environment_statistics(environment)
     rows, columns = environment.radiance.shape[:2]
     if options.json:
         print_json(
             {
                 "environment": name,
-                "layout": options.layout,
+                "layout": read.layout,
+                "image_width": read.image_width,
+                "image_height": read.image_height,
                 "width": columns,
                 "height": rows,
                 "notes": list(environment.notes),
@@ -56,7 +59,8 @@ def run(options: argparse.Namespace) -> int:
             }
         )
         return 0
-    print(f"{name}: {columns:,} × {rows:,} pixels as a latitude-longitude map")
+    unfolded = f", as a map {columns:,} × {rows:,}" if read.layout not in ("latlong", "studio", "sky") else ""
+    print(f"{name}: {read.image_width:,} × {read.image_height:,} pixels, layout {read.layout}{unfolded}")
     for note in environment.notes:
         print(f"note: {note}")
     for title, value in facts(statistics):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -131,7 +133,13 @@ class _Rows:
 
         header = self._light.header
         if self._planes is None:
-            part = OpenEXR.File(os.fspath(self._path), separate_channels=True).parts[header.part]
+            # The library prints what it could not decode and hands out whatever was in memory; here that is damage.
+            printed = io.StringIO()
+            with contextlib.redirect_stdout(printed):
+                part = OpenEXR.File(os.fspath(self._path), separate_channels=True).parts[header.part]
+            for line in printed.getvalue().splitlines():
+                if line.startswith(f"Warning: Exception raised reading pixel data for part {header.part} "):
+                    raise RuntimeError(line.partition(" - ")[2])
             self._planes = {c.name: np.asarray(part.channels[c.name].pixels) for c in self._light.channels}
         first = y0 - header.data_window[1]
         chosen = {}

@@ -42,9 +42,15 @@ def choose_light(path: str | os.PathLike[str], headers: Sequence[ExrHeader]) -> 
             if light is not None:
                 _check(path, light)
                 return light
-    known = ", ".join(channel.name for header in flat for channel in header.channels)
+    known = _shown(", ".join(channel.name for header in flat for channel in header.channels))
     wanted = "R, G and B, or Y with or without RY and BY"
     raise FileError(path, f"has the channels {known}; {wanted}, are wanted", "channels")
+
+
+def _shown(text: str) -> str:
+    """Return a text of the file as it can stand in a message: short, and of characters that show."""
+    seen = "".join(character if character.isprintable() else "\ufffd" for character in text)
+    return seen if len(seen) <= 200 else f"{seen[:200]}…"
 
 
 def _part_note(header: ExrHeader) -> tuple[str, ...]:
@@ -81,11 +87,11 @@ def _luminance(header: ExrHeader) -> ExrLight | None:
 def _check(path: str | os.PathLike[str], light: ExrLight) -> None:
     for channel in light.channels:
         if channel.kind == "uint":
-            raise FileError(path, "holds integers, not radiance", f"channel {channel.name}")
+            raise FileError(path, "holds integers, not radiance", f"channel {_shown(channel.name)}")
         allowed = ((1, 1), (2, 2)) if channel.name in ("RY", "BY") else ((1, 1),)
         if (channel.x_sampling, channel.y_sampling) not in allowed:
             raise FileError(
-                path, "is stored at reduced resolution, which is not read", f"channel {channel.name}"
+                path, "is stored at reduced resolution, which is not read", f"channel {_shown(channel.name)}"
             )
 
 
@@ -104,10 +110,13 @@ def to_rgb(
         rest = [planes[channel.name].astype(np.float32) for channel in light.channels[1:]]
         return np.stack([first, *rest], axis=2)
     shape = first.shape
-    red = (_full(planes["RY"], shape) + 1.0) * first
-    blue = (_full(planes["BY"], shape) + 1.0) * first
     weights = rgb_to_xyz(chromaticities)[1].astype(np.float32)
-    green = (first - weights[0] * red - weights[2] * blue) / weights[1]
+    with np.errstate(
+        invalid="ignore", over="ignore"
+    ):  # what is not finite is repaired, and told, with all else
+        red = (_full(planes["RY"], shape) + 1.0) * first
+        blue = (_full(planes["BY"], shape) + 1.0) * first
+        green = (first - weights[0] * red - weights[2] * blue) / weights[1]
     return np.stack([red, green, blue], axis=2).astype(np.float32)
 
 

@@ -74,7 +74,7 @@ def _header(path: str | os.PathLike[str], data: bytes) -> tuple[dict[str, str], 
             fields[key] = f"{fields[key]};{value.strip()}" if several else value.strip()
             if key == "FORMAT" and fields[key] not in ("32-bit_rle_rgbe", "32-bit_rle_xyze"):
                 raise FileError(
-                    path, f"has the pixel format {value.strip()!r}, which is not read", "line FORMAT"
+                    path, f"has the pixel format {value.strip()[:40]!r}, which is not read", "line FORMAT"
                 )
 
 
@@ -202,12 +202,14 @@ def _gain(path: str | os.PathLike[str], fields: dict[str, str]) -> NDArray[np.fl
             try:
                 values = np.array([float(word) for word in text.split()])
             except ValueError as error:
-                raise FileError(path, f"has {text!r} where a number belongs", f"line {key}") from error
+                raise FileError(path, f"has {text[:40]!r} where a number belongs", f"line {key}") from error
             if (
                 values.size != count
                 or not (np.abs(np.log(np.maximum(values, 1e-300))) < np.log(_MAX_EXPOSURE)).all()
             ):
-                raise FileError(path, f"has {text!r} where {count} positive number(s) belong", f"line {key}")
+                raise FileError(
+                    path, f"has {text[:40]!r} where {count} positive number(s) belong", f"line {key}"
+                )
             gain /= values
     return gain.astype(np.float32)
 
@@ -235,5 +237,5 @@ def _primaries(fields: dict[str, str]) -> tuple[Chromaticities, tuple[str, ...]]
         rx, ry, gx, gy, bx, by, wx, wy = values
         rgb_to_xyz((rx, ry, gx, gy, bx, by, wx, wy))
     except ValueError:
-        return REC709, (f"the line PRIMARIES={fields['PRIMARIES']} makes no sense; Rec. 709 was taken",)
+        return REC709, (f"the line PRIMARIES={fields['PRIMARIES'][:80]} makes no sense; Rec. 709 was taken",)
     return (rx, ry, gx, gy, bx, by, wx, wy), ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
@@ -41,6 +42,26 @@ def read_environment(
     ValueRangeError
         There is no such layout.
     """
+    return read_environment_file(path, layout, progress).environment
+
+
+@dataclass(frozen=True, eq=False)
+class EnvironmentFile:
+    """An environment and what its file was: the layout that was read, and the size of the image, pixels.
+
+    A description has the layout ``studio`` or ``sky`` and the size at which it was drawn.
+    """
+
+    environment: Environment
+    layout: str
+    image_width: int
+    image_height: int
+
+
+def read_environment_file(
+    path: str | os.PathLike[str], layout: str = AUTOMATIC, progress: Progress | None = None
+) -> EnvironmentFile:
+    """Return an environment and what its file was; arguments and errors as :func:`read_environment`."""
     from brdf_suite.files.images import read_environment_image
 
     if layout != AUTOMATIC and layout not in LAYOUTS:
@@ -58,7 +79,8 @@ def read_environment(
         else:
             chosen, assumed = detect_layout(width, height)
         pixels = as_latlong(image.pixels, chosen, progress)
-        return Environment(Path(path).stem, pixels, (*image.notes, *assumed))
+        environment = Environment(Path(path).stem, pixels, (*image.notes, *assumed))
+        return EnvironmentFile(environment, chosen, width, height)
     except ValueRangeError as error:
         raise FileError(path, error.reason, error.place) from error
 
@@ -70,6 +92,9 @@ def draw_light(light: LightDocument, progress: Progress | None = None) -> Proced
     return sky(light, progress=progress) if isinstance(light, Sky) else studio(light, progress=progress)
 
 
-def _drawn(path: str | os.PathLike[str], progress: Progress | None) -> Environment:
-    made = draw_light(load_light(path), progress)
-    return Environment(Path(path).stem, made.radiance, (made.comment.rstrip("."),))
+def _drawn(path: str | os.PathLike[str], progress: Progress | None) -> EnvironmentFile:
+    light = load_light(path)
+    made = draw_light(light, progress)
+    height, width = made.radiance.shape[:2]
+    environment = Environment(Path(path).stem, made.radiance, (made.comment.rstrip("."),))
+    return EnvironmentFile(environment, "sky" if isinstance(light, Sky) else "studio", width, height)

@@ -37,7 +37,7 @@ def test_info_tells_the_figures_of_a_shipped_environment(capsys: pytest.CaptureF
     assert facts["sun_elevation_deg"] == pytest.approx(42.0, abs=0.1)
     assert sum(facts["histogram"]["shares"]) + facts["histogram"]["black"] == pytest.approx(1.0)
     text = told(capsys, "info", "sunny")
-    assert "1,024 × 512" in text
+    assert "1,024 × 512 pixels, layout latlong" in text
     assert "42.01° above the horizon" in text
     assert text.count("#") > 40
 
@@ -52,6 +52,9 @@ def test_info_takes_a_layout_and_tells_of_repairs(tmp_path: Path, capsys: pytest
     )
     as_probe = json.loads(told(capsys, "info", str(tmp_path / "ball.exr"), "--layout", "angular", "--json"))
     assert as_ball["layout"] == "mirror_ball"
+    assert (as_ball["image_width"], as_ball["image_height"]) == (64, 64)
+    guessed = json.loads(told(capsys, "info", str(tmp_path / "ball.exr"), "--json"))
+    assert guessed["layout"] == "angular", "what a square is taken for is told"
     assert as_ball["width"] == 2 * as_ball["height"]
     assert as_ball["content_hash"] != as_probe["content_hash"]
     assert any("NaN" in note for note in as_ball["notes"])

@@ -1,6 +1,7 @@
 """Kinds of OpenEXR files beside the plain one: several parts, luminance and chroma, cube maps; very large images."""
 
 import struct
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -50,6 +51,54 @@ def test_parts_that_are_cut_off_are_refused(tmp_path: Path) -> None:
         path.write_bytes(whole[:end])
         with pytest.raises(FileError, match="cut off"):
             read_environment_image(path)
+
+
+@pytest.mark.parametrize("kind", [OpenEXR.scanlineimage, OpenEXR.tiledimage])
+def test_a_later_part_that_cannot_be_decoded_is_refused_in_silence(
+    tmp_path: Path, kind: object, capfd: pytest.CaptureFixture[str]
+) -> None:
+    # Even light, which the codec really packs: damage then cannot pass for pixels.
+    light = {name: np.full(SHAPE, 0.25, np.float32) for name in "RGB"}
+    path = several_parts(tmp_path / "parts.exr", light, kind)
+    whole = bytearray(path.read_bytes())
+    whole[-24:-8] = b"\xff" * 16
+    path.write_bytes(whole)
+    with pytest.raises(FileError, match="damaged"):
+        read_environment_image(path)
+    assert capfd.readouterr().out == ""
+
+
+def test_chroma_that_is_no_number_is_repaired_and_told(tmp_path: Path) -> None:
+    light = np.full((16, 32, 3), 0.5)
+    light[4, 6] = [np.inf, np.inf, np.inf]
+    with np.errstate(invalid="ignore"):
+        image = read_environment_image(chroma_file(tmp_path / "yc.exr", light))
+    assert np.isfinite(image.pixels).all()
+    assert any("NaN" in note or "infinite" in note for note in image.notes)
+
+
+def test_a_gigapixel_header_is_refused_before_anything_is_allocated(tmp_path: Path) -> None:
+    path = tmp_path / "giga.exr"
+    OpenEXR.File({"type": OpenEXR.scanlineimage}, planes()).write(str(path))
+    content = path.read_bytes()
+    small, giga = struct.pack("<4i", 0, 0, 31, 15), struct.pack("<4i", 0, 0, 99_999, 49_999)
+    assert content.count(small) == 2
+    path.write_bytes(content.replace(small, giga))
+    tracemalloc.start()
+    try:
+        with pytest.raises(FileError, match="100,000 × 50,000 pixels"):
+            read_environment_image(path)
+        assert tracemalloc.get_traced_memory()[1] < 8 << 20
+    finally:
+        tracemalloc.stop()
+
+
+def test_huge_values_survive_the_reduction_by_area() -> None:
+    def rows(first: int, last: int) -> np.ndarray:
+        return np.full((last - first, 8, 3), 3e38, np.float32)
+
+    pixels, _ = read_reduced(2 * MOST_ROWS, 8, rows)
+    assert np.isinf(pixels).all(), "told and repaired by whoever reads the image"
 
 
 def test_parts_without_light_are_refused_with_their_channels(tmp_path: Path) -> None:
