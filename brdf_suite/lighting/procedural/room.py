@@ -18,7 +18,7 @@ Float64 = NDArray[np.float64]
 
 
 class LitRoom:
-    """The room's six sides as maps of luminance (cells, cells, 3), in the lamps' unit."""
+    """The room's six sides as maps of luminance (cells, cells, 3), or of one channel, in the lamps' unit."""
 
     def __init__(self, room: Room, lamps: Sequence[LampSurface], cells: int = 48) -> None:
         low_y = -room.eye_height_m
@@ -54,7 +54,10 @@ class LitRoom:
         # What is reflected is spread evenly and reflected again: a geometric series in the mean albedo.
         mean_albedo = sum(area * albedo for area, albedo in areas) / weight
         even = light / weight / (1.0 - mean_albedo)
-        return [one + even * albedo / np.pi for one, (_, albedo) in zip(maps, areas, strict=True)]
+        maps = [one + even * albedo / np.pi for one, (_, albedo) in zip(maps, areas, strict=True)]
+        # Neutral lamps make a neutral room, whose three channels are one.
+        neutral = all(bool((lamp.colour == 1.0).all()) for lamp in lamps)
+        return [one[..., :1] for one in maps] if neutral else maps
 
     def radiance(self, toward: Float64) -> Float64:
         """Return the luminance (..., 3) of floor, walls and ceiling in directions from the middle of the scene."""
@@ -63,7 +66,8 @@ class LitRoom:
         axis = np.abs(reach).argmin(axis=-1)
         nearest = np.abs(reach).min(axis=-1)
         place = (toward * nearest[..., None] - self._low) / (self._high - self._low)
-        result = np.zeros((*axis.shape, 3))
+        channels = self._maps[0].shape[-1]
+        result = np.zeros((*axis.shape, channels))
         for side in range(3):
             first, second = (side + 1) % 3, (side + 2) % 3
             for upper in (0, 1):
@@ -71,7 +75,7 @@ class LitRoom:
                 result[here] = _bilinear(
                     self._maps[2 * side + upper], place[here][:, first], place[here][:, second]
                 )
-        return result
+        return np.repeat(result, 3 // channels, axis=-1)
 
 
 def _bilinear(values: Float64, u: Float64, v: Float64) -> Float64:
