@@ -129,7 +129,7 @@ def test_the_entry_unused_for_longest_goes_first(environment: Environment) -> No
     cache = MapCache()
     for index, exponent in enumerate((3.0, 4.0, 5.0)):
         cache.get_or_compute(environment, [exponent])
-        entry = cache.folder / f"{cache_key(environment, [exponent])}.v2.lobemaps"
+        entry = cache.folder / f"{cache_key(environment, [exponent])}.v3.lobemaps"
         os.utime(entry, (1000.0 + index, 1000.0 + index))
     size = cache.entries()[0].size
     cache.get_or_compute(environment, [3.0])  # used: now the youngest

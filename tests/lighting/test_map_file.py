@@ -55,6 +55,22 @@ def test_a_flipped_bit_anywhere_is_noticed(at: int, bit: int) -> None:
         decode_maps(bytes(data), KEY)
 
 
+def test_damage_in_any_block_of_a_large_map_is_noticed() -> None:
+    """Maps of 1.8 MB: changed bits, and two equally long pieces that changed places."""
+    rng = np.random.default_rng(5)
+    large = FaceArray(rng.random((6, 224, 224, 3)).astype(np.float16), 1.0)
+    whole = b"".join(encode_maps(LobeMaps((3.0,), (large,), small_maps().diffuse, large), KEY))
+    np.testing.assert_array_equal(decode_maps(whole, KEY).background.faces, large.faces)
+    for at in (len(whole) - 1, len(whole) - 700_000, len(whole) - 1_500_000):
+        damaged = bytearray(whole)
+        damaged[at] ^= 0x10
+        with pytest.raises(DamagedMapFileError, match="checksum of its maps"):
+            decode_maps(bytes(damaged), KEY)
+    swapped = whole[:-8192] + whole[-4096:] + whole[-8192:-4096]
+    with pytest.raises(DamagedMapFileError, match="checksum of its maps"):
+        decode_maps(swapped, KEY)
+
+
 def test_a_changed_digit_of_a_scale_is_noticed() -> None:
     changed = WHOLE.replace(b'"scale": 0.25', b'"scale": 0.75')
     assert changed != WHOLE
