@@ -123,5 +123,20 @@ def test_a_description_is_prefiltered_as_a_map_is(tmp_path: Path, capsys: pytest
     assert json.loads(capsys.readouterr().out)["from_cache"]
 
 
+def test_render_reads_the_layout_it_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    write_exr(tmp_path / "square.exr", np.ones((16, 16, 3), np.float32))
+    options = [
+        "--environment",
+        str(tmp_path / "square.exr"),
+        "--size",
+        "32x24",
+        "-o",
+        str(tmp_path / "out.png"),
+    ]
+    assert main(["render", "blue", "--mesh", "sphere", *options, "--layout", "vertical_cross"]) == 1
+    assert "is vertical_cross, which must be 3 × 4 square faces" in capsys.readouterr().err
+    assert main(["render", "blue", "--mesh", "sphere", *options, "--layout", "mirror_ball"]) == 0
+
+
 def test_the_help_names_the_models() -> None:
     assert environment_light._MODELS == SKY_MODELS
