@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,6 +19,9 @@ from brdf_suite.files.area_reduction import read_reduced
 from brdf_suite.files.exr_channels import ExrLight, choose_light, to_rgb
 from brdf_suite.files.exr_header import ExrHeader, parse_headers
 from brdf_suite.files.primaries import REC709, REC2020, Chromaticities
+
+MOST_WHOLE_BYTES = 2 << 30
+"""Largest content, unpacked, of a file that is read as a whole: of a later part, or of luminance and chroma."""
 
 _DAMAGE = (OSError, RuntimeError, ValueError, TypeError, IndexError, MemoryError)
 
@@ -53,6 +56,8 @@ def read_exr(path: str | os.PathLike[str]) -> ExrImage:
         raise FileError(path, f"cannot be read ({error.strerror})") from error
     light = choose_light(path, headers)
     header, notes = light.header, list(light.notes)
+    if header.part > 0 or light.kind == "chroma":
+        _check_whole(path, headers)
     # Of several parts all share the attribute, which some writers put into the first alone.
     chromaticities = header.chromaticities or headers[0].chromaticities or REC709
     if header.data_window != header.display_window and not header.is_cube:
@@ -71,6 +76,19 @@ def read_exr(path: str | os.PathLike[str]) -> ExrImage:
 def _window(header: ExrHeader) -> tuple[int, int, int, int]:
     """Return the window that the image is: of a cube map the data's, otherwise the display's."""
     return header.data_window if header.is_cube else header.display_window
+
+
+def _check_whole(path: str | os.PathLike[str], headers: Sequence[ExrHeader]) -> None:
+    """Refuse a file whose parts are too large together: but for the first, the library reads all of them at once."""
+    total = 0
+    for header in headers:
+        left, top, right, bottom = header.data_window
+        deep = 2 if header.deep else 1  # at least a pointer and a count for each pixel
+        sample = sum(2 if channel.kind == "half" else 4 for channel in header.channels)
+        total += (right - left + 1) * (bottom - top + 1) * sample * deep
+    if total > MOST_WHOLE_BYTES:
+        reason = f"its parts hold {total >> 20:,} MB together; {MOST_WHOLE_BYTES >> 20:,} MB are read"
+        raise FileError(path, f"{reason}. Write the part that is the light as a file of its own", "headers")
 
 
 class _Rows:

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.errors import FileError
+from brdf_suite.files import exr
 from brdf_suite.files.area_reduction import MOST_ROWS, read_reduced
 from brdf_suite.files.images import read_environment_image
 from brdf_suite.files.primaries import REC709, REC2020, rgb_to_xyz
@@ -66,6 +67,18 @@ def test_a_later_part_that_cannot_be_decoded_is_refused_in_silence(
     with pytest.raises(FileError, match="damaged"):
         read_environment_image(path)
     assert capfd.readouterr().out == ""
+
+
+def test_parts_that_are_too_large_together_are_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = several_parts(tmp_path / "parts.exr", planes(), OpenEXR.scanlineimage)
+    whole = SHAPE[0] * SHAPE[1] * 4 * (1 + 3)
+    monkeypatch.setattr(exr, "MOST_WHOLE_BYTES", whole)
+    read_environment_image(path)
+    monkeypatch.setattr(exr, "MOST_WHOLE_BYTES", whole - 1)
+    with pytest.raises(FileError, match="a file of its own"):
+        read_environment_image(path)
 
 
 def test_chroma_that_is_no_number_is_repaired_and_told(tmp_path: Path) -> None:
