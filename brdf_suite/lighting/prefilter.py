@@ -12,19 +12,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.lighting.cube_edges import pack_lobe
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.face_array import FaceArray, pack_faces
 from brdf_suite.lighting.lobe_filter import LobeFilter
 from brdf_suite.lighting.zonal import BROAD_BANDLIMIT, lobe_bandlimit
 from brdf_suite.progress import Progress, part, report
 
-ALGORITHM_VERSION = 2
+ALGORITHM_VERSION = 3
 """Raised with every change of the numbers; part of the cache's key."""
 
 DIFFUSE_EXPONENT = 1.0
 MIN_FACE = 64
 MAX_FACE = 2048
-_TEXELS_PER_WIDTH = 10.1  # face size over √exponent: bilinear look-up errs by at most 1 % of the lobe's peak
+_TEXELS_PER_WIDTH = 10.2  # face size over √exponent: bilinear look-up errs by at most 1 % of the lobe's peak
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,9 +62,10 @@ def background_size(environment: Environment) -> int:
 
 
 def face_size(exponent: float) -> int:
-    """Return the face size for an exponent: 2^k or 3·2^k, at least 10.1·√exponent, 64…2,048.
+    """Return the face size for an exponent: 2^k or 3·2^k, at least 10.2·√exponent, 64…2,048.
 
-    A bilinear look-up errs by E/F² of the lobe's peak; at the cube's corners by 1.3 times as much.
+    A bilinear look-up in the middle of a face errs by E/F² of the lobe's peak; :mod:`.cube_edges` keeps it
+    below that near the edges, too.
     """
     wanted = _TEXELS_PER_WIDTH * np.sqrt(exponent)
     sizes = sorted(base << shift for base in (64, 96) for shift in range(6))
@@ -106,7 +108,7 @@ def prefilter(
     for index, exponent in enumerate(smooth):
         step = part(progress, float(ends[index - 1]) if index else 0.0, float(ends[index]))
         lobe_filter.analyse(first if limits[index] <= first else max(limits), part(step, 0.0, 0.5))
-        maps[exponent] = pack_faces(lobe_filter.lobe(exponent, face_size(exponent), part(step, 0.5, 1.0)))
+        maps[exponent] = pack_lobe(lobe_filter.lobe(exponent, face_size(exponent), part(step, 0.5, 1.0)))
         report(step, 1.0, f"lobe {exponent:g} is filtered")
         if ready is not None:
             ready(exponent, maps[exponent])

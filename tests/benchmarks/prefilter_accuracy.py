@@ -10,8 +10,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from brdf_suite.lighting.cube_edges import pack_lobe
 from brdf_suite.lighting.cubemap import texel_directions
-from brdf_suite.lighting.face_array import FaceArray, pack_faces
+from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.lighting.latlong import angles, column_angles, direction, fejer_weights, ring_angles
 from brdf_suite.lighting.lobe_filter import LobeFilter
 from brdf_suite.lighting.prefilter import face_size
@@ -19,6 +20,15 @@ from brdf_suite.lighting.prefilter import face_size
 ERROR_EXPONENTS = (5.0, 20.0, 80.0, 320.0, 1280.0, 5120.0)
 DIRECTIONS = 340  # for each exponent: 2,040 in all
 LOCAL_DIRECTIONS = 60
+PLACES = (
+    (0.0, 0.0, 1.0),
+    (1.0, 0.0, 1.0),
+    (1.0, 0.7, 1.0),
+    (-1.0, -1.0, 0.9),
+    (1.0, 1.0, 1.0),
+    (-0.95, 0.97, -1.0),
+    (0.0, 1.0, 0.02),
+)
 
 
 def double_sum(radiance: np.ndarray, wanted: np.ndarray, exponent: float) -> np.ndarray:
@@ -151,12 +161,13 @@ def _place(wanted: np.ndarray, size: int) -> tuple[np.ndarray, np.ndarray, np.nd
 
 def look_up_error(exponents: Sequence[float]) -> dict[float, float]:
     """Return, for each exponent, the largest error over the lobe's peak of packed maps of one-texel lights (in the
-    middle of a face, on an edge, by a corner and by a pole), looked up at random directions about each.
+    middle of a face, along an edge, by a corner and by a pole), looked up at random directions about each, a third
+    of them on an edge of the cube where one is near.
     """
     rng = np.random.default_rng(5)
     found: dict[float, float] = {}
     theta, phi = ring_angles(512), column_angles(1024)
-    for place in ((0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 0.02)):
+    for place in PLACES:
         polar, around = angles(np.array(place))
         row, column = int(np.abs(theta - polar).argmin()), int(np.abs(phi - around).argmin())
         radiance = np.zeros((512, 1024, 3), dtype=np.float32)
@@ -165,8 +176,11 @@ def look_up_error(exponents: Sequence[float]) -> dict[float, float]:
         flux = fejer_weights(512)[row] * 2.0 * np.pi / 1024
         lobe_filter = LobeFilter(radiance)
         for exponent in usable(lobe_filter, exponents):
-            packed = pack_faces(lobe_filter.lobe(exponent, face_size(exponent)))
+            packed = pack_lobe(lobe_filter.lobe(exponent, face_size(exponent)))
             wanted = sun + rng.normal(scale=min(1.0, exponent**-0.5), size=(20_000, 3))
+            share = wanted[: len(wanted) // 3]
+            largest = np.abs(share).max(axis=1, keepdims=True)
+            share[:] = np.where(np.abs(share) > 0.93 * largest, np.copysign(largest, share), share)
             wanted /= np.linalg.norm(wanted, axis=1, keepdims=True)
             peak = flux * (exponent + 1.0) / (2.0 * np.pi)
             truth = peak * np.maximum(wanted @ sun, 0.0) ** exponent
