@@ -4,6 +4,9 @@ Imported by :mod:`.compiled` alone. The grid has M rings at θ = (i+½)π/M and 
 multiple of 4, and has had the interpolating kernel divided out. The cube's symmetry makes eight texels of one
 point: four quarter turns, each with its mirror image. They have the same weights, and their 24 values (eight
 texels, three channels) lie side by side, so that each product is done for all of them in the machine's vectors.
+
+The convolution is over here, and texels are float32: so are the grid and these sums, in half the time and memory.
+Positions and the kernel's weights are still found in float64.
 """
 
 from __future__ import annotations
@@ -60,15 +63,21 @@ def _fold(grid: Array, ring: int, low: int, shift: int, target: Array) -> None:
                 at = (turn + shift) * (period // 4)
                 step = 1 - 2 * side
                 lane = 8 * c + 2 * turn + side
+                place = (at + step * low) % period
                 for p in range(target.shape[0]):
-                    target[p, lane] = grid[c, ring, (at + step * (low + p)) % period]
+                    target[p, lane] = grid[c, ring, place]
+                    place += step  # round the ring without a division for each value
+                    if place == period:
+                        place = 0
+                    elif place < 0:
+                        place = period - 1
 
 
 @compiled
 def side_columns(grid: Array, table: Array, first: int, end: int, faces: Array) -> None:
     """Fill columns of the four side faces: those ``first`` … ``end - 1`` right of the middle and their mirrors.
 
-    ``grid`` (3, M, P) float64, ``faces`` (6, F, F, 3) float32, F even; ``table`` (13, 8): the polynomials of
+    ``grid`` (3, M, P) float32, ``faces`` (6, F, F, 3) float32, F even; ``table`` (13, 8): the polynomials of
     the interpolating kernel.
     """
     rings, period = grid.shape[1], grid.shape[2]
@@ -79,20 +88,20 @@ def side_columns(grid: Array, table: Array, first: int, end: int, faces: Array) 
     top = math.floor(math.atan(math.sqrt(0.5)) * rings / math.pi) - 5
     span = rings - 2 * top
     starts = np.empty(count, dtype=np.int64)
-    weights = np.empty((count, 8))
+    weights = np.empty((count, 8), dtype=np.float32)
     for i in range(count):
         angle = math.atan((2.0 * (first + i) + 1.0) / size)
         starts[i] = _taps(angle * period / (2.0 * math.pi), table, weights[i])
     low = starts[0]
-    folded = np.empty((starts[count - 1] + 8 - low, _LANES))
-    columns = np.empty((count, span, _LANES))
+    folded = np.empty((starts[count - 1] + 8 - low, _LANES), dtype=np.float32)
+    columns = np.empty((count, span, _LANES), dtype=np.float32)
     for ring in range(span):
         _fold(grid, top + ring, low, 0, folded)
         for i in range(count):
             _along(weights[i], folded, starts[i] - low, 1, columns[i, ring])
-    down = np.empty(8)
-    north = np.empty(_LANES)
-    south = np.empty(_LANES)
+    down = np.empty(8, dtype=np.float32)
+    north = np.empty(_LANES, dtype=np.float32)
+    south = np.empty(_LANES, dtype=np.float32)
     for j in range(half):
         t = 1.0 - (2.0 * j + 1.0) / size
         for i in range(count):
@@ -144,10 +153,10 @@ def polar_points(
     """Fill rows ``first`` … ``end - 1`` of an octant of the face +Y or -Y, and their seven images."""
     size = faces.shape[1]
     face = 3 if south else 2
-    across = np.empty(8)
-    along = np.empty(8)
-    rows = np.empty((8, _LANES))
-    values = np.empty(_LANES)
+    across = np.empty(8, dtype=np.float32)
+    along = np.empty(8, dtype=np.float32)
+    rows = np.empty((8, _LANES), dtype=np.float32)
+    values = np.empty(_LANES, dtype=np.float32)
     for outer in range(first, end):
         p = (2.0 * outer + 1.0) / size
         for inner in range(outer + 1):

@@ -29,6 +29,7 @@ _COLUMNS = 16  # of a face at once: their rings stay in the second cache
 _DEGREE = 12  # of the polynomials in place of the interpolating kernel: 1e-9
 
 Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
 _Item = TypeVar("_Item")
 
 
@@ -76,7 +77,7 @@ def cube(
 ) -> NDArray[np.float32]:
     """Return the cube map (6, size, size, 3) of coefficients (m, k, 3) times a gain for each degree.
 
-    The error is 1e-7 of the largest value, and that of float32.
+    The error is 2e-7 of the largest value: what is interpolated is float32.
     """
     with ThreadPoolExecutor(worker_count()) as pool:
         orders = _synthesise(pool, coefficients, gains, part(progress, 0.0, 0.4))
@@ -127,8 +128,8 @@ def _synthesise(
     return orders
 
 
-def _fine_grid(pool: ThreadPoolExecutor, orders: Floats, progress: Progress | None) -> Floats:
-    """Return the function (3, M, P) at θ = (i+½)π/M, φ = 2πi/P, the interpolating kernel divided out.
+def _fine_grid(pool: ThreadPoolExecutor, orders: Floats, progress: Progress | None) -> Singles:
+    """Return the function (3, M, P), float32, at θ = (i+½)π/M, φ = 2πi/P, the interpolating kernel divided out.
 
     On a ring, order m is a cosine series in θ where m is even and a sine series where it is odd, so that
     cosine and sine transforms bring it from its rings to finer ones.
@@ -141,13 +142,15 @@ def _fine_grid(pool: ThreadPoolExecutor, orders: Floats, progress: Progress | No
     frequency = np.arange(rings + 1)
     divided = np.zeros(rings + 1)
     divided[:count] = 1.0 / kernel_transform(frequency[:count].astype(np.float64), period)
-    grid = np.empty((3, fine, period))
-    along = divided[:count] * 1.0
+    grid = np.empty((3, fine, period), dtype=np.float32)
+    finer = np.empty((fine, count, 2))
+    turning = finer.view(np.complex128)[:, :, 0]
+    along = divided[:count]
     bounds = np.linspace(0, count, 2 * worker_count() + 1).astype(int) // 2 * 2
     bounds[-1] = count
 
-    def refine(item: tuple[int, int, int, Any]) -> None:
-        channel, first, end, target = item
+    def refine(item: tuple[int, int, int]) -> None:
+        channel, first, end = item
         for odd, (there, back) in enumerate(((dct, dct), (dst, dst))):
             if first + odd >= end:
                 continue
@@ -156,16 +159,14 @@ def _fine_grid(pool: ThreadPoolExecutor, orders: Floats, progress: Progress | No
             series *= divided[odd : rings + odd, None, None]
             padded = np.zeros((fine, *series.shape[1:]))
             padded[:rings] = series
-            target[:, first + odd : end : 2] = back(padded, type=3, axis=0, overwrite_x=True)
+            finer[:, first + odd : end : 2] = back(padded, type=3, axis=0, overwrite_x=True)
 
     for channel in range(3):
-        finer = np.empty((fine, count, 2))
-        _all(pool, refine, [(channel, first, end, finer) for first, end in pairwise(bounds.tolist())])
-        turning = finer.view(np.complex128)[:, :, 0]
+        _all(pool, refine, [(channel, first, end) for first, end in pairwise(bounds.tolist())])
 
-        def round_rings(first: int, source: Any = turning, target: Any = grid[channel]) -> None:
+        def round_rings(first: int, target: Singles = grid[channel]) -> None:
             rows = slice(first, first + 64)
-            np.fft.irfft(source[rows] * along, period, axis=1, norm="forward", out=target[rows])
+            target[rows] = np.fft.irfft(turning[rows] * along, period, axis=1, norm="forward")
 
         _all(pool, round_rings, range(0, fine, 64))
         report(progress, (channel + 1) / 3, "filtering")
@@ -173,7 +174,7 @@ def _fine_grid(pool: ThreadPoolExecutor, orders: Floats, progress: Progress | No
 
 
 def _faces(
-    pool: ThreadPoolExecutor, grid: Floats, size: int, progress: Progress | None
+    pool: ThreadPoolExecutor, grid: Singles, size: int, progress: Progress | None
 ) -> NDArray[np.float32]:
     """Return the cube map (6, size, size, 3) of a fine grid (3, M, P)."""
     _, rings, period = grid.shape
@@ -187,7 +188,7 @@ def _faces(
     _all(pool, side, range(0, half, _COLUMNS), part(progress, 0.0, 0.6), "filling the cube")
     margin = WIDTH
     reach = int(np.ceil(np.arctan(np.sqrt(2.0)) / np.pi * rings)) + 2 * margin + 1
-    cap = np.empty((reach, period // 8 + 2 * margin + 1, 24))
+    cap = np.empty((reach, period // 8 + 2 * margin + 1, 24), dtype=np.float32)
     rows = np.linspace(0, reach, 8 * worker_count() + 1).astype(int).tolist()
     # Equal shares of the octant's triangle.
     shares = np.sqrt(np.linspace(0.0, 1.0, 8 * worker_count() + 1))
