@@ -19,7 +19,7 @@ from PySide6.QtCore import Qt, QTimer
 if TYPE_CHECKING:
     from brdf_viewer.controller import ViewerController
 
-from brdf_suite.documents.view import View
+from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS, View
 from brdf_suite.pipeline.scene import default_paint_name, environment_names, name_in_view, surface_names
 
 _SETTLE_MS = 200
@@ -44,7 +44,16 @@ def parser() -> argparse.ArgumentParser:
         "--follow", action="store_true", help="show PAINT only until Designer has one, and follow it"
     )
     parser.add_argument(
-        "--environment", metavar="NAME|FILE", help="a shipped environment, or an .exr or .hdr file"
+        "--environment",
+        metavar="NAME|FILE",
+        help="a shipped environment, or an .exr, .hdr or .brdfstudio file",
+    )
+    parser.add_argument(
+        "--layout",
+        choices=ENVIRONMENT_LAYOUTS,
+        default="auto",
+        metavar="LAYOUT",
+        help=f"how the environment's image is laid out: {', '.join(ENVIRONMENT_LAYOUTS)}",
     )
     parser.add_argument("--surface", metavar="NAME|FILE", help="a shipped surface, or a mesh file")
     parser.add_argument("--theme", choices=THEMES, help="grey of the window, for this run")
@@ -86,6 +95,8 @@ def _first_view(options: argparse.Namespace) -> View:
         "environment": options.environment and name_in_view(options.environment, environment_names()),
         "surface": options.surface and name_in_view(options.surface, surface_names()),
     }
+    if wanted["environment"]:
+        wanted["environment_layout"] = options.layout
     return dataclasses.replace(recall(settings()), **{k: v for k, v in wanted.items() if v})
 
 

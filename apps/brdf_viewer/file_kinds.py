@@ -8,12 +8,13 @@ from pathlib import Path
 from brdf_qt.settings import settings
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from brdf_suite.documents.light_store import STUDIO_ENDING
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.files.meshes import MESH_ENDINGS
 
 ENDINGS: dict[str, tuple[str, ...]] = {
     "paint": (PAINT_ENDING,),
-    "environment": (".exr", ".hdr"),
+    "environment": (".exr", ".hdr", STUDIO_ENDING),
     "surface": MESH_ENDINGS,
 }
 TITLES = {"paint": "Paint", "environment": "Environment", "surface": "Surface"}

@@ -5,12 +5,15 @@ from __future__ import annotations
 from brdf_qt.tasks import TaskRunner
 from PySide6.QtCore import QObject, Signal
 
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.statistics import EnvironmentStatistics, environment_statistics
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment, load_surface
 from brdf_suite.progress import Progress
 from brdf_suite.surface.mesh import Mesh
 
 ENVIRONMENT = "environment"
 SURFACE = "surface"
+_STATISTICS = "statistics"
 
 
 class SceneLoader(QObject):
@@ -26,31 +29,45 @@ class SceneLoader(QObject):
         How far it is; the first comes at once with fraction 0.
     ended(kind)
         Loaded, failed or cancelled.
+    counted(key, statistics)
+        The figures of an environment that was given to :meth:`count`.
     """
 
     loaded = Signal(str, str, object)
     failed = Signal(str, str, object)
     moved = Signal(str, float, str)
     ended = Signal(str)
+    counted = Signal(str, object)
 
     def __init__(self, runner: TaskRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._runner = runner
         self._stopped = False
 
-    def load(self, kind: str, key: str) -> None:
-        """Begin to load ``key``; an older request of the kind is dropped."""
+    def load(self, kind: str, key: str, layout: str = "auto") -> None:
+        """Begin to load ``key``; an older request of the kind is dropped. ``layout`` is of an environment's image."""
         if self._stopped:
             return
         self.moved.emit(kind, 0.0, "waiting")
         self._runner.submit(
             kind,
             _environment if kind == ENVIRONMENT else _surface,
-            key,
+            (key, layout) if kind == ENVIRONMENT else key,
             done=lambda value: self._done(kind, key, value),
             failed=lambda error: self._failed(kind, key, error),
             progress=lambda fraction, what: self.moved.emit(kind, fraction, what),
         )
+
+    def count(self, key: str, environment: Environment) -> None:
+        """Begin to count an environment's figures; those of an older one are dropped."""
+        if not self._stopped:
+            self._runner.submit(
+                _STATISTICS,
+                _statistics,
+                environment,
+                done=lambda value: self.counted.emit(key, value),
+                failed=lambda error: self.failed.emit(ENVIRONMENT, key, error),
+            )
 
     def cancel(self, kind: str) -> None:
         """Drop the request of the kind."""
@@ -71,8 +88,13 @@ class SceneLoader(QObject):
         self.failed.emit(kind, key, error)
 
 
-def _environment(key: str, progress: Progress) -> PreparedEnvironment:
-    return load_environment(key, progress)
+def _environment(request: tuple[str, str], progress: Progress) -> PreparedEnvironment:
+    key, layout = request
+    return load_environment(key, progress, layout=layout)
+
+
+def _statistics(environment: Environment, _progress: Progress) -> EnvironmentStatistics:
+    return environment_statistics(environment)
 
 
 def _surface(key: str, progress: Progress) -> Mesh:

@@ -15,7 +15,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.pipeline.scene import default_view, environment_names, surface_names
 
-_FIELDS = ("environment", "surface", "tone_curve", "background")
+_FIELDS = ("environment", "surface", "tone_curve", "background", "environment_layout")
 _FRESNEL = "view/fresnel"
 
 
@@ -38,4 +38,8 @@ def recall(store: QSettings) -> View:
             view = dataclasses.replace(view, **{field: value})
         except ValueRangeError:
             continue  # an edited settings file, or one of another version
+    if view.environment in names["environment"]:
+        view = dataclasses.replace(
+            view, environment_layout=default_view().environment_layout
+        )  # of a file that is gone
     return dataclasses.replace(view, fresnel=store.value(_FRESNEL, view.fresnel, type=bool))

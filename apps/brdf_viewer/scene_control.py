@@ -8,10 +8,14 @@ from pathlib import Path
 from brdf_qt.message_bar import Message, message_of
 from PySide6.QtCore import QObject, Signal
 
+from brdf_suite.documents.light_store import STUDIO_ENDING
 from brdf_suite.documents.view import View
+from brdf_suite.lighting.statistics import EnvironmentStatistics
+from brdf_suite.pipeline.environments import AUTOMATIC
 from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environment_names, surface_names
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
+from brdf_viewer.file_watch import FileWatch
 from brdf_viewer.loading import ENVIRONMENT, SURFACE, SceneLoader
 from brdf_viewer.recent_files import RecentFiles
 from brdf_viewer.sections import set_note
@@ -49,6 +53,9 @@ class SceneControl(QObject):
         self._names = {ENVIRONMENT: environment_names(), SURFACE: surface_names()}
         self._recent = {kind: RecentFiles(kind) for kind in self._choosers}
         self._loading: dict[str, str] = {}
+        self._layout = stage.view.environment_layout
+        self._watch = FileWatch(self)
+        self._watch.changed.connect(self._changed_on_disk)
         for kind, names in self._names.items():
             window.commands.set_sources(kind, [Source(n, title_of(n, SHIPPED_TITLES)) for n in names])
         window.commands.source_wanted.connect(self.open)
@@ -60,6 +67,8 @@ class SceneControl(QObject):
         loader.failed.connect(self._not_loaded)
         loader.moved.connect(self._moved)
         loader.ended.connect(self._ended)
+        loader.counted.connect(self._counted)
+        window.environment.layout_edited.connect(self.set_layout)
         window.busy_cancelled.connect(self.cancel)
         stage.view_changed.connect(self._view_changed)
 
@@ -71,19 +80,36 @@ class SceneControl(QObject):
     def load_first(self) -> None:
         """Load what the view names."""
         self.open(SURFACE, self._stage.view.surface)
-        self.open(ENVIRONMENT, self._stage.view.environment)
+        self._open_environment(self._stage.view.environment, self._stage.view.environment_layout)
 
     def open(self, kind: str, key: str) -> None:
         """Load a shipped name or a file of a kind; the old picture stays until it is there."""
+        if kind == ENVIRONMENT:
+            self._open_environment(key, AUTOMATIC)
+            return
         self._window.messages.dismiss(kind)
         self._begin(kind, key)
+
+    def set_layout(self, layout: str) -> None:
+        """Read the present environment's file again as an image of another layout."""
+        self._open_environment(self._stage.view.environment, layout)
+
+    def _open_environment(self, key: str, layout: str) -> None:
+        self._window.messages.dismiss(ENVIRONMENT)
+        self._layout = layout
+        self._begin(ENVIRONMENT, key)
+
+    def _changed_on_disk(self, path: str) -> None:
+        """A description was edited: draw it again, unless another environment is on its way."""
+        if ENVIRONMENT not in self._loading or self._loading[ENVIRONMENT] == path:
+            self._open_environment(path, self._layout)
 
     def _begin(self, kind: str, key: str) -> None:
         if key not in self._names[kind]:
             key = str(Path(key).absolute())
         self._loading[kind] = key
         self._show_choice(kind, key)
-        self._loader.load(kind, key)
+        self._loader.load(kind, key, self._layout)
 
     def cancel(self, kind: str) -> None:
         """Stop loading; what is shown stays."""
@@ -99,8 +125,10 @@ class SceneControl(QObject):
     def _loaded(self, kind: str, key: str, value: PreparedEnvironment | Mesh) -> None:
         if kind == ENVIRONMENT:
             self._stage.set_environment(key, value)
-            self._stage.change_view(environment=key)
+            self._stage.change_view(environment=key, environment_layout=self._layout)
             set_note(self._window.environment.facts, _environment_facts(value))
+            self._window.environment.figures.set_statistics(None)
+            self._loader.count(key, value.environment)
         else:
             known = self._stage.surface is not None
             self._stage.set_surface(key, value)
@@ -113,11 +141,16 @@ class SceneControl(QObject):
             self._list(kind)
         self._show(kind)
 
+    def _counted(self, key: str, statistics: EnvironmentStatistics) -> None:
+        if key == self._drawn_key(ENVIRONMENT):
+            self._window.environment.figures.set_statistics(statistics)
+
     def _not_loaded(self, kind: str, key: str, error: Exception) -> None:
         self._tell(kind, error)
         self._show(kind)
         default = getattr(default_view(), kind)
         if not self._drawn_key(kind) and key != default:
+            self._layout = AUTOMATIC
             self._begin(kind, default)  # a picture with a message beats a message alone
 
     def _tell(self, kind: str, error: Exception) -> None:
@@ -159,6 +192,14 @@ class SceneControl(QObject):
         self._show_choice(kind, key)
 
     def _show_choice(self, kind: str, key: str) -> None:
+        if kind == ENVIRONMENT:
+            described = key.lower().endswith(STUDIO_ENDING)
+            loading = ENVIRONMENT in self._loading
+            layout = self._layout if loading else self._stage.view.environment_layout
+            self._window.environment.set_layout(layout, not described and key not in self._names[kind])
+            # An edit that makes it faulty keeps picture and watch: the next save may put it right.
+            if (key if described else "") != self._watch.path and (described or not loading):
+                self._watch.watch(key if described else "")
         self._choosers[kind].show_source(key, title_of(key, SHIPPED_TITLES))
         self._window.commands.show_source(kind, key)
         self._show_environment_cell()

@@ -12,7 +12,20 @@ import sys
 from collections.abc import Sequence
 from importlib.metadata import version
 
-from brdf_suite.cli import basis, bench, check, compare, convert, fit, measure, prefilter, programs, render
+from brdf_suite.cli import (
+    basis,
+    bench,
+    cache,
+    check,
+    compare,
+    convert,
+    environment,
+    fit,
+    measure,
+    prefilter,
+    programs,
+    render,
+)
 from brdf_suite.errors import Cancelled, SuiteError
 
 DONE, FAILED, USAGE, CANCELLED = 0, 1, 2, 130
@@ -56,7 +69,20 @@ def parser() -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"brdf-suite {version('brdf-suite')}")
     commands = top.add_subparsers(dest="command", metavar="COMMAND")
-    for module in (programs, render, measure, compare, convert, check, fit, basis, prefilter, bench):
+    for module in (
+        programs,
+        render,
+        measure,
+        compare,
+        convert,
+        check,
+        fit,
+        basis,
+        prefilter,
+        environment,
+        cache,
+        bench,
+    ):
         module.add(commands)
     return top
 

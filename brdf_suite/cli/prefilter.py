@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 
+from brdf_suite.cli.layout import add_layout
 from brdf_suite.cli.output import print_json, progress_bar
 
 
@@ -16,8 +17,11 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "which the Viewer and `render` take them.",
     )
     command.add_argument(
-        "environment", metavar="ENV", help="an .exr or .hdr lat-long map, or booth, sunny, overcast"
+        "environment",
+        metavar="ENV",
+        help="an .exr, .hdr or .brdfstudio environment, or booth, sunny, overcast",
     )
+    add_layout(command)
     command.add_argument("--json", action="store_true", help="print one JSON object")
     command.set_defaults(run=run)
 
@@ -30,7 +34,7 @@ def run(options: argparse.Namespace) -> int:
 
     start = perf_counter()
     with progress_bar("prefiltering", quiet=options.json) as progress:
-        prepared = load_environment(options.environment, progress)
+        prepared = load_environment(options.environment, progress, layout=options.layout)
     seconds = perf_counter() - start
     facts = prepared.to_json() | {"seconds": seconds}
     if options.json:
@@ -43,5 +47,6 @@ def run(options: argparse.Namespace) -> int:
         f"{exponent:,.0f}: {lobe.faces.shape[1]}"
         for exponent, lobe in zip(prepared.maps.exponents, prepared.maps.lobes, strict=True)
     )
-    print(f"{prepared.name}: {columns}×{rows}, {seconds:.2f} s; face size per exponent: {sizes}")
+    source = " from the cache" if prepared.from_cache else ""
+    print(f"{prepared.name}: {columns}×{rows}, {seconds:.2f} s{source}; face size per exponent: {sizes}")
     return 0

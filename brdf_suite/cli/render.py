@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from brdf_suite.cli.layout import add_layout
 from brdf_suite.cli.output import print_json, progress_bar, size
 from brdf_suite.documents.view import TONE_CURVES, View
 
@@ -29,8 +30,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--environment",
         default=None,
         metavar="FILE|NAME",
-        help="an .exr or .hdr lat-long map, or booth, sunny, overcast (default: booth)",
+        help="an .exr or .hdr map, a .brdfstudio file, or booth, sunny, overcast (default: booth)",
     )
+    add_layout(command)
     command.add_argument(
         "--mesh",
         default=None,
@@ -108,6 +110,7 @@ def run(options: argparse.Namespace) -> int:
         exposure_ev=view.exposure_ev if options.exposure is None else options.exposure,
         tone_curve=options.tone,
         fresnel=not options.no_fresnel,
+        environment_layout=options.layout,
     )
     with progress_bar("rendering", quiet=options.json) as progress:
         picture = render_to_file(options.paint, view, options.size, options.output, progress=progress)

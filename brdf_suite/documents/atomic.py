@@ -7,10 +7,11 @@ one step of the file system. Whatever happens before that step, the old file is 
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import secrets
 import stat
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -60,6 +61,11 @@ def write_atomically(path: str | os.PathLike[str], content: bytes) -> None:
     """Replace the file at ``path`` by ``content``, or raise :class:`FileError` and leave it untouched."""
     with replacing(path) as temporary:
         temporary.write_bytes(content)
+
+
+def encode(value: Mapping[str, object]) -> bytes:
+    """Return a document's JSON object as the bytes of its file; numbers that are not finite are a fault."""
+    return (json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode("utf-8")
 
 
 def _mode_of(target: Path) -> int | None:

@@ -15,12 +15,14 @@ from brdf_suite.errors import DocumentError
 
 Migration = Callable[[dict[str, object]], dict[str, object]]
 
-VERSIONS: dict[str, int] = {"brdfpaint": 2, "brdfview": 1}
+VERSIONS: dict[str, int] = {"brdfpaint": 2, "brdfview": 2, "brdfstudio": 1}
 """The present version of each format."""
 
 MIGRATIONS: dict[tuple[str, int], Migration] = {
     # Version 2 added fields with defaults and the kind "cook_torrance"; what was there kept its meaning.
     ("brdfpaint", 1): dict,
+    # Version 2 added how the image of the environment is laid out, with a default.
+    ("brdfview", 1): dict,
 }
 """``MIGRATIONS[format, n]`` turns fields of version n (without format and version) into those of n + 1."""
 

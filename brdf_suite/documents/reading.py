@@ -6,10 +6,11 @@ refused, so that a misspelt field is never silently ignored.
 
 from __future__ import annotations
 
+import inspect
 import json
 import os
 import stat
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import NoReturn, TypeVar
@@ -21,6 +22,7 @@ LARGEST_FILE = 16 * 1024 * 1024
 """Bytes; a document of ours is a few kilobytes, so more than this is something else."""
 
 _T = TypeVar("_T")
+_ABSENT = object()
 
 
 class FieldReader:
@@ -75,6 +77,26 @@ class FieldReader:
             yield
         except ValueRangeError as error:
             raise DocumentError(self.path, error.reason, self.where(error.place)) from error
+
+
+def fill(
+    reader: FieldReader,
+    kind: Callable[..., _T],
+    required: tuple[str, ...] = (),
+    taken: dict[str, object] | None = None,
+) -> _T:
+    """Build ``kind`` from its fields in ``reader`` and those already ``taken``; nothing may be left over."""
+    values = dict(taken or {})
+    for name in required:
+        values[name] = reader.take(name)
+    for name in inspect.signature(kind).parameters:
+        if name not in values:
+            found = reader.take_or(name, _ABSENT)
+            if found is not _ABSENT:
+                values[name] = found
+    reader.finish()
+    with reader.naming():
+        return kind(**values)
 
 
 def read_json(path: str | os.PathLike[str]) -> object:

@@ -7,17 +7,15 @@ default may be left out; unknown ones are refused. The same JSON travels between
 from __future__ import annotations
 
 import dataclasses
-import inspect
-import json
 import os
 from collections.abc import Callable
 from typing import TypeVar
 
-from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.documents.cook_torrance import Clearcoat, CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.migrations import VERSIONS, open_envelope
 from brdf_suite.documents.paint import Flakes, Gloss, Measurement, Paint
-from brdf_suite.documents.reading import FieldReader, read_json
+from brdf_suite.documents.reading import FieldReader, fill, read_json
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import DocumentError
 
@@ -29,7 +27,6 @@ AnyPaint = Paint | CookTorrancePaint
 
 _Path = str | os.PathLike[str]
 _T = TypeVar("_T")
-_ABSENT = object()
 
 
 def load_paint(path: _Path) -> Paint:
@@ -52,7 +49,7 @@ def load_any_paint(path: _Path) -> AnyPaint:
 
 def save_paint(paint: AnyPaint, path: _Path) -> None:
     """Write a ``.brdfpaint`` file, whole or not at all; raise :class:`FileError` where that fails."""
-    write_atomically(path, _encode(paint_to_json(paint)))
+    write_atomically(path, encode(paint_to_json(paint)))
 
 
 def load_view(path: _Path) -> View:
@@ -62,7 +59,7 @@ def load_view(path: _Path) -> View:
 
 def save_view(view: View, path: _Path) -> None:
     """Write a ``.brdfview`` file, whole or not at all; raise :class:`FileError` where that fails."""
-    write_atomically(path, _encode(view_to_json(view)))
+    write_atomically(path, encode(view_to_json(view)))
 
 
 def paint_to_json(paint: AnyPaint) -> dict[str, object]:
@@ -111,9 +108,9 @@ def paint_from_json(value: object, path: _Path = "the message") -> Paint:
 def _aspecular(reader: FieldReader) -> Paint:
     name = reader.take("name")
     measurements = tuple(_measurement(item) for item in reader.take_objects("measurements"))
-    gloss = _plain(reader.take_object("gloss"), Gloss, required=("gu_20",))
+    gloss = fill(reader.take_object("gloss"), Gloss, required=("gu_20",))
     flakes = _optional(reader, "flakes", Flakes)
-    return _plain(
+    return fill(
         reader, Paint, taken={"name": name, "measurements": measurements, "gloss": gloss, "flakes": flakes}
     )
 
@@ -121,11 +118,11 @@ def _aspecular(reader: FieldReader) -> Paint:
 def _cook_torrance(reader: FieldReader) -> CookTorrancePaint:
     name, kd = reader.take("name"), reader.take("kd")
     lobes = tuple(
-        _plain(item, CookTorranceLobe, required=("ks", "m", "r")) for item in reader.take_objects("lobes")
+        fill(item, CookTorranceLobe, required=("ks", "m", "r")) for item in reader.take_objects("lobes")
     )
     clearcoat = _optional(reader, "clearcoat", Clearcoat)
     flakes = _optional(reader, "flakes", Flakes)
-    return _plain(
+    return fill(
         reader,
         CookTorrancePaint,
         taken={"name": name, "kd": kd, "lobes": lobes, "clearcoat": clearcoat, "flakes": flakes},
@@ -135,7 +132,7 @@ def _cook_torrance(reader: FieldReader) -> CookTorrancePaint:
 def _optional(reader: FieldReader, name: str, kind: Callable[..., _T]) -> _T | None:
     """The object in field ``name``, or None where it is absent or null."""
     value = reader.take_or(name, None)
-    return None if value is None else _plain(FieldReader(value, reader.path, name), kind)
+    return None if value is None else fill(FieldReader(value, reader.path, name), kind)
 
 
 def view_to_json(view: View) -> dict[str, object]:
@@ -149,33 +146,9 @@ def view_to_json(view: View) -> dict[str, object]:
 def view_from_json(value: object, path: _Path = "the message") -> View:
     """Return the view in a JSON value; errors as :func:`paint_from_json`."""
     reader = open_envelope(value, "brdfview", path)
-    camera = _plain(reader.take_object("camera"), Camera)
-    return _plain(reader, View, taken={"camera": camera})
+    camera = fill(reader.take_object("camera"), Camera)
+    return fill(reader, View, taken={"camera": camera})
 
 
 def _measurement(reader: FieldReader) -> Measurement:
-    return _plain(reader, Measurement, required=("illumination_deg", "aspecular_deg", "lab"))
-
-
-def _plain(
-    reader: FieldReader,
-    kind: Callable[..., _T],
-    required: tuple[str, ...] = (),
-    taken: dict[str, object] | None = None,
-) -> _T:
-    """Build ``kind`` from its fields in ``reader`` and those already ``taken``; nothing may be left over."""
-    values = dict(taken or {})
-    for name in required:
-        values[name] = reader.take(name)
-    for name in inspect.signature(kind).parameters:
-        if name not in values:
-            found = reader.take_or(name, _ABSENT)
-            if found is not _ABSENT:
-                values[name] = found
-    reader.finish()
-    with reader.naming():
-        return kind(**values)
-
-
-def _encode(value: dict[str, object]) -> bytes:
-    return (json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode("utf-8")
+    return fill(reader, Measurement, required=("illumination_deg", "aspecular_deg", "lab"))

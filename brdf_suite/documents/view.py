@@ -17,6 +17,20 @@ TONE_CURVES: tuple[str, ...] = get_args(ToneCurve)
 Background = Literal["environment", "grey"]
 BACKGROUNDS: tuple[str, ...] = get_args(Background)
 
+ENVIRONMENT_LAYOUTS: tuple[str, ...] = (
+    "auto",
+    "latlong",
+    "horizontal_cross",
+    "vertical_cross",
+    "horizontal_strip",
+    "vertical_strip",
+    "exr_cube",
+    "angular",
+    "mirror_ball",
+    "dome",
+)
+"""How an environment's image can be laid out; ``auto``: as the file says or its shape tells."""
+
 SENSOR_WIDTH_MM = 36.0
 """The width of the picture that ``focal_length_mm`` refers to: a full-frame camera."""
 
@@ -66,7 +80,8 @@ class View:
     """A scene without its paint.
 
     ``environment`` and ``surface`` are the name of a packaged one (``booth``, ``speed_form``) or the
-    absolute path of a file. Whether it exists is found out where it is opened.
+    absolute path of a file. Whether it exists is found out where it is opened. ``environment_layout`` says how that
+    file's image is laid out, one of :data:`ENVIRONMENT_LAYOUTS`.
     """
 
     camera: Camera = field(default_factory=Camera)
@@ -77,6 +92,7 @@ class View:
     tone_curve: ToneCurve = "faithful"
     background: Background = "environment"
     fresnel: bool = True
+    environment_layout: str = "auto"
 
     def __post_init__(self) -> None:
         if not isinstance(self.camera, Camera):
@@ -87,6 +103,7 @@ class View:
             object.__setattr__(self, name, PARAMETERS[name].check(getattr(self, name), name))
         check_choice(self.tone_curve, "tone_curve", TONE_CURVES)
         check_choice(self.background, "background", BACKGROUNDS)
+        check_choice(self.environment_layout, "environment_layout", ENVIRONMENT_LAYOUTS)
         if not isinstance(self.fresnel, bool):
             raise ValueRangeError("fresnel", f"true or false is wanted, not {describe(self.fresnel)}")
 

@@ -20,6 +20,7 @@ MAX_PIXELS = 16384 * 8192
 
 _MAGIC = b"\x76\x2f\x31\x01"
 _TILED, _NON_IMAGE, _MULTI_PART = 0x200, 0x800, 0x1000
+_MAX_PARTS = 256
 _HEADER_LIMIT = 2 * 1024 * 1024  # more than any header with its table of chunks for the largest image
 _REQUIRED = ("channels", "compression", "dataWindow", "displayWindow", "lineOrder")
 _LINES_PER_CHUNK = {0: 1, 1: 1, 2: 1, 3: 16, 4: 32, 5: 16, 6: 32, 7: 32, 8: 32, 9: 256, 10: 256, 11: 32}
@@ -40,17 +41,22 @@ class ExrChannel:
 
 @dataclass(frozen=True)
 class ExrHeader:
-    """What the reader needs to know of an EXR file."""
+    """What the reader needs to know of one part of an EXR file; a plain file has one, number 0 of 1."""
 
     channels: tuple[ExrChannel, ...]
     data_window: Window
     display_window: Window
     chromaticities: Chromaticities | None
     is_cube: bool
+    part: int = 0
+    parts: int = 1
+    name: str = ""
+    deep: bool = False
+    white_luminance: float | None = None
 
 
-def parse_header(path: str | os.PathLike[str], stream: BinaryIO) -> ExrHeader:
-    """Parse the header of the open file ``stream``; ``path`` is for the messages.
+def parse_headers(path: str | os.PathLike[str], stream: BinaryIO) -> tuple[ExrHeader, ...]:
+    """Parse the headers of the open file ``stream``, one per part; ``path`` is for the messages.
 
     Raises
     ------
@@ -65,29 +71,79 @@ def parse_header(path: str | os.PathLike[str], stream: BinaryIO) -> ExrHeader:
     flags = reader.int32()
     if flags & 0xFF != 2:
         raise FileError(path, f"has OpenEXR version {flags & 0xFF}; only version 2 is read", "byte 4")
-    if flags & _MULTI_PART:
-        raise FileError(path, "is a multi-part OpenEXR file; save the environment as a single part", "byte 4")
-    if flags & _NON_IMAGE:
+    several = bool(flags & _MULTI_PART)
+    if flags & _NON_IMAGE and not several:
         raise FileError(path, "is a deep OpenEXR file; flatten it to an ordinary image first", "byte 4")
-    attributes = reader.attributes()
+    found: list[dict[str, tuple[int, bytes]]] = []
+    while not found or (several and not reader.at_end_of_headers()):
+        if len(found) >= _MAX_PARTS:
+            raise FileError(path, f"has more than {_MAX_PARTS} parts", f"byte {reader.at}")
+        found.append(reader.attributes())
+    headers = tuple(_header(path, a, reader, i, len(found)) for i, a in enumerate(found))
+    for header, attributes in zip(headers, found, strict=True):
+        tiled = _text(attributes, "type").startswith("tiled") if several else bool(flags & _TILED)
+        if header.deep:
+            _skip_table(path, reader, attributes)
+        elif tiled and ("tiles" not in attributes or len(attributes["tiles"][1]) != 9):
+            raise FileError(path, "is tiled but lacks a sound 'tiles' attribute", f"byte {reader.at}")
+        elif several:
+            _check_chunks(path, reader, _chunk_count(path, attributes), stream, 12 if not tiled else 24)
+        elif not tiled:
+            lines = _LINES_PER_CHUNK[attributes["compression"][1][0]]
+            rows = header.data_window[3] - header.data_window[1] + 1
+            _check_chunks(path, reader, -(-rows // lines), stream, 8)
+    return headers
+
+
+def _header(
+    path: str | os.PathLike[str],
+    attributes: dict[str, tuple[int, bytes]],
+    reader: _Reader,
+    part: int,
+    parts: int,
+) -> ExrHeader:
+    deep = _text(attributes, "type").startswith("deep")
     for name in _REQUIRED:
         if name not in attributes:
             raise FileError(path, f"lacks the header attribute {name!r}", f"byte {reader.at}")
-    channels = _channels(path, *attributes["channels"])
-    window = _window(path, "dataWindow", *attributes["dataWindow"])
-    display = _window(path, "displayWindow", *attributes["displayWindow"])
     compression = attributes["compression"][1][:1]
     if not compression or compression[0] not in _LINES_PER_CHUNK:
         raise FileError(path, "has a compression that is not known", f"byte {attributes['compression'][0]}")
-    if not flags & _TILED:
-        _check_chunks(path, reader, window, _LINES_PER_CHUNK[compression[0]], stream)
-    elif "tiles" not in attributes or len(attributes["tiles"][1]) != 9:
-        raise FileError(path, "is tiled but lacks a sound 'tiles' attribute", f"byte {reader.at}")
     chromaticities = attributes.get("chromaticities")
     primaries: Chromaticities | None = None
     if chromaticities is not None and len(chromaticities[1]) == 32:
         primaries = struct.unpack("<8f", chromaticities[1])
-    return ExrHeader(channels, window, display, primaries, attributes.get("envmap", (0, b"\0"))[1] == b"\1")
+    luminance = attributes.get("whiteLuminance")
+    return ExrHeader(
+        _channels(path, *attributes["channels"]),
+        _window(path, "dataWindow", *attributes["dataWindow"]),
+        _window(path, "displayWindow", *attributes["displayWindow"]),
+        primaries,
+        attributes.get("envmap", (0, b"\0"))[1] == b"\1",
+        part,
+        parts,
+        _text(attributes, "name"),
+        deep,
+        struct.unpack("<f", luminance[1])[0] if luminance is not None and len(luminance[1]) == 4 else None,
+    )
+
+
+def _text(attributes: dict[str, tuple[int, bytes]], name: str) -> str:
+    return attributes.get(name, (0, b""))[1].decode("utf-8", errors="replace")
+
+
+def _chunk_count(path: str | os.PathLike[str], attributes: dict[str, tuple[int, bytes]]) -> int:
+    place, value = attributes.get("chunkCount", (0, b""))
+    count = struct.unpack("<i", value)[0] if len(value) == 4 else 0
+    if count < 1:
+        raise FileError(path, "has a part without a sound 'chunkCount' attribute", f"byte {place}")
+    return int(count)
+
+
+def _skip_table(
+    path: str | os.PathLike[str], reader: _Reader, attributes: dict[str, tuple[int, bytes]]
+) -> None:
+    reader.take(8 * _chunk_count(path, attributes))
 
 
 class _Reader:
@@ -112,6 +168,13 @@ class _Reader:
         text = self.take(end - self.at).decode("utf-8", errors="replace")
         self.at += 1
         return text
+
+    def at_end_of_headers(self) -> bool:
+        """Say whether the empty header is next that ends those of a file of several parts; step over it."""
+        if self.take(1) == b"\0":
+            return True
+        self.at -= 1
+        return False
 
     def attributes(self) -> dict[str, tuple[int, bytes]]:
         """Return the attributes as name -> (place, value)."""
@@ -152,10 +215,12 @@ def _window(path: str | os.PathLike[str], name: str, place: int, value: bytes) -
 
 
 def _check_chunks(
-    path: str | os.PathLike[str], reader: _Reader, window: Window, lines: int, stream: BinaryIO
+    path: str | os.PathLike[str], reader: _Reader, count: int, stream: BinaryIO, head: int
 ) -> None:
-    """Check that the table of chunk offsets is whole, and that the last chunk lies within the file."""
-    count = -(-(window[3] - window[1] + 1) // lines)
+    """Check that the table of ``count`` chunk offsets is whole, and that the last chunk lies within the file.
+
+    ``head``: bytes of a chunk before its data, the last four of which tell the data's size.
+    """
     place = reader.at
     offsets = struct.unpack(f"<{count}Q", reader.take(8 * count))
     if 0 in offsets:
@@ -163,8 +228,8 @@ def _check_chunks(
     last = max(offsets)
     end = stream.seek(0, os.SEEK_END)
     packed = 0
-    if last + 8 < end:
-        stream.seek(last + 4)
+    if last + head < end:
+        stream.seek(last + head - 4)
         (packed,) = struct.unpack("<i", stream.read(4))
-    if packed < 0 or last + 8 + packed > end or last + 8 >= end:
+    if packed < 0 or last + head + packed > end or last + head >= end:
         raise FileError(path, f"is cut off: pixel data is expected at byte {last:,}", f"byte {end:,}")

@@ -1,7 +1,8 @@
 """Environment images from files, in the working space; pictures to files.
 
-``read_environment_image`` is the one way in: it looks at the content, not the ending, reads OpenEXR and
-Radiance pictures, converts to the working space (linear Rec. 2020, D65) and repairs what cannot be radiance.
+``read_environment_image`` is the one way in, for environments of every layout: it looks at the content, not the
+ending, reads OpenEXR and Radiance pictures, converts to the working space (linear Rec. 2020, D65) and repairs
+what cannot be radiance.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from brdf_suite.files.radiance_repair import clip_negative, note_darkness, repai
 
 __all__ = ["ImageData", "read_environment_image", "write_exr", "write_png"]
 
-MIN_HEIGHT = 4
+MIN_SIDE = 2
 
 
 @dataclass(frozen=True)
@@ -33,40 +34,41 @@ class ImageData:
     Attributes
     ----------
     pixels
-        (h, w, 3) float32, linear Rec. 2020 with D65 white, finite and never negative; a latitude-longitude
-        map as the conventions have it: row 0 is up, the centre column looks along +z.
+        (h, w, 3) float32, linear Rec. 2020 with D65 white, finite and never negative, in the file's own layout.
     notes
         What was assumed or repaired, each a clause for the user; empty where nothing was.
+    layout
+        The layout that the file names (``exr_cube``); ``None`` where only its shape tells.
     """
 
     pixels: NDArray[np.float32]
     notes: tuple[str, ...]
+    layout: str | None = None
 
 
 def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
-    """Read a latitude-longitude environment map from an OpenEXR or Radiance file.
+    """Read an environment image from an OpenEXR or Radiance file, in whatever layout it has.
 
-    The width must be twice the height, within a pixel.
+    Larger than 8,192 × 4,096 is reduced by area as it is read, in strips.
 
     Raises
     ------
     FileError
-        The file is missing, damaged, too large, of another kind, or of another shape; the message says which.
+        The file is missing, damaged, too large or too small, or of another kind; the message says which.
     """
     start = _first_bytes(path)
+    layout = None
     if start.startswith(b"\x76\x2f\x31\x01"):
-        pixels, chromaticities, notes = read_exr(path)
+        exr = read_exr(path)
+        pixels, chromaticities, notes = exr.pixels, exr.chromaticities, exr.notes
+        layout = "exr_cube" if exr.is_cube else None
     elif start.startswith(b"#?"):
         pixels, chromaticities, notes = read_radiance(path)
     else:
         raise FileError(path, _what_instead(start), "byte 0")
     height, width = pixels.shape[:2]
-    if abs(width - 2 * height) > 1 or height < MIN_HEIGHT:
-        raise FileError(
-            path,
-            f"is {width} × {height} pixels; a latitude-longitude map, twice as wide as high and at least "
-            f"{2 * MIN_HEIGHT} × {MIN_HEIGHT}, is wanted",
-        )
+    if min(height, width) < MIN_SIDE:
+        raise FileError(path, f"is {width} × {height} pixels, too small for an environment")
     if np.isnan(pixels).all():
         raise FileError(path, "holds no number (NaN) in any pixel; there is nothing to repair it from")
     pixels, repairs = repair_non_finite(pixels)
@@ -80,7 +82,7 @@ def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
     # After the conversion: a saturated colour of narrower primaries is a sound one in the working space.
     pixels, clipped = clip_negative(pixels)
     told = (*notes, *repairs, *clipped, *note_darkness(pixels))
-    return ImageData(np.ascontiguousarray(pixels), told)
+    return ImageData(np.ascontiguousarray(pixels), told, layout)
 
 
 def _first_bytes(path: str | os.PathLike[str]) -> bytes:

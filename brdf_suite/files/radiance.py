@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError
+from brdf_suite.files.area_reduction import read_reduced
 from brdf_suite.files.exr_header import MAX_PIXELS
 from brdf_suite.files.primaries import REC709, Chromaticities, rgb_to_xyz
 
@@ -43,13 +44,14 @@ def read_radiance(
     fields, size_line, start = _header(path, data)
     signs, axes, sizes = _size(path, size_line, start)
     width, height = sizes[1], sizes[0]
-    rgbe = _decode(path, data, start, height, width)
-    pixels = _to_float(rgbe) * _gain(path, fields)
+    lines = _Lines(path, data, start, height, width, _gain(path, fields))
+    pixels, reduced = read_reduced(height, width, lines.read)
     pixels = _orient(pixels, signs, axes)
     if fields.get("FORMAT") == "32-bit_rle_xyze":
         to_rgb = np.linalg.inv(rgb_to_xyz(REC709)).astype(np.float32)
-        return pixels @ to_rgb.T, REC709, ("stored as XYZ",)
-    return pixels, *_primaries(fields)
+        return pixels @ to_rgb.T, REC709, ("stored as XYZ", *reduced)
+    primaries, notes = _primaries(fields)
+    return pixels, primaries, (*notes, *reduced)
 
 
 def _header(path: str | os.PathLike[str], data: bytes) -> tuple[dict[str, str], bytes, int]:
@@ -72,7 +74,7 @@ def _header(path: str | os.PathLike[str], data: bytes) -> tuple[dict[str, str], 
             fields[key] = f"{fields[key]};{value.strip()}" if several else value.strip()
             if key == "FORMAT" and fields[key] not in ("32-bit_rle_rgbe", "32-bit_rle_xyze"):
                 raise FileError(
-                    path, f"has the pixel format {value.strip()!r}, which is not read", "line FORMAT"
+                    path, f"has the pixel format {value.strip()[:40]!r}, which is not read", "line FORMAT"
                 )
 
 
@@ -91,30 +93,49 @@ def _size(
     return (match[1], match[4]), (match[2], match[5]), sizes
 
 
-def _decode(
-    path: str | os.PathLike[str], data: bytes, start: int, height: int, width: int
-) -> NDArray[np.uint8]:
-    """Return the (height, width, 4) bytes of all scan lines."""
-    # A line of n pixels cannot be stored in fewer than these bytes, whichever coding: refuse before
-    # allocating.
-    if len(data) - start < height * (4 + 8 * -(-width // 127)) and len(data) - start < height * 4:
-        raise FileError(path, f"is cut off: {height} lines do not fit into it", f"byte {len(data)}")
-    if len(data) - start == height * width * 4 and data[start : start + 2] != b"\x02\x02":
-        return np.frombuffer(data, np.uint8, height * width * 4, start).reshape(height, width, 4)
-    lines: list[NDArray[np.uint8]] = []
-    at = start
-    for row in range(height):
+class _Lines:
+    """Lines of a picture, decoded in their order as they are asked for, times the gain of each channel."""
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        data: bytes,
+        start: int,
+        height: int,
+        width: int,
+        gain: NDArray[np.float32],
+    ) -> None:
+        # A line of n pixels cannot be stored in fewer than these bytes, whichever coding: refuse before
+        # allocating.
+        left = len(data) - start
+        if left < height * (4 + 8 * -(-width // 127)) and left < height * 4:
+            raise FileError(path, f"is cut off: {height} lines do not fit into it", f"byte {len(data)}")
+        self._path, self._data, self._at = path, data, start
+        self._height, self._width, self._gain = height, width, gain
+        self._flat = left == height * width * 4 and data[start : start + 2] != b"\x02\x02"
+
+    def read(self, first: int, last: int) -> NDArray[np.float32]:
+        """Return the next lines, first … last - 1, as (last - first, width, 3) float32."""
+        if self._flat:
+            count = (last - first) * self._width * 4
+            rgbe = np.frombuffer(self._data, np.uint8, count, self._at).reshape(-1, self._width, 4)
+            self._at += count
+        else:
+            rgbe = np.stack([self._line(row) for row in range(first, last)])
+        return _to_float(rgbe) * self._gain
+
+    def _line(self, row: int) -> NDArray[np.uint8]:
+        path, data, at, width = self._path, self._data, self._at, self._width
         head = data[at : at + 4]
         if len(head) < 4:
-            raise FileError(path, f"is cut off at line {row + 1} of {height}", f"byte {len(data)}")
+            raise FileError(path, f"is cut off at line {row + 1} of {self._height}", f"byte {len(data)}")
         if 8 <= width < 32768 and head[0] == head[1] == 2 and head[2] < 128:
             if (head[2] << 8) + head[3] != width:
                 raise FileError(path, f"is damaged: line {row + 1} is not {width} pixels long", f"byte {at}")
-            line, at = _new_line(path, data, at + 4, width, row)
+            line, self._at = _new_line(path, data, at + 4, width, row)
         else:
-            line, at = _old_line(path, data, at, width, row)
-        lines.append(line)
-    return np.stack(lines)
+            line, self._at = _old_line(path, data, at, width, row)
+        return line
 
 
 def _new_line(
@@ -181,12 +202,14 @@ def _gain(path: str | os.PathLike[str], fields: dict[str, str]) -> NDArray[np.fl
             try:
                 values = np.array([float(word) for word in text.split()])
             except ValueError as error:
-                raise FileError(path, f"has {text!r} where a number belongs", f"line {key}") from error
+                raise FileError(path, f"has {text[:40]!r} where a number belongs", f"line {key}") from error
             if (
                 values.size != count
                 or not (np.abs(np.log(np.maximum(values, 1e-300))) < np.log(_MAX_EXPOSURE)).all()
             ):
-                raise FileError(path, f"has {text!r} where {count} positive number(s) belong", f"line {key}")
+                raise FileError(
+                    path, f"has {text[:40]!r} where {count} positive number(s) belong", f"line {key}"
+                )
             gain /= values
     return gain.astype(np.float32)
 
@@ -214,5 +237,5 @@ def _primaries(fields: dict[str, str]) -> tuple[Chromaticities, tuple[str, ...]]
         rx, ry, gx, gy, bx, by, wx, wy = values
         rgb_to_xyz((rx, ry, gx, gy, bx, by, wx, wy))
     except ValueError:
-        return REC709, (f"the line PRIMARIES={fields['PRIMARIES']} makes no sense; Rec. 709 was taken",)
+        return REC709, (f"the line PRIMARIES={fields['PRIMARIES'][:80]} makes no sense; Rec. 709 was taken",)
     return (rx, ry, gx, gy, bx, by, wx, wy), ()

@@ -1,12 +1,15 @@
 """Prefiltered maps kept on disk, named by what they were made from.
 
 The cache only ever saves time. Whatever happens to it (full or read-only disk, a damaged entry, another
-program at the same work, a kill at any moment), the caller gets the maps; what went wrong is logged.
+program at the same work, a kill at any moment), the caller gets the maps; what went wrong is told.
 
-- The key is a hash of the environment's pixels, the exponents, the algorithm's version and the largest face
-size. - An entry is written under a temporary name, synced and renamed, and carries a checksum that is checked
-on reading. - Programs that want the same entry take turns through a file lock, which the system frees when
-its holder dies. - Above the size limit the entries unused for longest are removed.
+- The key is a hash of the environment's pixels, the exponents, the versions of algorithm and file, and the
+  largest face size.
+- An entry is written under a temporary name, synced and renamed, and carries a checksum that is checked on
+  reading (:mod:`.map_file`, :mod:`.cache_folder`).
+- Programs that want the same entry take turns through a lock (:mod:`.cache_turn`). A damaged entry is removed
+  only by who holds it, so that nobody removes what another has just rebuilt.
+- Above the size limit the entries unused for longest are removed.
 """
 
 from __future__ import annotations
@@ -16,28 +19,20 @@ import hashlib
 import json
 import logging
 import os
-import tempfile
-import time
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 
+from brdf_suite.lighting import cache_folder
+from brdf_suite.lighting.cache_folder import ENDING, CacheCheck, CacheEntry
+from brdf_suite.lighting.cache_turn import take_turn
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.map_file import FORMAT_VERSION, DamagedMapFileError, decode_maps, encode_maps
-from brdf_suite.lighting.prefilter import (
-    ALGORITHM_VERSION,
-    LobeMaps,
-    Ready,
-    background_size,
-    prefilter,
-)
+from brdf_suite.lighting.map_file import FORMAT_VERSION, DamagedMapFileError, encode_maps, read_map_file
+from brdf_suite.lighting.prefilter import ALGORITHM_VERSION, LobeMaps, Ready, background_size, prefilter
 from brdf_suite.progress import Progress, report
 
 ENVIRONMENT_VARIABLE = "BRDF_SUITE_CACHE"
+LIMIT_VARIABLE = "BRDF_SUITE_CACHE_MB"
 DEFAULT_LIMIT_BYTES = 2 * 1024**3
-_ENDING = ".lobemaps"
-_STALE_SECONDS = 3600.0
-_POLL_SECONDS = 0.2
 
 _log = logging.getLogger(__name__)
 
@@ -52,8 +47,33 @@ def default_root() -> Path:
     return Path(platformdirs.user_cache_dir("brdf-suite", appauthor=False))
 
 
+def default_limit() -> int:
+    """Return the size in bytes that the cache may have: ``$BRDF_SUITE_CACHE_MB``, in 10⁶ bytes, or 2 GiB."""
+    text = os.environ.get(LIMIT_VARIABLE, "").strip()
+    if not text:
+        return DEFAULT_LIMIT_BYTES
+    if not text.isdecimal():
+        _log.warning("%s is %r, not a whole number of megabytes; 2 GiB is the limit.", LIMIT_VARIABLE, text)
+        return DEFAULT_LIMIT_BYTES
+    return int(text) * 1_000_000
+
+
 class MapCache:
-    """Lobe maps by content. ``root`` None: see :func:`default_root`; ``limit_bytes``: size kept on disk.
+    """Lobe maps by content.
+
+    Parameters
+    ----------
+    root
+        The cache's folder; None: see :func:`default_root`.
+    limit_bytes
+        The size kept on disk; None: see :func:`default_limit`. 0 keeps nothing.
+    lock_timeout_s, silence_s
+        How long to wait for another program that makes the same maps, in all and without a sign of life.
+
+    Attributes
+    ----------
+    notices
+        What went wrong with the cache so far, as sentences for the user; they are logged too.
 
     >>> MapCache().get_or_compute(environment, [20.0, 500.0])  # doctest: +SKIP
     """
@@ -62,12 +82,15 @@ class MapCache:
         self,
         root: str | os.PathLike[str] | None = None,
         *,
-        limit_bytes: int = DEFAULT_LIMIT_BYTES,
+        limit_bytes: int | None = None,
         lock_timeout_s: float = 600.0,
+        silence_s: float = 60.0,
     ) -> None:
         self.folder = (Path(root) if root is not None else default_root()) / "lobe_maps"
-        self.limit_bytes = limit_bytes
+        self.limit_bytes = default_limit() if limit_bytes is None else limit_bytes
         self.lock_timeout_s = lock_timeout_s
+        self.silence_s = silence_s
+        self.notices: list[str] = []
 
     def get_or_compute(
         self,
@@ -81,119 +104,90 @@ class MapCache:
         Only an unsound request or a cancelled ``progress`` raises.
         """
         key = cache_key(environment, exponents)
-        found = self._load(key)
+        found = self._load(key, damaged_goes=False)
         if found is None:
-            with self._turn(key, progress):
-                found = self._load(key)
+            waiting = take_turn(
+                self.folder,
+                key,
+                timeout_s=self.lock_timeout_s,
+                silence_s=self.silence_s,
+                progress=progress,
+                notice=self._notice,
+            )
+            with waiting as turn:
+                found = self._load(key, damaged_goes=True)
                 if found is None:
-                    found = prefilter(environment, exponents, progress, ready)
-                    self._store(key, found)
+                    found = prefilter(environment, exponents, turn.watched(progress), ready)
+                    self._store(key, found, environment.name, key if turn.locked else None)
         report(progress, 1.0, "the environment is filtered")
         return found
 
-    def entries(self) -> list[Path]:
-        """Return the entries' files, the one unused for longest first."""
+    def entries(self) -> list[CacheEntry]:
+        """Return the entries, the one unused for longest first."""
+        return cache_folder.entries(self.folder)
+
+    def unfinished(self) -> list[Path]:
+        """Return the files that are being written, or that a killed program left."""
+        return cache_folder.unfinished(self.folder)
+
+    def clear(self) -> int:
+        """Remove all entries and what killed programs left; return how many entries could not be removed."""
+        failed = sum(not cache_folder.remove(entry.path) for entry in self.entries())
+        cache_folder.remove_unfinished(self.folder)
+        return failed
+
+    def verify(self, *, remove: bool = False, progress: Progress | None = None) -> CacheCheck:
+        """Read every entry and compare its checksum; ``remove`` the damaged ones and what was left unfinished."""
+        return cache_folder.check(self.folder, remove_damaged=remove, progress=progress, notice=self._notice)
+
+    def _load(self, key: str, *, damaged_goes: bool) -> LobeMaps | None:
+        """Return an entry; None where it is not there, or not to be used, which is told when it goes."""
+        path = self.folder / f"{key}{ENDING}"
         try:
-            aged = [(path.stat().st_mtime_ns, path) for path in self.folder.glob(f"*{_ENDING}")]
-        except OSError:
-            return []  # another program removed one meanwhile; the next call sees what is left
-        return [path for _, path in sorted(aged)]
-
-    def clear(self) -> None:
-        """Remove all entries."""
-        for path in self.entries():
-            _remove(path)
-
-    def _path(self, key: str) -> Path:
-        return self.folder / f"{key}{_ENDING}"
-
-    def _load(self, key: str) -> LobeMaps | None:
-        path = self._path(key)
-        try:
-            data = path.read_bytes()
-        except FileNotFoundError:
+            maps = read_map_file(path, key)
+        except (FileNotFoundError, NotADirectoryError):
+            return None
+        except DamagedMapFileError as error:
+            if damaged_goes:
+                self._notice(f"The cached maps {path} are damaged ({error}); they are removed and made anew.")
+                cache_folder.remove(path)
             return None
         except OSError as error:
-            _log.warning("The map cache %s cannot be read (%s); the maps are made anew.", path, error)
-            return None
-        try:
-            maps = decode_maps(data, key)
-        except DamagedMapFileError as error:
-            _log.warning("The cached maps %s are damaged (%s); they are removed and made anew.", path, error)
-            _remove(path)
+            if damaged_goes:
+                self._notice(
+                    f"The cached maps {path} cannot be read ({error.strerror or error}); they are made anew."
+                )
             return None
         with contextlib.suppress(OSError):  # a read-only cache still serves; only its ages stand still
             os.utime(path)
         return maps
 
-    def _store(self, key: str, maps: LobeMaps) -> None:
-        parts = encode_maps(maps, key)
-        temporary: Path | None = None
+    def _store(self, key: str, maps: LobeMaps, environment: str, held_key: str | None) -> None:
+        parts = encode_maps(maps, key, environment)
+        needed = sum(len(item) for item in parts)
+        if held_key is not None:
+            cache_folder.remove_unfinished(self.folder, held_key)
+        if self.limit_bytes == 0:
+            return
+        if not cache_folder.make_room(self.folder, needed, self.limit_bytes):
+            self._notice(
+                f"The filtered maps are not kept: {needed / 1e6:,.0f} MB do not fit into the cache's "
+                f"{self.limit_bytes / 1e6:,.0f} MB; {LIMIT_VARIABLE} sets another limit."
+            )
+            return
         try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-            self._make_room(sum(len(item) for item in parts))
-            handle, name = tempfile.mkstemp(dir=self.folder, prefix=".", suffix=".part")
-            temporary = Path(name)
-            with os.fdopen(handle, "wb") as stream:
-                for item in parts:
-                    stream.write(item)
-                stream.flush()
-                os.fsync(stream.fileno())
-            temporary.replace(self._path(key))
+            cache_folder.write(self.folder, key, parts)
         except OSError as error:
-            _log.warning("The filtered maps are not kept: %s cannot be written (%s).", self.folder, error)
-            if temporary is not None:
-                _remove(temporary)
+            self._notice(
+                f"The filtered maps are not kept: {self.folder} cannot be written ({error.strerror or error}). "
+                f"Make room there, or set {ENVIRONMENT_VARIABLE} to another folder."
+            )
+            return
+        cache_folder.make_room(self.folder, 0, self.limit_bytes)  # others may have written meanwhile, too
 
-    def _make_room(self, needed: int) -> None:
-        """Remove what was unused for longest until ``needed`` bytes fit, and what killed writers left."""
-        for path in self.folder.glob(".*.part"):
-            with contextlib.suppress(FileNotFoundError):
-                if time.time() - path.stat().st_mtime > _STALE_SECONDS:
-                    path.unlink()
-        sizes = []
-        for path in self.entries():
-            with contextlib.suppress(FileNotFoundError):
-                sizes.append((path, path.stat().st_size))
-        excess = sum(size for _, size in sizes) + needed - self.limit_bytes
-        for path, size in sizes:
-            if excess <= 0:
-                break
-            _remove(path)
-            excess -= size
-
-    @contextmanager
-    def _turn(self, key: str, progress: Progress | None) -> Iterator[None]:
-        """Hold the lock of an entry, waiting for another program that makes it; without a lock where none
-        works.
-
-        One of 256 lock files serves each entry: their number stays bounded without ever deleting one, which
-        could split its holders.
-        """
-        from filelock import FileLock, Timeout
-
-        lock = None
-        try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-            lock = FileLock(self.folder / f".{key[:2]}.lock")
-            start = time.monotonic()
-            while not lock.is_locked:
-                try:
-                    lock.acquire(timeout=_POLL_SECONDS)
-                except Timeout:
-                    report(progress, 0.0, "waiting for another program that filters this environment")
-                    if time.monotonic() - start > self.lock_timeout_s:
-                        _log.warning("Gave up waiting for another program that filters the environment.")
-                        lock = None
-                        break
-        except (OSError, NotImplementedError) as error:
-            _log.warning("The map cache %s cannot be locked (%s).", self.folder, error)
-            lock = None
-        try:
-            yield
-        finally:
-            if lock is not None:
-                lock.release()
+    def _notice(self, text: str) -> None:
+        self.notices.append(text)
+        _log.warning("%s", text)
 
 
 def cache_key(environment: Environment, exponents: Sequence[float]) -> str:
@@ -206,11 +200,3 @@ def cache_key(environment: Environment, exponents: Sequence[float]) -> str:
         background_size(environment),
     ]
     return hashlib.sha256(json.dumps(parts).encode()).hexdigest()
-
-
-def _remove(path: Path) -> None:
-    """Remove a file where that is possible; another program may have done so already."""
-    try:
-        path.unlink(missing_ok=True)
-    except OSError as error:
-        _log.warning("%s cannot be removed (%s).", path, error)

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.lighting.harmonics import worker_count
+
 _HALF_CEILING = 60000.0  # below 65504, so that rounding up never reaches infinity
+_ROWS = 32
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,9 +49,19 @@ def pack_faces(radiance: NDArray[np.floating]) -> FaceArray:
     values = np.asarray(radiance)
     if values.ndim != 4 or values.shape[0] != 6 or values.shape[1] != values.shape[2] or values.shape[3] != 3:
         raise ValueError(f"radiance must have the shape (6, F, F, 3), not {values.shape}")
-    largest = float(values.max())
-    exponent = np.ceil(np.log2(largest / _HALF_CEILING)) if largest > 0.0 else 0.0
-    scale = float(2.0 ** max(exponent, -100.0))
-    faces = np.multiply(values, 1.0 / scale)
-    np.maximum(faces, 0.0, out=faces)
-    return FaceArray(np.ascontiguousarray(faces, dtype=np.float16), scale)
+    with ThreadPoolExecutor(worker_count()) as pool:
+        largest = max(pool.map(lambda face: float(face.max()), values))
+        exponent = np.ceil(np.log2(largest / _HALF_CEILING)) if largest > 0.0 else 0.0
+        scale = float(2.0 ** max(exponent, -100.0))
+        faces = np.empty(values.shape, dtype=np.float16)
+
+        def pack(face: int) -> None:
+            # A few rows at a time: large maps shall not need much memory beside them.
+            for first in range(0, values.shape[1], _ROWS):
+                rows = slice(first, first + _ROWS)
+                scaled = np.multiply(values[face, rows], 1.0 / scale)
+                np.maximum(scaled, 0.0, out=scaled)
+                faces[face, rows] = scaled
+
+        list(pool.map(pack, range(6)))
+    return FaceArray(faces, scale)

@@ -19,6 +19,7 @@ the rings: rings north and south of the equator enter as sum (even k) and differ
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 
@@ -31,10 +32,23 @@ MAX_BANDLIMIT = 2048
 _RINGS = 32
 _STEPS = 16
 _LIFT = 300.0
-_WORKERS = 2
+_MAX_WORKERS = 8
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
+
+
+def worker_count() -> int:
+    """Return how many threads the transforms share: the processors this process may use, at most 8."""
+    usable = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return max(1, min(_MAX_WORKERS, usable))
+
+
+def legendre_starts(bandlimit: int) -> Floats:
+    """Return log N_m (bandlimit+1,), where P̄_mm = N_m sin^m θ."""
+    m = np.arange(1, bandlimit + 1, dtype=np.float64)
+    growth = np.concatenate([[0.0], np.cumsum(0.5 * np.log1p(0.5 / m))])
+    return np.asarray(growth - 0.5 * np.log(4.0 * np.pi), dtype=np.float64)
 
 
 class LegendreScale:
@@ -45,8 +59,7 @@ class LegendreScale:
             raise ValueError(f"the bandlimit must be 0…{MAX_BANDLIMIT}, not {bandlimit}")
         self.bandlimit = bandlimit
         m = np.arange(bandlimit + 1, dtype=np.float64)
-        growth = np.concatenate([[0.0], np.cumsum(0.5 * np.log1p(0.5 / m[1:]))])
-        self.log_start: Floats = growth - 0.5 * np.log(4.0 * np.pi)
+        self.log_start = legendre_starts(bandlimit)
         k = m[:, None]
         previous = m[None, :] + k - 1.0  # the degree l - 1, over (k, m)
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -97,7 +110,7 @@ def _orders_on(cosines: Floats, bandlimit: int) -> int:
 
 def _run(work: Callable[[int], None], blocks: int, progress: Progress | None, what: str) -> None:
     """Run ``work`` on every block on a few threads (numpy frees the lock); report and cancel between them."""
-    with ThreadPoolExecutor(_WORKERS) as pool:
+    with ThreadPoolExecutor(worker_count()) as pool:
         futures = [pool.submit(work, block) for block in range(blocks)]
         try:
             for done, future in enumerate(futures):
@@ -136,8 +149,8 @@ def analyse(
     pairs = np.ascontiguousarray(both).view(np.float64)
     scale = LegendreScale(bandlimit)
     starts = range(0, half, _RINGS)
-    sums = [np.zeros((bandlimit + 1, bandlimit + 1, 2 * channels)) for _ in range(_WORKERS)]
-    free = list(range(_WORKERS))
+    sums = [np.zeros((bandlimit + 1, bandlimit + 1, 2 * channels)) for _ in range(worker_count())]
+    free = list(range(len(sums)))
 
     def work(block: int) -> None:
         mine = free.pop()

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.lighting.compiled import kernels
 from brdf_suite.lighting.cubemap import texel_directions
 from brdf_suite.lighting.harmonics import analyse, synthesise
-from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
+from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles, sample
 from brdf_suite.lighting.ring_to_cube import cube_from_rings, rings_for
 from brdf_suite.lighting.zonal import (
     BROAD_BANDLIMIT,
@@ -20,6 +21,7 @@ from brdf_suite.progress import Progress, part
 
 _BRIGHT_TEXELS = 16
 _MIN_RINGS = 256
+_WAIT_RINGS = 2048  # maps that are worth waiting for the kernels
 
 
 class LobeFilter:
@@ -32,20 +34,33 @@ class LobeFilter:
     Lobes are cut off at the degree of :func:`brdf_suite.lighting.zonal.lobe_bandlimit`. Where that is cut
     short (exponents below about 8, whose rim is a kink) the tail of the 16 strongest texels is added
     directly.
+
+    Kernels compiled by :mod:`.compiled` do the work where they are at hand, plain numpy where they are not or
+    ``plain`` asks for it. A large map waits for them (``progress`` says so): they take less memory, too.
     """
 
-    def __init__(self, radiance: NDArray[np.float32]) -> None:
+    def __init__(
+        self, radiance: NDArray[np.float32], progress: Progress | None = None, *, plain: bool = False
+    ) -> None:
+        self._radiance = radiance
         self._pixels = _enlarge(radiance)
         self.rings: int = self._pixels.shape[0]
         self._theta = ring_angles(self.rings)
         self._weights = fejer_weights(self.rings)
-        self._spectrum = np.fft.rfft(self._pixels.astype(np.float64), axis=1) / self._pixels.shape[1]
+        self._bright: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
+        self._spectrum: NDArray[np.complex128] | None = None
         self._coefficients: NDArray[np.complex128] | None = None
+        self._kernels = None if plain else kernels(progress, wait=self.rings >= _WAIT_RINGS)
 
     @property
     def largest_exponent(self) -> float:
         """The sharpest lobe that this map can be filtered with."""
         return largest_exponent(self.rings)
+
+    @property
+    def compiled(self) -> bool:
+        """Whether compiled kernels do the work: then one analysis of all degrees is the shortest way."""
+        return self._kernels is not None
 
     @property
     def bandlimit(self) -> int:
@@ -54,31 +69,51 @@ class LobeFilter:
 
     def analyse(self, bandlimit: int, progress: Progress | None = None) -> None:
         """Analyse the environment up to a degree, where that has not been done."""
-        if bandlimit > self.bandlimit:
+        if bandlimit <= self.bandlimit:
+            return
+        if self._kernels is not None:
+            self._coefficients = self._kernels.analyse(self._pixels, self._weights, bandlimit, progress)
+        else:
             orders = self._orders(bandlimit)
             self._coefficients = analyse(orders, self._weights, np.cos(self._theta), bandlimit, progress)
 
-    def lobe(self, exponent: float, size: int, progress: Progress | None = None) -> NDArray[np.float64]:
-        """Return the lobe map (6, size, size, 3), float64, not clipped."""
+    def lobe(
+        self, exponent: float, size: int, progress: Progress | None = None
+    ) -> NDArray[np.float32] | NDArray[np.float64]:
+        """Return the lobe map (6, size, size, 3), not clipped; compiled kernels give float32."""
         if not 0.0 <= exponent <= self.largest_exponent:
             limit = self.largest_exponent
             raise ValueError(f"the exponent must be 0…{limit:.0f} for {self.rings} rings, not {exponent}")
         bandlimit = lobe_bandlimit(exponent)
         self.analyse(bandlimit, part(progress, 0.0, 0.5))
         assert self._coefficients is not None
-        degree = np.arange(bandlimit + 1)
-        total = degree[:, None] + degree[None, :]
-        gains = np.where(total <= bandlimit, lobe_coefficients(exponent, 2 * bandlimit)[total], 0.0)
-        scaled = self._coefficients[: bandlimit + 1, : bandlimit + 1] * gains[:, :, None]
-        cosines = np.cos(ring_angles(rings_for(bandlimit)))
-        faces = cube_from_rings(synthesise(scaled, cosines, part(progress, 0.5, 0.9)), size)
+        gains = lobe_coefficients(exponent, bandlimit)
+        faces: NDArray[np.float32] | NDArray[np.float64]
+        if self._kernels is not None:
+            faces = self._kernels.cube(self._coefficients, gains, size, part(progress, 0.5, 1.0))
+        else:
+            degree = np.arange(bandlimit + 1)
+            total = degree[:, None] + degree[None, :]
+            of_total = np.where(total <= bandlimit, gains[np.minimum(total, bandlimit)], 0.0)
+            scaled = self._coefficients[: bandlimit + 1, : bandlimit + 1] * of_total[:, :, None]
+            cosines = np.cos(ring_angles(rings_for(bandlimit)))
+            faces = cube_from_rings(synthesise(scaled, cosines, part(progress, 0.5, 0.9)), size)
         if bandlimit == BROAD_BANDLIMIT and exponent < BROAD_BANDLIMIT / 8.0:
             faces += self._bright_tail(exponent, bandlimit, size)
         return faces
 
+    def background(self, size: int) -> NDArray[np.float32]:
+        """Return the environment itself as a cube map (6, size, size, 3)."""
+        if self._kernels is not None:
+            faces: NDArray[np.float32] = self._kernels.resampled(self._radiance, size)
+            return faces
+        return sample(self._radiance, texel_directions(size))
+
     def _orders(self, bandlimit: int) -> NDArray[np.complex128]:
         """Return F_m (rings, bandlimit+1, 3); orders above half the columns repeat, as those of points do."""
         columns = self._pixels.shape[1]
+        if self._spectrum is None:
+            self._spectrum = np.fft.rfft(self._pixels.astype(np.float64), axis=1) / columns
         m = np.arange(bandlimit + 1)
         folded = m % columns
         mirrored = folded > columns // 2
@@ -90,18 +125,28 @@ class LobeFilter:
 
     def _bright_tail(self, exponent: float, bandlimit: int, size: int) -> NDArray[np.float64]:
         """Return what the cut-off left out of the brightest texels' light, (6, size, size, 3)."""
-        columns = self._pixels.shape[1]
-        strength = self._pixels.max(axis=2) * self._weights[:, None].astype(np.float32)
-        count = min(_BRIGHT_TEXELS, strength.size - 1)
-        chosen = np.argpartition(strength.ravel(), -count)[-count:]
-        rows, places = np.divmod(chosen, columns)
-        towards = direction(self._theta[rows], column_angles(columns)[places])
-        flux = self._pixels[rows, places] * (self._weights[rows] * (2.0 * np.pi / columns))[:, None]
+        towards, flux = self._brightest()
         angles, tail = lobe_tail(exponent, bandlimit)
         texels = texel_directions(size).reshape(-1, 3)
         between = np.arccos(np.clip(texels @ towards.T, -1.0, 1.0))
         added: NDArray[np.float64] = np.interp(between, angles, tail) @ flux
         return added.reshape(6, size, size, 3)
+
+    def _brightest(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return directions (n, 3) and flux (n, 3) of the brightest texels."""
+        if self._bright is None:
+            columns = self._pixels.shape[1]
+            strongest = np.maximum(
+                np.maximum(self._pixels[..., 0], self._pixels[..., 1]), self._pixels[..., 2]
+            )
+            strength = strongest * self._weights[:, None].astype(np.float32)
+            count = min(_BRIGHT_TEXELS, strength.size - 1)
+            chosen = np.argpartition(strength.ravel(), -count)[-count:]
+            rows, places = np.divmod(chosen, columns)
+            towards = direction(self._theta[rows], column_angles(columns)[places])
+            flux = self._pixels[rows, places] * (self._weights[rows] * (2.0 * np.pi / columns))[:, None]
+            self._bright = towards, flux
+        return self._bright
 
 
 def _enlarge(radiance: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -109,8 +154,6 @@ def _enlarge(radiance: NDArray[np.float32]) -> NDArray[np.float32]:
     height = radiance.shape[0]
     if height >= _MIN_RINGS:
         return radiance
-    from brdf_suite.lighting.latlong import sample
-
     rings = height * -(-_MIN_RINGS // height)
     theta, phi = ring_angles(rings)[:, None], column_angles(2 * rings)[None, :]
     return sample(radiance, direction(theta, phi))

@@ -12,21 +12,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.lighting.cubemap import texel_directions
+from brdf_suite.lighting.cube_edges import pack_lobe
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.face_array import FaceArray, pack_faces
-from brdf_suite.lighting.latlong import sample
 from brdf_suite.lighting.lobe_filter import LobeFilter
 from brdf_suite.lighting.zonal import BROAD_BANDLIMIT, lobe_bandlimit
 from brdf_suite.progress import Progress, part, report
 
-ALGORITHM_VERSION = 1
+ALGORITHM_VERSION = 3
 """Raised with every change of the numbers; part of the cache's key."""
 
 DIFFUSE_EXPONENT = 1.0
 MIN_FACE = 64
 MAX_FACE = 2048
-_TEXELS_PER_WIDTH = 11.0  # face size over √exponent: bilinear look-up errs by 1 % of the lobe's peak
+_TEXELS_PER_WIDTH = 10.2  # face size over √exponent: bilinear look-up errs by at most 1 % of the lobe's peak
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,11 +61,15 @@ def background_size(environment: Environment) -> int:
     return int(min(MAX_FACE, max(MIN_FACE, 1 << (half_width - 1).bit_length())))
 
 
-def face_size(exponent: float, largest: int) -> int:
-    """Return the face size for an exponent: 2^k or 3·2^k, at least 11·√exponent, 64…``largest``."""
+def face_size(exponent: float) -> int:
+    """Return the face size for an exponent: 2^k or 3·2^k, at least 10.2·√exponent, 64…2,048.
+
+    A bilinear look-up in the middle of a face errs by E/F² of the lobe's peak; :mod:`.cube_edges` keeps it
+    below that near the edges, too.
+    """
     wanted = _TEXELS_PER_WIDTH * np.sqrt(exponent)
     sizes = sorted(base << shift for base in (64, 96) for shift in range(6))
-    return min(next((size for size in sizes if size >= wanted), MAX_FACE), largest)
+    return next((size for size in sizes if size >= wanted and size <= MAX_FACE), MAX_FACE)
 
 
 def prefilter(
@@ -94,27 +97,22 @@ def prefilter(
         if not np.isfinite(exponent) or exponent <= 0.0:
             raise ValueRangeError(f"exponents[{index}]", f"must be a finite number above 0, not {exponent}")
     report(progress, 0.0, "reading the environment's rings")
-    largest = background_size(environment)
-    lobe_filter = LobeFilter(environment.radiance)
+    lobe_filter = LobeFilter(environment.radiance, part(progress, 0.0, 0.0))
     smooth = sorted({DIFFUSE_EXPONENT, *(e for e in wanted if e <= lobe_filter.largest_exponent)})
-    costs = np.array([600.0 * lobe_bandlimit(e) ** 2 + 100.0 * face_size(e, largest) ** 2 for e in smooth])
+    costs = np.array([600.0 * lobe_bandlimit(e) ** 2 + 100.0 * face_size(e) ** 2 for e in smooth])
     ends = 0.9 * np.cumsum(costs) / costs.sum()
     maps: dict[float, FaceArray] = {}
+    limits = [lobe_bandlimit(e) for e in smooth]
+    # In plain numpy two analyses: one for all broad lobes, so that they come soon, one for the rest.
+    first = max(limits) if lobe_filter.compiled else max(n for n in limits if n <= BROAD_BANDLIMIT)
     for index, exponent in enumerate(smooth):
         step = part(progress, float(ends[index - 1]) if index else 0.0, float(ends[index]))
-        # Two analyses at most: one for all broad lobes, so that they come soon, one for the rest.
-        limits = [lobe_bandlimit(e) for e in smooth]
-        broad = [limit for limit in limits if limit <= BROAD_BANDLIMIT]
-        lobe_filter.analyse(
-            max(broad) if limits[index] <= BROAD_BANDLIMIT else max(limits), part(step, 0.0, 0.5)
-        )
-        maps[exponent] = pack_faces(
-            lobe_filter.lobe(exponent, face_size(exponent, largest), part(step, 0.5, 1.0))
-        )
+        lobe_filter.analyse(first if limits[index] <= first else max(limits), part(step, 0.0, 0.5))
+        maps[exponent] = pack_lobe(lobe_filter.lobe(exponent, face_size(exponent), part(step, 0.5, 1.0)))
         report(step, 1.0, f"lobe {exponent:g} is filtered")
         if ready is not None:
             ready(exponent, maps[exponent])
-    background = pack_faces(sample(environment.radiance, texel_directions(largest)))
+    background = pack_faces(lobe_filter.background(background_size(environment)))
     if ready is not None:
         ready(None, background)
     report(progress, 1.0, "the environment is filtered")

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 
 from brdf_suite.lighting.cubemap import face_coordinates
 
-_WIDTH = 8
-_BETA = 2.30 * _WIDTH
+WIDTH = 8
+_BETA = 2.30 * WIDTH
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
@@ -28,10 +28,10 @@ Complexes = NDArray[np.complex128]
 
 def rings_for(bandlimit: int) -> int:
     """Return how many rings :func:`cube_from_rings` wants for a bandlimit: even, with a fast transform."""
-    return _fast_even(bandlimit + 2)
+    return fast_even(bandlimit + 2)
 
 
-def _fast_even(least: int) -> int:
+def fast_even(least: int) -> int:
     """Return the smallest even number ≥ ``least`` that is a product of 2, 3 and 5."""
     number = max(2, least + least % 2)
     while True:
@@ -44,24 +44,24 @@ def _fast_even(least: int) -> int:
         number += 2
 
 
-def _kernel(x: Floats) -> Floats:
-    """Return the kernel at distances x in grid steps; it ends at ±_WIDTH/2."""
-    inside = np.maximum(1.0 - (2.0 * x / _WIDTH) ** 2, 0.0)
+def kernel(x: Floats) -> Floats:
+    """Return the kernel at distances x in grid steps; it ends at ±WIDTH/2."""
+    inside = np.maximum(1.0 - (2.0 * x / WIDTH) ** 2, 0.0)
     return np.exp(_BETA * (np.sqrt(inside) - 1.0))
 
 
-def _kernel_transform(frequencies: Floats, period: int) -> Floats:
+def kernel_transform(frequencies: Floats, period: int) -> Floats:
     """Return ∫ kernel(x)·cos(2π·k·x/period) dx for whole frequencies k."""
     nodes, weights = np.polynomial.legendre.leggauss(40)
-    x = 0.25 * _WIDTH * (nodes + 1.0)  # half of the even kernel
-    values = 0.5 * _WIDTH * weights * _kernel(x)
+    x = 0.25 * WIDTH * (nodes + 1.0)  # half of the even kernel
+    values = 0.5 * WIDTH * weights * kernel(x)
     return np.asarray(np.cos(np.outer(frequencies, x) * (2.0 * np.pi / period)) @ values, dtype=np.float64)
 
 
 def _taps(position: Floats) -> tuple[NDArray[np.int64], Floats]:
-    """Return the first grid index (...) and the kernel's weights (..., _WIDTH) around positions in steps."""
-    first = np.ceil(position - 0.5 * _WIDTH).astype(np.int64)
-    return first, _kernel((position - first)[..., None] - np.arange(_WIDTH))
+    """Return the first grid index (...) and the kernel's weights (..., WIDTH) around positions in steps."""
+    first = np.ceil(position - 0.5 * WIDTH).astype(np.int64)
+    return first, kernel((position - first)[..., None] - np.arange(WIDTH))
 
 
 def cube_from_rings(orders: Complexes, size: int) -> Floats:
@@ -77,7 +77,7 @@ def cube_from_rings(orders: Complexes, size: int) -> Floats:
     bandlimit, rings, channels = orders.shape[0] - 1, orders.shape[1], orders.shape[2]
     if size % 2 or rings <= bandlimit:
         raise ValueError("the face size must be even and the rings more than the bandlimit")
-    period = _fast_even(2 * (2 * bandlimit + 1) // 4) * 4
+    period = fast_even(2 * (2 * bandlimit + 1) // 4) * 4
     grid = _fine_grid(orders, period)
     faces = np.empty((6, size, size, channels))
     _side_faces(grid, period, size, faces)
@@ -92,7 +92,7 @@ def _fine_grid(orders: Complexes, period: int) -> Complexes:
     frequencies = np.arange(-bandlimit, bandlimit + 1)
     sign = np.where(np.arange(count) % 2, -1.0, 1.0)
     shift = np.exp(-1j * np.pi * frequencies / (2.0 * rings)) / (2.0 * rings)
-    factor = shift / _kernel_transform(frequencies.astype(np.float64), period) * period
+    factor = shift / kernel_transform(frequencies.astype(np.float64), period) * period
     result = np.empty((channels, period, count), dtype=np.complex128)
     for channel in range(channels):
         plane = orders[:, :, channel]
@@ -113,8 +113,8 @@ def _side_faces(grid: Complexes, period: int, size: int, faces: Floats) -> None:
     step = 2.0 * np.pi / period
     s = face_coordinates(size)[half:]
     alpha = np.arctan(s)
-    first_ring = int(np.floor(np.arctan(np.sqrt(0.5)) / step)) - _WIDTH
-    last_ring = int(np.ceil((np.pi - np.arctan(np.sqrt(0.5))) / step)) + _WIDTH
+    first_ring = int(np.floor(np.arctan(np.sqrt(0.5)) / step)) - WIDTH
+    last_ring = int(np.ceil((np.pi - np.arctan(np.sqrt(0.5))) / step)) + WIDTH
     span = last_ring - first_ring + 1
     rows = np.arange(first_ring, last_ring + 1) % period
     near = grid[:, rows].reshape(channels * span, count)
@@ -142,9 +142,9 @@ def _side_faces(grid: Complexes, period: int, size: int, faces: Floats) -> None:
     t = face_coordinates(size)
     theta = 0.5 * np.pi + np.arctan2(t[:, None], np.sqrt(1.0 + s[None, :] ** 2))
     first, weights = _taps(theta / step)
-    ring = first[..., None] - first_ring + np.arange(_WIDTH)
+    ring = first[..., None] - first_ring + np.arange(WIDTH)
     source = (ring * half + np.arange(half)[None, :, None]).astype(np.int32)
-    pointers = np.arange(0, source.size + 1, _WIDTH, dtype=np.int32)
+    pointers = np.arange(0, source.size + 1, WIDTH, dtype=np.int32)
     matrix = csr_array((weights.ravel(), source.ravel(), pointers), shape=(size * half, span * half))
     product = np.asarray(matrix @ table.reshape(span * half, -1), dtype=np.float64)
     texels = product.reshape(size, half, 4, 2, channels)
@@ -162,21 +162,21 @@ def _polar_faces(grid: Complexes, period: int, size: int, faces: Floats) -> None
     half = size // 2
     step = 2.0 * np.pi / period
     along = np.arctan(np.sqrt(2.0)) / step
-    rings = np.arange(-_WIDTH, int(np.ceil(along)) + _WIDTH + 1)
-    columns = np.arange(-_WIDTH, period // 8 + _WIDTH + 1)
+    rings = np.arange(-WIDTH, int(np.ceil(along)) + WIDTH + 1)
+    columns = np.arange(-WIDTH, period // 8 + WIDTH + 1)
     coordinates = face_coordinates(size)[half:]
     outer, inner = np.tril_indices(half)
     p, q = coordinates[outer], coordinates[inner]
     ring, ring_weights = _taps(np.arctan(np.hypot(p, q)) / step)
     column, column_weights = _taps(np.arctan2(q, p) / step)
-    reach = np.arange(_WIDTH)
-    source = ((ring + _WIDTH)[:, None] + reach)[:, :, None] * columns.size
-    source = source + ((column + _WIDTH)[:, None] + reach)[:, None, :]
+    reach = np.arange(WIDTH)
+    source = ((ring + WIDTH)[:, None] + reach)[:, :, None] * columns.size
+    source = source + ((column + WIDTH)[:, None] + reach)[:, None, :]
     weights = ring_weights[:, :, None] * column_weights[:, None, :]
     source = source.astype(np.int32)
-    pointers = np.arange(0, source.size + 1, _WIDTH * _WIDTH, dtype=np.int32)
+    pointers = np.arange(0, source.size + 1, WIDTH * WIDTH, dtype=np.int32)
     matrix = csr_array((weights.ravel(), source.ravel(), pointers), shape=(p.size, rings.size * columns.size))
-    divided = 1.0 / _kernel_transform(np.arange(count, dtype=np.float64), period)
+    divided = 1.0 / kernel_transform(np.arange(count, dtype=np.float64), period)
     for face, rows in ((2, rings % period), (3, (period // 2 - rings) % period)):
         spectrum = np.zeros((channels, rings.size, period // 2 + 1), dtype=np.complex128)
         spectrum[:, :, :count] = grid[:, rows] * divided

@@ -10,6 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.lighting.harmonics import MAX_BANDLIMIT
+
 SIGMAS = 6.0
 """Bandlimit in units of √n: right to 1e-5 of the sky beside a sun 10⁵ times as bright."""
 
@@ -56,9 +58,9 @@ def largest_exponent(rings: int) -> float:
 
     A sharper lobe lies between the rings: Fejér's rule no longer integrates it, and a constant environment
     would come out 1.6 % wrong at four times this exponent. The environment itself is then the better lobe
-    map.
+    map. The transforms end at a bandlimit of 2,048, which no exponent above 116,508 keeps within.
     """
-    return float((rings / 4.3) ** 2)
+    return min(float((rings / 4.3) ** 2), (MAX_BANDLIMIT / SIGMAS) ** 2)
 
 
 def lobe_tail(exponent: float, bandlimit: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

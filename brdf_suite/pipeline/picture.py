@@ -199,7 +199,9 @@ def render_to_file(
     mesh = load_surface(view.surface)
     with OffscreenScene((1, 1)) as scene:  # before the maps: without OpenGL they would be made for nothing
         start = perf_counter()
-        prepared = load_environment(view.environment, part(progress, 0.0, 0.9))
+        prepared = load_environment(
+            view.environment, part(progress, 0.0, 0.9), layout=view.environment_layout
+        )
         maps_s = perf_counter() - start
         report(progress, 0.9, "drawing")
         scene.set_environment(prepared)

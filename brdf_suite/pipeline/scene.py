@@ -15,6 +15,7 @@ from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.prefilter import LobeMaps
+from brdf_suite.pipeline.environments import AUTOMATIC, read_environment
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.resources import resource, resource_names
 from brdf_suite.surface.mesh import Mesh
@@ -105,6 +106,14 @@ def check_environment(name_or_path: str | os.PathLike[str]) -> None:
         _check_there(name_or_path, "environment", environment_names())
 
 
+def find_environment(name_or_path: str | os.PathLike[str]) -> tuple[str, Path]:
+    """Return an environment's name, as the user knows it, and its file; errors as :func:`check_environment`."""
+    check_environment(name_or_path)
+    shipped = _shipped_name(os.fspath(name_or_path), environment_names())
+    name = shipped or os.fspath(name_or_path)
+    return name, resource("environments", shipped + ".exr") if shipped else Path(name)
+
+
 def check_surface(name_or_path: str | os.PathLike[str]) -> None:
     """Raise :class:`SuiteError` about what the user typed where it names no surface."""
     if _shipped_name(os.fspath(name_or_path), surface_names()) is None:
@@ -113,12 +122,16 @@ def check_surface(name_or_path: str | os.PathLike[str]) -> None:
 
 @dataclass(frozen=True, eq=False)
 class PreparedEnvironment:
-    """An environment with its prefiltered maps, ready to be shown. ``name`` is what the user called it."""
+    """An environment with its prefiltered maps, ready to be shown.
+
+    ``name`` is what the user called it; ``notices`` say what went wrong with the cache, which costs only time.
+    """
 
     name: str
     environment: Environment
     maps: LobeMaps
     from_cache: bool
+    notices: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, object]:
         """Return what it is, as plain values."""
@@ -130,7 +143,7 @@ class PreparedEnvironment:
             "exponents": [float(e) for e in self.maps.exponents],
             "face_sizes": [int(lobe.faces.shape[1]) for lobe in self.maps.lobes],
             "from_cache": self.from_cache,
-            "notes": list(self.environment.notes),
+            "notes": [*self.environment.notes, *self.notices],
         }
 
 
@@ -138,6 +151,7 @@ def load_environment(
     name_or_path: str | os.PathLike[str],
     progress: Progress | None = None,
     *,
+    layout: str = AUTOMATIC,
     basis: LobeBasis | None = None,
     cache: MapCache | None = None,
 ) -> PreparedEnvironment:
@@ -146,7 +160,10 @@ def load_environment(
     Parameters
     ----------
     name_or_path
-        A packaged name (``booth``, ``sunny``, ``overcast``) or an ``.exr`` or ``.hdr`` lat-long file.
+        A packaged name (``booth``, ``sunny``, ``overcast``), an ``.exr`` or ``.hdr`` file, or a ``.brdfstudio``
+        file, which is drawn.
+    layout
+        How the image is laid out, where its shape does not tell; see :func:`read_environment`.
 
     Raises
     ------
@@ -155,17 +172,12 @@ def load_environment(
     Cancelled
         The progress callback asked for it.
     """
-    from brdf_suite.files.images import read_environment_image
-
-    check_environment(name_or_path)
-    shipped = _shipped_name(os.fspath(name_or_path), environment_names())
-    name = shipped or os.fspath(name_or_path)
-    path = resource("environments", shipped + ".exr") if shipped else Path(name)
+    name, path = find_environment(name_or_path)
     report(progress, 0.0, f"reading {path.name}")
-    image = read_environment_image(path)
-    environment = Environment(path.stem, image.pixels, image.notes)
+    environment = read_environment(path, layout, part(progress, 0.0, _READING_SHARE))
     exponents = (basis or default_basis()).exponents
     store = cache or MapCache()
+    told = len(store.notices)
     filtered: list[float | None] = []
     maps = store.get_or_compute(
         environment,
@@ -173,7 +185,9 @@ def load_environment(
         part(progress, _READING_SHARE, 1.0),
         ready=lambda exponent, _faces: filtered.append(exponent),
     )
-    return PreparedEnvironment(name, environment, maps, from_cache=not filtered)
+    return PreparedEnvironment(
+        name, environment, maps, from_cache=not filtered, notices=tuple(store.notices[told:])
+    )
 
 
 def load_surface(name_or_path: str | os.PathLike[str]) -> Mesh:

@@ -1,6 +1,7 @@
 """The maps of one environment on the GPU: a seamless cube map per lobe, the diffuse map, the background.
 
-A new environment of the same sizes is written into the textures that are there.
+A map that serves several purposes (the background is the map of the lobes too sharp to be filtered) is uploaded
+once. A new environment of the same sizes is written into the textures that are there.
 """
 
 from __future__ import annotations
@@ -21,24 +22,29 @@ MIPMAPPED_FROM = 256
 
 
 class EnvironmentTextures:
-    """Texture units: 0 diffuse, 1 background, 2 … one per lobe."""
+    """A texture unit for each distinct map: 0 diffuse, then background and lobes."""
 
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects
         self._textures: list[moderngl.TextureCube] = []
+        self._units: list[int] = []  # of the diffuse map, the background, and each lobe
         self._scales: list[float] = []
         self.exponents: tuple[float, ...] = ()
 
     def load(self, maps: EnvironmentMaps) -> None:
         """Write all maps; :class:`GraphicsError` where the GPU's memory or size limit is exceeded."""
         all_faces = (maps.diffuse, maps.background, *maps.lobes)
-        sizes = [faces.size for faces in all_faces]
+        # The same numbers under another scale are the same texture: scales are uniforms.
+        distinct = {id(faces.faces): faces for faces in all_faces}
+        unit_of = {identity: unit for unit, identity in enumerate(distinct)}
+        sizes = [faces.size for faces in distinct.values()]
         if sizes != [texture.size[0] for texture in self._textures]:
             self.release()
             self._textures = [self._objects.cube(size) for size in sizes]
         with graphics_errors(self._objects.context, "loading the environment's maps"):
-            for texture, faces in zip(self._textures, all_faces, strict=True):
+            for texture, faces in zip(self._textures, distinct.values(), strict=True):
                 self._write(texture, faces)
+        self._units = [unit_of[id(faces.faces)] for faces in all_faces]
         self._scales = [faces.scale for faces in all_faces]
         self.exponents = maps.exponents
 
@@ -51,8 +57,8 @@ class EnvironmentTextures:
     def uniforms(self) -> dict[str, object]:
         """Return the units and scales of the two maps by the names of environment.glsl."""
         return {
-            "diffuse_map": 0,
-            "background_map": 1,
+            "diffuse_map": self._units[0],
+            "background_map": self._units[1],
             "diffuse_scale": self._scales[0],
             "background_scale": self._scales[1],
         }
@@ -61,10 +67,12 @@ class EnvironmentTextures:
         """Return the maps of some lobes by the names of lobes.glsl, filled up with any map to ``look_ups``."""
         places = [2 + lobe for lobe in lobes] + [2] * (look_ups - len(lobes))
         return {
-            "lobe_maps": tuple(places),
+            "lobe_maps": tuple(self._units[place] for place in places),
             "lobe_scales": tuple(self._scales[place] for place in places),
             # A face of F texels is 2 wide at distance 1: F / 2 texels per radian in its middle.
-            "lobe_levels": tuple(math.log2(self._textures[place].size[0] / 2) for place in places),
+            "lobe_levels": tuple(
+                math.log2(self._textures[self._units[place]].size[0] / 2) for place in places
+            ),
         }
 
     def release(self) -> None:

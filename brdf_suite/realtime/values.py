@@ -57,6 +57,9 @@ class MeshPart:
         object.__setattr__(self, "triangles", np.ascontiguousarray(triangles, np.uint32))
 
 
+_HALF_INFINITY = 0x7C00
+
+
 @dataclass(frozen=True, eq=False)
 class CubeFaces:
     """One cube map: radiance of the working space = ``faces`` times ``scale``.
@@ -165,6 +168,14 @@ def _finite(array: ArrayLike, dtype: type, shape: tuple[int, ...], place: str) -
     )
     if not fits:
         raise ValueRangeError(place, f"shape {shape} is wanted, not {value.shape}")
-    if not np.isfinite(value).all():
+    if not _all_finite(value):
         raise ValueRangeError(place, "not every number is finite")
     return value
+
+
+def _all_finite(value: NDArray[Any]) -> bool:
+    """Whether every number is finite; maps of half floats are large, and compared as the integers they are."""
+    # Half floats that are not negative order as their bits do, and infinity and what is no number come last.
+    if value.dtype == np.float16 and value.size and int(value.view(np.uint16).max()) < _HALF_INFINITY:
+        return True
+    return bool(np.isfinite(value).all())

@@ -7,7 +7,14 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from brdf_suite.lighting.compiled import compile_now
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
+
+
+@pytest.fixture(scope="session")
+def kernels_compiled() -> None:
+    """Compile the kernels, where that has not been done on this machine."""
+    assert compile_now() is not None
 
 
 @pytest.fixture(scope="session")

@@ -4,16 +4,21 @@ import logging
 import os
 import subprocess
 import sys
+import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
 import pytest
+from filelock import FileLock
 
 from brdf_suite.errors import Cancelled
 from brdf_suite.lighting import cache as cache_module
 from brdf_suite.lighting.cache import MapCache, cache_key, default_root
+from brdf_suite.lighting.cache_turn import lock_path, take_turn
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.lighting.prefilter import LobeMaps
 
 
@@ -75,7 +80,7 @@ def test_a_damaged_entry_is_noticed_and_rebuilt(
 ) -> None:
     cache = MapCache()
     good = cache.get_or_compute(environment, [3.0])
-    entry = cache.entries()[0]
+    entry = cache.entries()[0].path
     data = bytearray(entry.read_bytes())
     if damage == "truncate":
         data = data[:-7]
@@ -124,13 +129,13 @@ def test_the_entry_unused_for_longest_goes_first(environment: Environment) -> No
     cache = MapCache()
     for index, exponent in enumerate((3.0, 4.0, 5.0)):
         cache.get_or_compute(environment, [exponent])
-        entry = cache.folder / f"{cache_key(environment, [exponent])}.lobemaps"
+        entry = cache.folder / f"{cache_key(environment, [exponent])}.v3.lobemaps"
         os.utime(entry, (1000.0 + index, 1000.0 + index))
-    size = cache.entries()[0].stat().st_size
+    size = cache.entries()[0].size
     cache.get_or_compute(environment, [3.0])  # used: now the youngest
     small = MapCache(limit_bytes=3 * size + size // 2)
     small.get_or_compute(environment, [6.0])
-    left = {path.stem for path in small.entries()}
+    left = {entry.key for entry in small.entries()}
     assert left == {cache_key(environment, [e]) for e in (3.0, 5.0, 6.0)}
     small.clear()
     assert small.entries() == []
@@ -141,6 +146,7 @@ import sys, numpy as np
 from pathlib import Path
 from brdf_suite.lighting import cache
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.face_array import FaceArray
 real = cache.prefilter
 def counted(*rest):
     Path(sys.argv[1], f"made-{sys.argv[2]}").touch()
@@ -159,7 +165,7 @@ def test_two_programs_do_the_work_once(tmp_path: Path) -> None:
         )
         for name in "ab"
     ]
-    answers = [program.communicate(timeout=60)[0] for program in programs]
+    answers = [program.communicate(timeout=200)[0] for program in programs]
     assert [program.returncode for program in programs] == [0, 0]
     assert answers[0] == answers[1] != ""
     assert len(list(tmp_path.glob("made-*"))) == 1
@@ -191,9 +197,8 @@ def test_waiting_can_be_cancelled_and_a_killed_holder_frees_the_lock(environment
             cache.get_or_compute(environment, [3.0], cancel)
         assert "waiting" in waits[0]
         holder.kill()
-    start = time.monotonic()
     assert cache.get_or_compute(environment, [3.0]).exponents == (3.0,)
-    assert time.monotonic() - start < 10.0
+    assert cache.notices == []  # it did not wait until it gave up
 
 
 def test_the_folder_can_be_chosen(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -201,3 +206,139 @@ def test_the_folder_can_be_chosen(monkeypatch: pytest.MonkeyPatch, tmp_path: Pat
     assert MapCache().folder == tmp_path / "here" / "lobe_maps"
     monkeypatch.delenv("BRDF_SUITE_CACHE")
     assert default_root().name == "brdf-suite"
+
+
+def test_two_at_once_find_a_damaged_entry_and_rebuild_it_once(
+    environment: Environment, count_work: list[str]
+) -> None:
+    """Whoever waited must take what the other rebuilt, not remove it."""
+    good = MapCache().get_or_compute(environment, [3.0])
+    entry = MapCache().entries()[0].path
+    entry.write_bytes(entry.read_bytes()[:-5])
+    with ThreadPoolExecutor(4) as pool:
+        answers = list(pool.map(lambda _: MapCache().get_or_compute(environment, [3.0]), range(4)))
+    assert all(same(answer, good) for answer in answers)
+    assert len(count_work) == 2
+
+
+def test_a_holder_without_a_sign_of_life_is_not_waited_for(
+    environment: Environment, caplog: pytest.LogCaptureFixture
+) -> None:
+    cache = MapCache(silence_s=0.5)
+    cache.folder.mkdir(parents=True)
+    lock = lock_path(cache.folder, cache_key(environment, [3.0]))
+    with FileLock(lock), caplog.at_level(logging.WARNING):
+        assert cache.get_or_compute(environment, [3.0]).exponents == (3.0,)
+    assert "going on alone" in cache.notices[0]
+    assert len(cache.entries()) == 1
+
+
+def test_a_holder_that_gives_signs_of_life_is_waited_for(environment: Environment) -> None:
+    """The work of the first takes longer than the second's patience with silence."""
+    key = cache_key(environment, [3.0])
+    folder = MapCache().folder
+    steps = 0
+
+    def slow() -> None:
+        nonlocal steps
+        with take_turn(
+            folder, key, timeout_s=60.0, silence_s=60.0, progress=None, notice=pytest.fail
+        ) as turn:
+            watched = turn.watched(None)
+            for _ in range(8):
+                watched(0.1, "slow")
+                started.set()
+                time.sleep(0.5)
+                steps += 1
+
+    started = threading.Event()
+    with ThreadPoolExecutor(1) as pool:
+        first = pool.submit(slow)
+        assert started.wait(20.0)
+        second = MapCache(silence_s=3.0)
+        second.get_or_compute(environment, [3.0])
+        assert steps == 8, "it did not wait"
+        assert second.notices == []
+        first.result()
+
+
+def test_what_killed_programs_left_goes_with_the_next_entry(environment: Environment) -> None:
+    cache = MapCache()
+    cache.folder.mkdir(parents=True)
+    mine, other, held = (
+        cache.folder / f".{key}-x.part" for key in (cache_key(environment, [3.0]), "0" * 64, "1" * 64)
+    )
+    for left in (mine, other, held):
+        left.write_bytes(b"half an entry")
+    with FileLock(lock_path(cache.folder, "1" * 64)):
+        cache.get_or_compute(environment, [3.0])
+        assert cache.unfinished() == [held]  # its writer may be alive
+    cache.get_or_compute(environment, [4.0])
+    assert cache.unfinished() == []
+
+
+def test_an_entry_larger_than_the_limit_is_not_kept_and_pushes_nothing_out(environment: Environment) -> None:
+    MapCache().get_or_compute(environment, [3.0])
+    before = MapCache().entries()
+    cache = MapCache(limit_bytes=1000)
+    cache.get_or_compute(environment, [4.0])
+    assert "do not fit" in cache.notices[0]
+    assert MapCache().entries() == before
+    nothing = MapCache(limit_bytes=0)
+    nothing.get_or_compute(environment, [5.0])
+    assert nothing.notices == []
+    assert MapCache().entries() == before
+
+
+def test_the_limit_can_be_set_and_nonsense_is_told(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setenv("BRDF_SUITE_CACHE_MB", "300")
+    assert MapCache().limit_bytes == 300_000_000
+    monkeypatch.setenv("BRDF_SUITE_CACHE_MB", "-1 GB")
+    with caplog.at_level(logging.WARNING):
+        assert MapCache().limit_bytes == 2 * 1024**3
+    assert "-1 GB" in caplog.text
+
+
+def test_cancelled_work_leaves_nothing_and_frees_the_lock(environment: Environment) -> None:
+    def cancel(fraction: float, what: str) -> None:
+        if fraction > 0.0:
+            raise Cancelled
+
+    cache = MapCache()
+    with pytest.raises(Cancelled):
+        cache.get_or_compute(environment, [3.0], cancel)
+    assert cache.entries() == []
+    assert cache.unfinished() == []
+    with FileLock(lock_path(cache.folder, cache_key(environment, [3.0])), timeout=0.0):
+        pass
+
+
+def test_many_at_once_in_a_cache_too_small_for_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Entries come and go under everybody's hands: each still gets its own maps."""
+
+    def made(environment: Environment, exponents: list[float], *_: object) -> LobeMaps:
+        rng = np.random.default_rng(int(environment.name))
+        faces = [FaceArray(rng.random((6, 32, 32, 3)).astype(np.float16), 1.0) for _ in range(3)]
+        return LobeMaps((3.0,), (faces[0],), faces[1], faces[2])
+
+    monkeypatch.setattr(cache_module, "prefilter", made)
+    environments = [Environment(str(i), np.full((4, 8, 3), i, np.float32)) for i in range(6)]
+    size = 3 * 6 * 32 * 32 * 3 * 2
+    caches = [MapCache(limit_bytes=int(2.5 * size)) for _ in range(120)]
+
+    def ask(index: int) -> bool:
+        wanted = environments[index * 7 % 6]
+        if index % 10 == 0:
+            caches[index].clear()
+        if index % 10 == 5:
+            assert caches[index].verify().passed
+        return same(caches[index].get_or_compute(wanted, [3.0]), made(wanted, [3.0]))
+
+    with ThreadPoolExecutor(8) as pool:
+        assert all(pool.map(ask, range(120)))
+    assert [notice for cache in caches for notice in cache.notices] == []
+    assert MapCache().verify().passed
+    assert sum(entry.size for entry in MapCache().entries()) <= 2.5 * size + 4096
+    assert MapCache().unfinished() == []

@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.files.images import read_environment_image
 from brdf_suite.lighting.procedural import ProceduralEnvironment, booth, overcast, sunny
-from brdf_suite.lighting.procedural.booth import BOXES
+from brdf_suite.lighting.procedural.booth import BOOTH
+from brdf_suite.lighting.procedural.lamps import LampSurface
 from brdf_suite.lighting.procedural.overcast import overcast_sky
 from brdf_suite.lighting.procedural.panorama import (
     centres,
@@ -142,20 +143,22 @@ def test_the_booth_is_neutral_and_lit_like_one(small: dict[str, ProceduralEnviro
     environment = small["booth"]
     assert np.ptp(environment.radiance, axis=-1).max() == 0.0
     assert 1.0 < environment.white_luminance * np.pi / 1000.0 < 10.0, "kilolux on the card"
-    for box in BOXES:
-        middle = np.array(box.centre) / np.linalg.norm(box.centre)
+    for lamp in BOOTH.lamps:
+        box = LampSurface.of(lamp)
+        middle = box.centre / np.linalg.norm(box.centre)
         covered, luminance = box.seen(middle[None])
         assert covered[0] == 1.0
-        assert luminance[0] == pytest.approx(box.luminance)
+        assert luminance[0] == pytest.approx(lamp.luminance)
         assert box.seen(-middle[None])[0][0] == 0.0
 
 
 def test_a_box_lights_a_card_by_the_form_factor() -> None:
     """A card far below a small box: E = L·A·cos·cos/d²."""
-    box = BOXES[0]
+    lamp = BOOTH.lamps[0]
+    box = LampSurface.of(lamp)
     place = np.array([[0.0, -40.0, 0.6]])
     area = 4.0 * 0.75 * 1.9
-    expected = 0.9 * box.luminance * area / 42.6**2
+    expected = 0.9 * lamp.luminance * area / 42.6**2
     assert box.illuminance(place, np.array([[0.0, 1.0, 0.0]]))[0] == pytest.approx(expected, rel=2e-3)
     assert box.illuminance(place, np.array([[0.0, -1.0, 0.0]]))[0] == 0.0
 

@@ -11,7 +11,7 @@ import pytest
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.realtime.renderer import Renderer
-from brdf_suite.realtime.values import MAX_LOBES, CubeFaces, MeshPart
+from brdf_suite.realtime.values import MAX_LOBES, CubeFaces, EnvironmentMaps, MeshPart
 
 VIEW = View(Camera(30, 15))
 
@@ -124,6 +124,30 @@ def test_exposure_rotation_and_background_upload_nothing(renderer, scenes):
     assert (counters.total_created, counters.texture_uploads, counters.buffer_writes) == before
 
 
+def test_a_map_that_serves_twice_is_uploaded_once(renderer, scenes):
+    """The sharpest lobe looks up the background's map: one texture, and the picture of two."""
+    rng = np.random.default_rng(8)
+    apart = scenes.constant()
+    sharp = scenes.cube(rng.random((6, 8, 8, 3)), 0.25)
+    copy = CubeFaces(sharp.faces.copy(), sharp.scale)
+    lobes = apart.lobes[:-1]
+    two = EnvironmentMaps(apart.exponents, (*lobes, copy), apart.diffuse, sharp)
+    one = EnvironmentMaps(apart.exponents, (*lobes, sharp), apart.diffuse, sharp)
+    renderer.set_mesh([scenes.sphere()])
+    renderer.set_material("paint", scenes.weights(kd=0.2, gloss=0.5, directional=0.2))
+    pictures = []
+    uploads = []
+    for maps in (two, one):
+        before = renderer.counters.texture_uploads
+        renderer.set_environment(maps)
+        uploads.append(renderer.counters.texture_uploads - before)
+        pictures.append(renderer.render_image(VIEW, (60, 60)))
+    assert np.array_equal(*pictures)
+    assert uploads[0] - uploads[1] == 6
+    renderer.set_environment(scenes.constant())
+    assert not np.array_equal(renderer.render_image(VIEW, (60, 60)), pictures[0])
+
+
 def test_grey_background_does_not_follow_the_exposure(renderer, scenes):
     renderer.set_environment(scenes.constant())
     corner = [
@@ -202,6 +226,12 @@ def test_values_are_checked(scenes):
         CubeFaces(np.zeros((6, 4, 3, 3)))
     with pytest.raises(ValueRangeError, match="finite"):
         CubeFaces(np.full((6, 2, 2, 3), np.inf))
+    for bits in (0x7C00, 0x7E00, 0xFC00, 0xFFFF):  # infinity, not a number, and both below 0
+        faces = np.ones((6, 2, 2, 3), np.float16)
+        faces.view(np.uint16)[5, 1, 1, 2] = bits
+        with pytest.raises(ValueRangeError, match="finite"):
+            CubeFaces(faces)
+    assert CubeFaces(np.full((6, 2, 2, 3), -2.0)).faces.min() == -2.0
     with pytest.raises(ValueRangeError, match="1 to 12 lobes"):
         scenes.constant(exponents=tuple(range(2, 20)))
     with pytest.raises(ValueRangeError, match="negative"):

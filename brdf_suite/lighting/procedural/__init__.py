@@ -1,8 +1,10 @@
-"""Generated environments with radiances that can be: a light booth, a sunny day, an overcast day."""
+"""Generated environments with radiances that can be: studios and skies from a description, and the shipped ones."""
 
-from brdf_suite.lighting.procedural.booth import booth
+from brdf_suite.lighting.procedural.booth import BOOTH, booth
 from brdf_suite.lighting.procedural.overcast import overcast
 from brdf_suite.lighting.procedural.panorama import ProceduralEnvironment
+from brdf_suite.lighting.procedural.sky import sky
+from brdf_suite.lighting.procedural.studio import studio
 from brdf_suite.lighting.procedural.sunny import sunny
 
-__all__ = ["ProceduralEnvironment", "booth", "overcast", "sunny"]
+__all__ = ["BOOTH", "ProceduralEnvironment", "booth", "overcast", "sky", "studio", "sunny"]

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colorimetry import LUMINANCE, WORKING_TO_XYZ
+from brdf_suite.progress import Progress, report
 
 Float64 = NDArray[np.float64]
 Radiance = Callable[[Float64], Float64]
@@ -34,19 +35,21 @@ class ProceduralEnvironment:
     radiance
         (h, 2h, 3) float32, linear Rec. 2020 with D65 white; row 0 is up, the centre column looks along +z.
     white_luminance
-        cd/m² of the value (1, 1, 1), which is a white card lying flat.
+        cd/m² of the value (1, 1, 1), which is a white card lying flat; ``None`` where it was drawn in no unit.
     description
         What it shows and what its luminances come from.
     """
 
     name: str
     radiance: NDArray[np.float32]
-    white_luminance: float
+    white_luminance: float | None
     description: str
 
     @property
     def comment(self) -> str:
         """The description and the scale, for the file."""
+        if self.white_luminance is None:
+            return self.description
         return f"{self.description} The value 1.0 is {self.white_luminance:,.0f} cd/m²."
 
     def stored(self) -> NDArray[np.floating]:
@@ -75,13 +78,15 @@ def solid_angles(height: int) -> Float64:
     return np.asarray((edges[:-1] - edges[1:])[:, None] * np.pi / height)
 
 
-def draw(radiance: Radiance, height: int, samples: int = 4) -> Float64:
+def draw(radiance: Radiance, height: int, samples: int = 4, progress: Progress | None = None) -> Float64:
     """Return the map (height, 2·height, 3): the mean of ``samples``² directions in each pixel."""
     width = 2 * height
     across = centres(width * samples)
     down = centres(height * samples).reshape(height, samples)
     picture = np.empty((height, width, 3))
     for row in range(height):
+        if row % 16 == 0:
+            report(progress, row / height, "drawing the light")
         fine = radiance(directions(down[row], across))
         picture[row] = fine.reshape(samples, width, samples, 3).mean(axis=(0, 2))
     return picture
@@ -95,10 +100,16 @@ def horizontal_illuminance(picture: NDArray[np.floating]) -> float:
     return float((luminance * cosine * solid_angles(height)).sum())
 
 
-def finish(name: str, picture: Float64, description: str) -> ProceduralEnvironment:
-    """Scale a picture in kcd/m² to a white card of 1."""
+def finish(name: str, picture: Float64, description: str, *, absolute: bool = True) -> ProceduralEnvironment:
+    """Scale a picture in kcd/m², or of no unit where it is not ``absolute``, to a white card of 1.
+
+    Where next to nothing falls on a flat card, as with one lamp below it, the mean over the sphere counts instead.
+    """
     white = horizontal_illuminance(picture) / np.pi
-    return ProceduralEnvironment(name, (picture / white).astype(np.float32), white * 1000.0, description)
+    mean = float((picture @ LUMINANCE * solid_angles(len(picture))).sum()) / (4.0 * np.pi)
+    white = white if white > 1e-3 * mean else mean
+    shown = (picture / white).astype(np.float32)
+    return ProceduralEnvironment(name, shown, white * 1000.0 if absolute else None, description)
 
 
 def colour_of(x: float | Float64, y: float | Float64) -> Float64:

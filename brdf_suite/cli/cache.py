@@ -1,0 +1,144 @@
+"""``brdf-suite cache info|clear|verify``: the filtered maps kept on disk."""
+
+from __future__ import annotations
+
+import argparse
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+from brdf_suite.cli.output import print_json, progress_bar
+
+if TYPE_CHECKING:
+    from brdf_suite.lighting.cache_folder import CacheEntry
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command and what it does."""
+    command = commands.add_parser(
+        "cache",
+        help="show, check or empty the cache of prefiltered maps",
+        description="The prefiltered maps of environments are kept on disk and found again by the content of the "
+        "environment. Nothing is lost with them but the time to make them anew.",
+        epilog="The environment variable BRDF_SUITE_CACHE chooses the folder, BRDF_SUITE_CACHE_MB the largest size.",
+    )
+    actions = command.add_subparsers(dest="action", metavar="info|clear|verify", required=True)
+    for name, words, run in (
+        ("info", "say where the cache is, how large, and what is in it", info),
+        ("clear", "remove everything in it", clear),
+        ("verify", "read every entry and compare its checksum; status 1 where one is damaged", verify),
+    ):
+        action = actions.add_parser(name, help=words, description=words[0].upper() + words[1:] + ".")
+        action.add_argument("--json", action="store_true", help="print one JSON object")
+        action.set_defaults(run=run)
+        if name == "verify":
+            action.add_argument(
+                "--remove", action="store_true", help="remove damaged entries and what killed programs left"
+            )
+
+
+def info(options: argparse.Namespace) -> int:
+    """Print the place, the sizes and the entries, the one used last first."""
+    from brdf_suite.lighting.cache import MapCache
+
+    cache = MapCache()
+    rows = [_row(entry) for entry in reversed(cache.entries())]
+    used = sum(entry.size for entry in cache.entries())
+    if options.json:
+        print_json(
+            {
+                "folder": str(cache.folder),
+                "bytes": used,
+                "limit_bytes": cache.limit_bytes,
+                "unfinished": len(cache.unfinished()),
+                "entries": rows,
+            }
+        )
+        return 0
+    there, room = _count(len(rows), "entry", "entries"), f"{cache.limit_bytes / 1e6:,.0f} MB"
+    print(f"{cache.folder}: {there}, {used / 1e6:,.1f} MB of {room}")
+    for row in rows:
+        print(
+            f"  {row['last_used']}  {int(str(row['bytes'])) / 1e6:8,.1f} MB  {row['environment'] or row['entry']}"
+        )
+    return 0
+
+
+def clear(options: argparse.Namespace) -> int:
+    """Empty the cache and print how much that was."""
+    from brdf_suite.errors import FileError
+    from brdf_suite.lighting.cache import MapCache
+
+    cache = MapCache()
+    before = cache.entries()
+    failed = cache.clear()
+    after = {entry.path for entry in cache.entries()}
+    gone = [entry for entry in before if entry.path not in after]
+    freed = sum(entry.size for entry in gone)
+    if failed:
+        raise FileError(
+            cache.folder, f"{_count(failed, 'entry', 'entries')} cannot be removed; is the disk read-only"
+        )
+    if options.json:
+        print_json({"folder": str(cache.folder), "removed": len(gone), "freed_bytes": freed})
+    else:
+        print(f"{cache.folder}: {_count(len(gone), 'entry', 'entries')} removed, {freed / 1e6:,.1f} MB")
+    return 0
+
+
+def verify(options: argparse.Namespace) -> int:
+    """Check every entry and print what is damaged; 1 where something is, removed or not."""
+    from brdf_suite.lighting.cache import MapCache
+
+    cache = MapCache()
+    with progress_bar("checking", quiet=options.json) as progress:
+        found = cache.verify(remove=options.remove, progress=progress)
+    if options.json:
+        print_json(
+            {
+                "folder": str(cache.folder),
+                "passed": found.passed,
+                "sound": found.sound,
+                "damaged": [{"entry": name, "reason": reason} for name, reason in found.damaged],
+                "outdated": found.outdated,
+                "unfinished": found.unfinished,
+                "removed": found.removed,
+            }
+        )
+    else:
+        print(f"{cache.folder}: {found.sound} sound, {len(found.damaged)} damaged")
+        for name, reason in found.damaged:
+            print(f"  {name}: {reason}")
+        if found.outdated:
+            print(f"  {_count(found.outdated, 'entry', 'entries')} of another version, never read")
+        if found.unfinished:
+            print(f"  {_count(found.unfinished, 'file', 'files')} unfinished, never read")
+        if found.damaged:
+            print(
+                "  removed"
+                if found.removed
+                else "  `brdf-suite cache verify --remove` removes what is damaged"
+            )
+    return 0 if found.passed else 1
+
+
+def _row(entry: CacheEntry) -> dict[str, object]:
+    """One entry as plain values; ``environment`` is empty where the file does not tell."""
+    from brdf_suite.lighting.map_file import DamagedMapFileError, read_facts
+
+    try:
+        facts = read_facts(entry.path)
+    except (DamagedMapFileError, OSError):
+        facts = {}
+    exponents = facts.get("exponents")
+    return {
+        "entry": entry.path.name,
+        "environment": str(facts.get("environment", "")),
+        "exponents": exponents if isinstance(exponents, list) else [],
+        "bytes": entry.size,
+        "last_used": datetime.fromtimestamp(entry.last_used, UTC).strftime("%Y-%m-%dT%H:%M:%SZ"),
+        "outdated": entry.outdated,
+    }
+
+
+def _count(number: int, one: str, many: str) -> str:
+    return f"{number} {one if number == 1 else many}"

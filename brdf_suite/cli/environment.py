@@ -1,0 +1,23 @@
+"""``brdf-suite environment …``: what an environment map is, and what can be made from it.
+
+Each action is a module of its own, with ``add(actions)`` and ``run(arguments) -> int``.
+"""
+
+from __future__ import annotations
+
+import argparse
+
+from brdf_suite.cli import environment_info, environment_light, environment_lights
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command and its actions."""
+    command = commands.add_parser(
+        "environment",
+        help="what an environment map holds; studios and skies from a description",
+        description="Look into an environment: an .exr, .hdr or .brdfstudio file, or a shipped one (booth, sunny, "
+        "overcast); or make one.",
+    )
+    actions = command.add_subparsers(dest="action", metavar="ACTION", required=True)
+    for module in (environment_info, environment_lights, environment_light):
+        module.add(actions)

@@ -1,0 +1,234 @@
+"""A studio as a user describes it: a room or a plain backdrop, and lamps; and a sky by its parameters.
+
+Both are kept in ``.brdfstudio`` files and become light in :mod:`brdf_suite.lighting.procedural`. Lengths are metres
+from the middle of the scene, where the surface stands and from where the light is seen: x to the right, y up, z
+towards the viewer's front.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Literal, get_args
+
+from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.errors import ValueRangeError
+
+Shape = Literal["box", "strip", "ring"]
+SHAPES: tuple[str, ...] = get_args(Shape)
+Unit = Literal["kcd/m2", "relative"]
+UNITS: tuple[str, ...] = get_args(Unit)
+SkyModel = Literal["hosek_wilkie", "preetham", "overcast"]
+SKY_MODELS: tuple[str, ...] = get_args(SkyModel)
+
+MOST_LAMPS = 64
+_NEAREST_M = 0.1
+Point = tuple[float, float, float]
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        "size": Parameter("Size", "m", 0.5, 100.0, 4.0, "Of the room, from wall to wall"),
+        "eye_height_m": Parameter("Eye height", "m", 0.01, 99.0, 0.9, "Of the middle of the scene"),
+        "albedo": Parameter("Albedo", "", 0.0, 0.95, 0.4, "Share of the light that is given back"),
+        "position_m": Parameter("Position", "m", -100.0, 100.0, 0.0, "Of the lamp's middle"),
+        "facing": Parameter("Facing", "", -1e3, 1e3, 0.0, "Where the lamp shines, a vector of any length"),
+        "size_m": Parameter("Size", "m", 0.005, 50.0, 1.0, "Both sides; outer diameter and width of a ring"),
+        "roll_deg": Parameter(
+            "Roll", "°", -360.0, 360.0, 0.0, "About the direction in which the lamp shines"
+        ),
+        "luminance": Parameter("Luminance", "", 0.0, 1e6, 5.0, "In the unit of the studio"),
+        "colour_temperature_k": Parameter("Colour", "K", 1000.0, 25000.0, 6504.0, "Of the lamp's white"),
+        "softness_m": Parameter("Softness", "m", 1e-4, 10.0, 0.06, "Over which the lamp's edge fades in"),
+        "turbidity": Parameter("Turbidity", "", 1.7, 10.0, 3.0, "Haze: 2 very clear, 3 clear, 6 hazy"),
+        "sun_elevation_deg": Parameter("Elevation", "°", 1.0, 89.9, 40.0, "Of the sun above the horizon"),
+        "sun_azimuth_deg": Parameter("Azimuth", "°", -360.0, 360.0, 60.0, "Of the sun, from +z towards +x"),
+        "ground_albedo": Parameter(
+            "Ground", "", 0.0, 1.0, 0.2, "Share of the light that the ground gives back"
+        ),
+    }
+)
+
+
+def _number(owner: object, name: str, parameter: str | None = None) -> None:
+    checked = PARAMETERS[parameter or name].check(getattr(owner, name), name)
+    object.__setattr__(owner, name, checked)
+
+
+def _temperature(owner: object, name: str = "colour_temperature_k") -> None:
+    if getattr(owner, name) is not None:
+        _number(owner, name)
+
+
+def _numbers(owner: object, name: str, count: int) -> None:
+    value = getattr(owner, name)
+    if not isinstance(value, (tuple, list)) or len(value) != count:
+        raise ValueRangeError(name, f"a list of {count} numbers is wanted, not {describe(value)}")
+    checked = tuple(PARAMETERS[name].check(item, f"{name}[{i}]") for i, item in enumerate(value))
+    object.__setattr__(owner, name, checked)
+
+
+@dataclass(frozen=True)
+class Room:
+    """A closed room, its middle at x = z = 0, its floor ``eye_height_m`` below the middle of the scene."""
+
+    width_m: float = 9.0
+    length_m: float = 14.0
+    height_m: float = 4.2
+    eye_height_m: float = 0.9
+    floor_albedo: float = 0.26
+    wall_albedo: float = 0.43
+    ceiling_albedo: float = 0.30
+
+    def __post_init__(self) -> None:
+        for name in ("width_m", "length_m", "height_m"):
+            _number(self, name, "size")
+        for name in ("floor_albedo", "wall_albedo", "ceiling_albedo"):
+            _number(self, name, "albedo")
+        _number(self, "eye_height_m")
+        if self.eye_height_m >= self.height_m:
+            raise ValueRangeError("eye_height_m", f"must lie below the ceiling, {self.height_m:g} m")
+
+    def holds(self, position: Point) -> bool:
+        """Say whether a point lies within the room, walls included."""
+        x, y, z = position
+        upright = -self.eye_height_m <= y <= self.height_m - self.eye_height_m
+        return abs(x) <= 0.5 * self.width_m and upright and abs(z) <= 0.5 * self.length_m
+
+
+@dataclass(frozen=True)
+class Backdrop:
+    """The same light from everywhere where there is no lamp; 0 is a black void. ``None`` K: neutral, D65."""
+
+    luminance: float = 0.1
+    colour_temperature_k: float | None = None
+
+    def __post_init__(self) -> None:
+        _number(self, "luminance")
+        _temperature(self)
+
+
+@dataclass(frozen=True)
+class Lamp:
+    """A lamp that shines to one side.
+
+    Attributes
+    ----------
+    shape
+        ``box``: a rectangle, brightest in the middle, 70 % in its corners; ``strip``: even, with round ends;
+        ``ring``: even.
+    position_m
+        Of its middle.
+    size_m
+        Width and height of a box, length and width of a strip, outer diameter and width of the band of a ring.
+    facing
+        Where it shines; ``None``: towards the middle of the scene.
+    roll_deg
+        Turns it about that direction; at 0 its first side is level, or along x where it faces straight up or down.
+    luminance
+        In its middle, in the studio's unit.
+    colour_temperature_k
+        Planck's below 4,000 K, CIE daylight from there on; ``None``: neutral, D65.
+    softness_m
+        Width of its edge, inwards.
+    """
+
+    shape: Shape
+    position_m: Point
+    size_m: tuple[float, float]
+    facing: Point | None = None
+    roll_deg: float = 0.0
+    luminance: float = 5.0
+    colour_temperature_k: float | None = None
+    softness_m: float = 0.06
+
+    def __post_init__(self) -> None:
+        check_choice(self.shape, "shape", SHAPES)
+        _numbers(self, "position_m", 3)
+        _numbers(self, "size_m", 2)
+        for name in ("roll_deg", "luminance", "softness_m"):
+            _number(self, name)
+        _temperature(self)
+        if self.facing is not None:
+            _numbers(self, "facing", 3)
+            if sum(value * value for value in self.facing) < 1e-12:
+                raise ValueRangeError("facing", "a vector of length 0 has no direction")
+        if sum(value * value for value in self.position_m) < _NEAREST_M**2:
+            raise ValueRangeError(
+                "position_m", f"must be {_NEAREST_M} m or more from the middle of the scene"
+            )
+        first, second = self.size_m
+        if self.shape == "strip" and second > first:
+            raise ValueRangeError("size_m", "a strip is at least as long as wide: length first, then width")
+        if self.shape == "ring" and second > 0.5 * first:
+            raise ValueRangeError("size_m", "a ring's band is at most half as wide as its outer diameter")
+
+
+@dataclass(frozen=True)
+class Studio:
+    """Lamps in a room or before a plain backdrop. Exactly one of ``room`` and ``backdrop`` is given.
+
+    ``unit`` says what the luminances are: ``kcd/m2``, or ``relative`` where only their ratios count. The picture is
+    exposed for a white card either way.
+    """
+
+    name: str
+    lamps: tuple[Lamp, ...]
+    room: Room | None = None
+    backdrop: Backdrop | None = None
+    unit: Unit = "kcd/m2"
+
+    def __post_init__(self) -> None:
+        check_text(self.name, "name", longest=200, lines=False, empty=False)
+        check_choice(self.unit, "unit", UNITS)
+        if (self.room is None) == (self.backdrop is None):
+            raise ValueRangeError("room", 'either "room" or "backdrop" is wanted, and only one of them')
+        if not isinstance(self.lamps, tuple) or not all(isinstance(lamp, Lamp) for lamp in self.lamps):
+            raise ValueRangeError("lamps", f"a list of lamps is wanted, not {describe(self.lamps)}")
+        if len(self.lamps) > MOST_LAMPS:
+            raise ValueRangeError("lamps", f"{len(self.lamps)} lamps are more than the {MOST_LAMPS} allowed")
+        for i, lamp in enumerate(self.lamps):
+            if self.room is not None and not self.room.holds(lamp.position_m):
+                raise ValueRangeError(f"lamps[{i}].position_m", "lies outside of the room")
+        shining = any(lamp.luminance > 0.0 for lamp in self.lamps)
+        if not shining and (self.backdrop is None or self.backdrop.luminance == 0.0):
+            raise ValueRangeError(
+                "lamps", "nothing gives light: a lamp or a backdrop of luminance above 0 is wanted"
+            )
+
+
+@dataclass(frozen=True)
+class Sky:
+    """A sky over a plain, even ground.
+
+    Attributes
+    ----------
+    model
+        ``hosek_wilkie`` (2012), ``preetham`` (1999), or ``overcast`` (CIE; knows neither haze nor sun).
+    turbidity
+        1.7 to 10; Preetham's model holds from 2 to about 6 and is refused outside 1.9 … 10.
+    sun_elevation_deg, sun_azimuth_deg
+        Where the sun is; the azimuth from +z towards +x.
+    ground_albedo
+        Of the ground, which the Hosek-Wilkie sky answers to as well.
+    sun_disc
+        Whether the sun itself is in the picture, 0.53° across and darker towards its limb.
+    """
+
+    name: str
+    model: SkyModel = "hosek_wilkie"
+    turbidity: float = field(default=PARAMETERS["turbidity"].default)
+    sun_elevation_deg: float = field(default=PARAMETERS["sun_elevation_deg"].default)
+    sun_azimuth_deg: float = field(default=PARAMETERS["sun_azimuth_deg"].default)
+    ground_albedo: float = field(default=PARAMETERS["ground_albedo"].default)
+    sun_disc: bool = True
+
+    def __post_init__(self) -> None:
+        check_text(self.name, "name", longest=200, lines=False, empty=False)
+        check_choice(self.model, "model", SKY_MODELS)
+        for name in ("turbidity", "sun_elevation_deg", "sun_azimuth_deg", "ground_albedo"):
+            _number(self, name)
+        if self.model == "preetham" and self.turbidity < 1.9:
+            raise ValueRangeError("turbidity", "Preetham's model holds from 1.9 on; take hosek_wilkie below")
+        if not isinstance(self.sun_disc, bool):
+            raise ValueRangeError("sun_disc", f"true or false is wanted, not {describe(self.sun_disc)}")

@@ -1,0 +1,48 @@
+"""Texels along a cube's edges, set so that a graphics card's look-ups across the edge come out right.
+
+A seamless look-up at the edge s = 1 takes the mean of a texel of this face, whose centre is (1 - h, t), and of the
+texel with the same t of the next face; h = 1/F is half a texel. The second centre's direction is (1, t, 1 - h), so
+that the mean belongs to t·(1 + h/2), not t: an error of first order in h, largest near the cube's corners, 1.4 % of
+a lobe's peak where everything else stays below 1 %. Texels beside the edge therefore hold the value a little
+nearer to the edge's middle, at t·(1 - 0.3·h): the error is shared between look-ups at the edge and at the texels'
+own centres, and is below 1 % for both. The shares were found as those with the least error over lobes all about
+edges and corners.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.lighting.cubemap import face_coordinates
+from brdf_suite.lighting.face_array import FaceArray, pack_faces
+
+_SHARE = 1.2 / 16.0  # of t times the difference of the two neighbours, which are 4h apart: 0.3·h
+_CORNER_SHARE = 1.15 * _SHARE  # a corner's look-ups take the mean of three texels
+
+
+def pack_lobe(faces: NDArray[np.float32] | NDArray[np.float64]) -> FaceArray:
+    """Pack the map (6, F, F, 3) of a lobe, which is smooth, for look-ups: ``faces`` is changed by this."""
+    balance_edges(faces)
+    return pack_faces(faces)
+
+
+def balance_edges(faces: NDArray[np.float32] | NDArray[np.float64]) -> None:
+    """Move the light of the texels along all edges of a smooth map (6, F, F, 3), F ≥ 3, in place."""
+    position = face_coordinates(faces.shape[1])
+    share = _SHARE * position
+    share[[0, -1]] = _CORNER_SHARE * position[[0, -1]]
+    for face in faces:
+        lines = (face[:, 0], face[:, -1], face[0], face[-1])
+        # A corner's texel lies on two edges: both differences come from the map as it was.
+        for line, change in [(line, share[:, None] * _neighbours(line)) for line in lines]:
+            line -= change
+
+
+def _neighbours(line: NDArray[np.floating]) -> NDArray[np.floating]:
+    """Return the next value minus the last one along a line (F, 3), at its ends continued by a parabola."""
+    difference = np.empty_like(line)
+    difference[1:-1] = line[2:] - line[:-2]
+    difference[0] = -3.0 * line[0] + 4.0 * line[1] - line[2]
+    difference[-1] = 3.0 * line[-1] - 4.0 * line[-2] + line[-3]
+    return difference

@@ -1,0 +1,14 @@
+"""An environment as a few lights from infinitely far away, for flakes, shadows and the path tracer.
+
+>>> from brdf_suite.lighting.environment import Environment
+>>> import numpy as np
+>>> sky = Environment("white", np.ones((32, 64, 3), np.float32))
+>>> lights = directional_lights(sky, 16)
+>>> lights.strengths.sum(axis=0).round(6)  # radiance 1 from 4π steradians
+array([12.566371, 12.566371, 12.566371])
+"""
+
+from brdf_suite.lighting.lights.directional import DirectionalLights
+from brdf_suite.lighting.lights.extract import METHODS, directional_lights
+
+__all__ = ["METHODS", "DirectionalLights", "directional_lights"]
