@@ -168,7 +168,7 @@ def local(normals: FloatArray, directions: FloatArray) -> FloatArray:
 
 def transmitted(layers: Layered, cosine: FloatArray) -> FloatArray:
     """Return T(θ)²/T(45°)² (n, 1), by which the renderer takes the base; 1 where nothing covers it."""
-    if not getattr(layers, "base_under_coat", True):
+    if not layers.base_under_coat:
         return np.ones((cosine.size, 1))
     share = (1.0 - fresnel_dielectric(cosine, layers.ior)) / (1.0 - fresnel_dielectric(COSINE, layers.ior))
     return np.asarray(share**2)[:, None]
