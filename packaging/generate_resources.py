@@ -72,10 +72,8 @@ def main() -> int:
         start = time.perf_counter()
         for path in KINDS[kind](folder):
             taken, start = time.perf_counter() - start, time.perf_counter()
-            print(
-                f"{path.relative_to(arguments.output).as_posix()}: {path.stat().st_size / 1024:,.0f} KiB, {taken:.1f} s",
-                flush=True,
-            )
+            name = path.relative_to(arguments.output).as_posix()
+            print(f"{name}: {path.stat().st_size / 1024:,.0f} KiB, {taken:.1f} s", flush=True)
     return 0
 
 

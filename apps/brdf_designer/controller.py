@@ -76,6 +76,8 @@ class Controller(QObject):
         self._reachable = parts.store.value
         self._exact = ExactFit(self)
         self._exact.arrived.connect(self._show_exact)
+        # The same fit again: it no longer says that an exact one follows.
+        self._exact.failed.connect(lambda fit, _error: self._show_exact(fit))
         # Several changes in one turn of the event loop are told to the other programs once, the newest.
         self._publishing = QTimer(self)
         self._publishing.setSingleShot(True)

@@ -64,13 +64,17 @@ class Curves:
 
 @dataclass(frozen=True, eq=False)
 class FitState:
-    """The reflectance and its fit as the desk tells them; ``delta_e`` ΔE00 by index of the measurement."""
+    """The reflectance and its fit as the desk tells them; ``delta_e`` ΔE00 by index of the measurement.
+
+    ``time_limited``: the limit came before the optimum; ``exact_follows``: which is still looked for.
+    """
 
     curves: Curves
     delta_e: tuple[float, ...]
     worst_delta_e: float
     milliseconds: float
     time_limited: bool
+    exact_follows: bool
     ior: float
     roughness: float
     notices: tuple[str, ...]
@@ -101,6 +105,7 @@ def fit_state_of(fit: PaintFit) -> FitState:
         worst_delta_e=fit.worst_delta_e,
         milliseconds=1e3 * fit.seconds,
         time_limited=fit.time_limited,
+        exact_follows=fit.exact_follows,
         ior=fit.reflectance.ior,
         roughness=fit.reflectance.roughness,
         notices=fit.notices,

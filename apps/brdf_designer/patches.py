@@ -99,15 +99,16 @@ class PatchRow(QWidget):
             short = "  ".join(f"{value:.1f}" for value in colour.lab).replace("-", "−")
             numbers.set_forms(lab_text(colour.lab), short)
 
-    def show_differences(self, delta_e: list[float] | None, *, time_limited: bool = False) -> None:
+    def show_differences(
+        self, delta_e: list[float] | None, *, time_limited: bool = False, exact_follows: bool = False
+    ) -> None:
         """Show ΔE00 of the fit under each field, a large one with a mark; ``None``: this paint has no fit."""
+        large = f"{_FIT_TIP}\n{large_error_tip(time_limited, exact_follows)}"
         for number, cell in enumerate(self._cells):
             error = 0.0 if delta_e is None else delta_e[number]
             text = "fit: none" if delta_e is None else marked(f"fit ΔE00 {error:.2f}", error)
             _set_bold(cell[3], is_large(error))
-            cell[3].setToolTip(
-                f"{_FIT_TIP}\n{large_error_tip(time_limited)}" if is_large(error) else _FIT_TIP
-            )
+            cell[3].setToolTip(large if is_large(error) else _FIT_TIP)
             cell[3].set_forms(text)
 
     def _new_cell(self, column: int) -> tuple[ColourField, Caption, Caption, Caption]:

@@ -48,7 +48,7 @@ class DeskStatus:
         text = f"Fit ΔE00 ≤ {_upward(worst)}, {state.milliseconds:.1f} ms{limited}"
         self._fit_text = marked(text, worst)
         large = is_large(worst)
-        tip = fit_tips(worst, state.time_limited)
+        tip = fit_tips(worst, state.time_limited, state.exact_follows)
         self._fit.set(self._fit_text, tip, "warning" if large or state.time_limited else "fresh")
 
     def mark_stale(self) -> None:

@@ -76,7 +76,9 @@ class DesignerWindow(SuiteWindow):
         self.strip.show_curves(state.curves)
         self.plot.show_curves(state.curves)
         differences = [state.delta_e[angle.index] for angle in self._colours.angles]
-        self.patches.show_differences(differences, time_limited=state.time_limited)
+        self.patches.show_differences(
+            differences, time_limited=state.time_limited, exact_follows=state.exact_follows
+        )
         self.coat.show_fit(state)
         self.model.show_notices(state.notices)
         self.desk_status.show_fit(state)

@@ -20,12 +20,13 @@ class ExactFit(QObject):
     -------
     arrived(fit)
         The :class:`PaintFit` with the optimum.
-    failed(error)
-        There is none: the solver gave up, and the answer at the limit is all there is.
+    failed(fit, error)
+        There is none: the solver gave up, and the answer at the limit, the :class:`PaintFit` that was watched, is all
+        there is.
     """
 
     arrived = Signal(object)
-    failed = Signal(object)
+    failed = Signal(object, object)
     _found = Signal(object, object)
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -55,6 +56,6 @@ class ExactFit(QObject):
         self._watched = None
         error = future.exception()
         if error is not None:
-            self.failed.emit(error)
+            self.failed.emit(fit, error)
         else:
             self.arrived.emit(fit.with_fit(future.result()))

@@ -53,6 +53,8 @@ class PaintControl(QObject):
         self._names = paint_names()
         self._exact = ExactFit(self)
         self._exact.arrived.connect(self._show_exact)
+        # The same fit again: it no longer says that an exact one follows.
+        self._exact.failed.connect(lambda fit, _error: self._show_fit(fit, self._shown_key))
         self._shown_key = ""
         self._offers = False
         self.source = PaintSource(self)
@@ -143,20 +145,22 @@ class PaintControl(QObject):
         section.chooser.show_source(key, self._designer_title() if key == DESIGNER else title_of(key, {}))
         self._name_designer()
         section.patches.set_patches(_patches(fit))
-        worst = fit.worst_delta_e or 0.0
-        section.set_fit_error(worst, fit.time_limited)
+        worst, follows = fit.worst_delta_e, _exact_follows(fit)
+        section.set_fit_error(worst, fit.time_limited, follows)
         set_note(section.facts, "\n".join(fit.notices))
         limited = ", time-limited" if fit.time_limited else ""
         self._window.status.cell("lobes").set(
             f"{len(fit.weights.exponents)} lobes", "Cosine lobes of the fit"
         )
-        large = is_large(worst)
-        told = marked(f"ΔE {worst:.2f}", worst)
+        large = worst is not None and is_large(worst)
+        told = "" if worst is None else f" · {marked(f'ΔE {worst:.2f}', worst)}"
         tips = ["Time of the lobe fit, and its largest ΔE00 at the measured angles"]
-        if more := fit_tips(worst, fit.time_limited):
+        if worst is None:
+            tips = ["Time of the lobe fit; there is no angle to compare colours at"]
+        if more := fit_tips(worst, fit.time_limited, follows):
             tips.append(more)
         self._window.status.cell("fit").set(
-            f"fit {fit.fit_seconds * 1e3:.2f} ms · {told}{limited}",
+            f"fit {fit.fit_seconds * 1e3:.2f} ms{told}{limited}",
             "\n".join(tips),
             "warning" if large or fit.time_limited else "fresh",
         )
@@ -214,11 +218,19 @@ def _fitted(paint: CookTorrancePaint) -> AnyFit:
     return fit_reflectance(paint.name, build_reflectance(paint))
 
 
+def _exact_follows(fit: PaintFit | AnyFit) -> bool:
+    """Only a designed paint's fit is finished after its limit."""
+    return isinstance(fit, PaintFit) and fit.exact_follows
+
+
 def _patches(fit: PaintFit | AnyFit) -> list[Patch]:
     """A designed paint's readings, or the usual angles that the fit looked at."""
     limited = fit.time_limited
     if isinstance(fit, PaintFit):
-        return [Patch(a.aspecular_deg, a.asked, a.fitted, a.delta_e_2000, limited) for a in fit.angles]
+        follows = fit.exact_follows
+        return [
+            Patch(a.aspecular_deg, a.asked, a.fitted, a.delta_e_2000, limited, follows) for a in fit.angles
+        ]
     return [
         Patch(a.aspecular_deg, a.lab, a.lab_fitted, a.delta_e_2000, limited) for a in fit.angles if a.fitted
     ]

@@ -20,13 +20,17 @@ _GAP = 8
 
 @dataclass(frozen=True)
 class Patch:
-    """One measured angle: what was asked for and what the fit gives, both L*a*b* (D65, 10°)."""
+    """One measured angle: what was asked for and what the fit gives, both L*a*b* (D65, 10°).
+
+    ``time_limited``: the limit came before the optimum; ``exact_follows``: which is still looked for.
+    """
 
     aspecular_deg: float
     asked: Lab
     fitted: Lab
     delta_e_2000: float
     time_limited: bool = False
+    exact_follows: bool = False
 
 
 class PaintPatches(QWidget):
@@ -123,7 +127,9 @@ def _words(patch: Patch) -> str:
         return f"L* {values[0]:.1f}  a* {values[1]:.1f}  b* {values[2]:.1f}"
 
     shown = "" if in_srgb_gamut(np.array(patch.asked)) else "\nOutside this screen's colours: shown clipped"
-    large = f"\n{large_error_tip(patch.time_limited)}" if is_large(patch.delta_e_2000) else ""
+    large = ""
+    if is_large(patch.delta_e_2000):
+        large = f"\n{large_error_tip(patch.time_limited, patch.exact_follows)}"
     return (
         f"Aspecular {patch.aspecular_deg:g}°\nasked  {lab(patch.asked)}\nfitted {lab(patch.fitted)}\n"
         f"ΔE00 {patch.delta_e_2000:.2f}{large}{shown}"

@@ -141,15 +141,19 @@ class PaintSection(Section):
         form.add_wide(self.facts)
         self.add(form)
 
-    def set_fit_error(self, worst_delta_e: float, time_limited: bool) -> None:
-        """Show the largest ΔE00 at the measured angles; a large one stands out."""
+    def set_fit_error(self, worst_delta_e: float | None, time_limited: bool, exact_follows: bool) -> None:
+        """Show the largest ΔE00 at the measured angles, None where there is none; a large one stands out."""
         limited = ", time-limited" if time_limited else ""
-        text = f"Fit: ΔE00 at most {worst_delta_e:.2f} at the measured angles{limited}"
-        set_note(self.fit, marked(text, worst_delta_e))
+        if worst_delta_e is None:
+            text = f"Fit: no angle to compare colours at{limited}"
+        else:
+            bound = f"Fit: ΔE00 at most {worst_delta_e:.2f} at the measured angles{limited}"
+            text = marked(bound, worst_delta_e)
+        set_note(self.fit, text)
         font = self.fit.font()
-        font.setBold(is_large(worst_delta_e))
+        font.setBold(worst_delta_e is not None and is_large(worst_delta_e))
         self.fit.setFont(font)
-        self.fit.setToolTip(fit_tips(worst_delta_e, time_limited))
+        self.fit.setToolTip(fit_tips(worst_delta_e, time_limited, exact_follows))
 
     def set_following(self, following: bool, linked: bool) -> None:
         """Show whether Designer is followed, and whether it is there."""

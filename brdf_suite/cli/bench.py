@@ -168,13 +168,19 @@ def _load() -> dict[str, ModuleType]:
         )
     modules = {}
     for path in sorted(_FOLDER.glob("bench_*.py")):
-        spec = importlib.util.spec_from_file_location(f"brdf_suite_{path.stem}", path)
-        if spec is None or spec.loader is None:
-            raise SuiteError(f"{path} cannot be imported.")
-        module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
+        module = load_module(path)
         modules[str(module.NAME)] = module
     return modules
+
+
+def load_module(path: Path) -> ModuleType:
+    """Load a benchmark, or a part of one; they are no package. Raise :class:`SuiteError` where it cannot be."""
+    spec = importlib.util.spec_from_file_location(f"brdf_suite_{path.stem}", path)
+    if spec is None or spec.loader is None:
+        raise SuiteError(f"{path} cannot be imported.")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def _print_table(result: Result) -> None:

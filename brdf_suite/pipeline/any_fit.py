@@ -39,10 +39,14 @@ from brdf_suite.pipeline.scene import find_any_paint
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.reflectance.build import build_reflectance
 from brdf_suite.reflectance.layers import Layered, layered
+from brdf_suite.reflectance.models.coated import Coated
+from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
-Kind = Literal["designed", "cook_torrance", "measured"]
+#: ``layered`` is what has a coat and a base but is neither of the two kinds of paint.
+Kind = Literal["designed", "cook_torrance", "layered", "measured"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,8 +54,8 @@ class AnyFit:
     """Something that reflects and the lobes fitted to it.
 
     ``l1_errors``: per part of the fit and channel, Σ w·|M x - b| over Σ w·b. ``held_out`` is None where there are
-    too few samples to leave some out. ``incidences_deg`` are those of the fit. ``paint_fit`` is there for designed
-    paints. ``fit_seconds``: samples in hand to weights.
+    too few samples to leave some out. ``incidences_deg`` are those of the fit. ``paint_fit`` is there for the
+    documents of designed paints. ``fit_seconds``: samples in hand to weights.
     """
 
     name: str
@@ -156,7 +160,11 @@ def fit_any(
         report(progress, 0.1, "fitting")
         # That samples are interpolated is true of reading them, not of fitting them.
         notices = tuple(notice for notice in item.notices if notice != SCATTERED)
-        found = _named(path, lambda: fit_reflectance(item.name, item.reflectance, basis, notices=notices))
+        fitting = part(progress, 0.1, 0.3)
+        found = _named(
+            path,
+            lambda: fit_reflectance(item.name, item.reflectance, basis, notices=notices, progress=fitting),
+        )
     else:
         paint = find_any_paint(name_or_path)
         report(progress, 0.1, "fitting")
@@ -178,14 +186,16 @@ def fit_reflectance(
     basis: LobeBasis | None = None,
     *,
     notices: tuple[str, ...] = (),
+    progress: Progress | None = None,
 ) -> AnyFit:
     """Fit lobes to any reflectance: as layers where it has them, else undivided; ``notices`` go before the fit's own.
 
-    Raises :class:`FittingError` where a value is negative or not finite, or nothing lies above the horizon.
+    Raises :class:`FittingError` where a value is negative or not finite, or nothing lies above the horizon, and
+    :class:`Cancelled` where the progress callback asked for it.
     """
     layers = layered(reflectance)
     found = (
-        _undivided(name, reflectance, basis)
+        _undivided(name, reflectance, basis, progress)
         if layers is None
         else _of_layers(name, reflectance, layers, basis)
     )
@@ -229,12 +239,13 @@ def _of_layers(name: str, reflectance: Reflectance, layers: Layered, basis: Lobe
     finally:
         fitter.close()
     weights = fit.weights
-    notices: tuple[str, ...] = ()
-    if weights.ior == 1.0:
-        notices = ("It has no sharp lobe that would be a coat: everything is fitted as base.",)
+    kind = _kind_of_layers(reflectance)
+    notices: tuple[str, ...] = tuple(getattr(reflectance, "notices", ()))
+    if kind == "cook_torrance" and weights.ior == 1.0:
+        notices += ("It has no sharp lobe that would be a coat: everything is fitted as base.",)
     return AnyFit(
         name=name,
-        kind="cook_torrance",
+        kind=kind,
         reflectance=reflectance,
         weights=weights,
         l1_errors={"base": three(fit.base_error.relative), "coat": three(fit.coat_error.relative)},
@@ -248,8 +259,17 @@ def _of_layers(name: str, reflectance: Reflectance, layers: Layered, basis: Lobe
     )
 
 
-def _undivided(name: str, reflectance: Reflectance, basis: LobeBasis | None) -> AnyFit:
-    fit = fit_undivided(reflectance, basis)
+def _kind_of_layers(reflectance: Reflectance) -> Kind:
+    if isinstance(reflectance, PaintReflectance):
+        return "designed"
+    below = reflectance.base if isinstance(reflectance, Coated) else reflectance
+    return "cook_torrance" if isinstance(below, CookTorrance) else "layered"
+
+
+def _undivided(
+    name: str, reflectance: Reflectance, basis: LobeBasis | None, progress: Progress | None
+) -> AnyFit:
+    fit = fit_undivided(reflectance, basis, progress=progress)
     if isinstance(reflectance, ScatteredSamples):
         angles = judged_samples(reflectance, fit)
     else:

@@ -19,7 +19,12 @@ from brdf_suite.documents.paint import Lab
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.raised import RaisedWeights
 from brdf_suite.fitting.lobes.undivided import UndividedFit, fit_rows, values_of_scattered
-from brdf_suite.fitting.lobes.undivided_samples import measured_pairs, rows_of_scattered, used_samples
+from brdf_suite.fitting.lobes.undivided_samples import (
+    measured_pairs,
+    rows_of_scattered,
+    used_samples,
+    views_with_light_at_minus_x,
+)
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.fitting.metrics import ErrorFigures, error_figures
 from brdf_suite.geometry.directions import (
@@ -30,7 +35,7 @@ from brdf_suite.geometry.directions import (
     mirror,
 )
 from brdf_suite.pipeline.measuring import ANGLE_SET, NEAR_MIRROR_DEG, hemisphere_pairs
-from brdf_suite.progress import Progress, report
+from brdf_suite.progress import Progress, part
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -99,11 +104,8 @@ def judged_samples(samples: ScatteredSamples, fit: UndividedFit) -> tuple[AngleE
     mine = np.flatnonzero(np.abs(theta - near) <= 1.0)
     if mine.size == 0:
         return ()
-    # Every sample with its light turned to the -x side, where the usual geometries have theirs.
-    turn = np.pi - np.arctan2(wi[mine, 1], wi[mine, 0])
-    x = np.cos(turn) * wo[mine, 0] - np.sin(turn) * wo[mine, 1]
-    y = np.sin(turn) * wo[mine, 0] + np.cos(turn) * wo[mine, 1]
-    views = np.stack((x, y, wo[mine, 2]), axis=-1)
+    # The usual geometries have their light on the -x side.
+    views = views_with_light_at_minus_x(wi[mine], wo[mine])
     chosen, places = [], []
     for gamma in JUDGED_GAMMAS_DEG:
         away = np.degrees(angle_between(views, aspecular_view(near, gamma)))
@@ -176,9 +178,9 @@ def _by_folds(
     seen = random.random(len(values)) < share
     lobes = np.zeros_like(values)
     for k in range(_FOLDS):
-        report(progress, k / _FOLDS, "judging")
         rest, mine = (fold != k) & seen, fold == k
-        weights = fit_rows(rows.subset(rest), values[rest], basis).weights
+        fold_progress = part(progress, k / _FOLDS, (k + 1) / _FOLDS)
+        weights = fit_rows(rows.subset(rest), values[rest], basis, progress=fold_progress).weights
         lobes[mine] = weights.eval(rows.wi[mine], rows.wo[mine])
     away = angle_between(mirror(rows.wi), rows.wo) >= np.radians(NEAR_MIRROR_DEG)
     return HeldOut(

@@ -77,6 +77,14 @@ class PaintFit:
         return self.fit.time_limited
 
     @property
+    def exact_follows(self) -> bool:
+        """True while the optimum is still to come by ``fit.exact``; False where it was cancelled or not found."""
+        exact = self.fit.exact
+        if exact is None or exact.cancelled():
+            return False
+        return not exact.done() or exact.exception() is None
+
+    @property
     def achieved_lab(self) -> dict[float, Lab]:
         """L*a*b* that the lobes give, by aspecular angle in degrees.
 
@@ -195,7 +203,11 @@ def fit_patiently(
         As :meth:`PaintFitter.fit`, with the name of the paint or of its file before the message.
     """
     try:
-        return PaintFitter(basis, time_limit_s=PATIENT_TIME_LIMIT_S).fit(paint)
+        fitter = PaintFitter(basis, time_limit_s=PATIENT_TIME_LIMIT_S)
+        try:
+            return fitter.fit(paint)
+        finally:
+            fitter.close()
     except (UnreachableError, FittingError) as error:
         raise type(error)(f"{Path(name_or_path).name}: {error}") from error
 

@@ -6,34 +6,25 @@ the suite defines fit time; docs/fit.md tells what it costs.
 
 from __future__ import annotations
 
-import importlib.util
 from pathlib import Path
 from types import ModuleType
 
-from brdf_suite.errors import SuiteError
-from brdf_suite.progress import Progress, report
+from brdf_suite.cli.bench import load_module
+from brdf_suite.progress import Progress, part, report
 
 NAME = "fit"
 
 
 def _parts() -> list[ModuleType]:
-    """Load the parts beside this file: ``fit_*.py``, each with ``BOUNDS`` and ``run`` as a benchmark has."""
-    modules = []
-    for path in sorted(Path(__file__).resolve().parent.glob("fit_*.py")):
-        spec = importlib.util.spec_from_file_location(f"brdf_suite_bench_{path.stem}", path)
-        if spec is None or spec.loader is None:
-            raise SuiteError(f"{path} cannot be imported.")
-        module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
-        modules.append(module)
-    return modules
+    """Load the parts beside this file: ``fit_*.py``, each with ``TITLE``, ``BOUNDS`` and ``run`` as a benchmark has."""
+    return [load_module(path) for path in sorted(Path(__file__).resolve().parent.glob("fit_*.py"))]
 
 
 PARTS = _parts()
 
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
-    key: row for part in PARTS for key, row in part.BOUNDS.items()
+    key: row for module in PARTS for key, row in module.BOUNDS.items()
 }
 #: key: what is to be known of the figure; filled by ``run``.
 NOTES: dict[str, str] = {}
@@ -42,8 +33,8 @@ NOTES: dict[str, str] = {}
 def run(progress: Progress | None = None) -> dict[str, float | None]:
     """Return the figures of :data:`BOUNDS`."""
     figures: dict[str, float | None] = {}
-    for number, part in enumerate(PARTS):
-        report(progress, number / len(PARTS), part.__name__)
-        figures |= part.run(None)
-        NOTES.update(getattr(part, "NOTES", {}))
+    for number, module in enumerate(PARTS):
+        report(progress, number / len(PARTS), module.TITLE)
+        figures |= module.run(part(progress, number / len(PARTS), (number + 1) / len(PARTS)))
+        NOTES.update(getattr(module, "NOTES", {}))
     return figures

@@ -6,14 +6,13 @@ python tests/benchmarks/compare_limit.py [--paints N]
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import time
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.cli.bench import load_module
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.fitting import LobeFitter
 from brdf_suite.fitting.lobes import solver as solver_module
@@ -32,17 +31,6 @@ RANDOM_SHARE, ADVERSE_SHARE = 4, 10
 PATIENCE_S = 60.0
 
 
-def part(name: str) -> ModuleType:
-    """Load a benchmark beside this file; they are no package."""
-    path = Path(__file__).with_name(f"{name}.py")
-    spec = importlib.util.spec_from_file_location(f"brdf_suite_compare_{name}", path)
-    if spec is None or spec.loader is None:
-        raise SuiteError(f"{path} cannot be imported.")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 def weighted(fitter: LobeFitter, base: FloatArray, coat: FloatArray) -> list[FloatArray]:
     """Return what the solver gets for samples of base and coat."""
     energy = fitter.coat_samples.solid_angle @ coat
@@ -52,7 +40,7 @@ def weighted(fitter: LobeFitter, base: FloatArray, coat: FloatArray) -> list[Flo
 
 def paints(fitter: LobeFitter, count: int) -> tuple[Targets, Targets]:
     """Return the targets of ``count`` steps of a drag and of as many unrelated paints."""
-    drag = part("fit_drag")
+    drag = load_module(Path(__file__).with_name("fit_drag.py"))
     rng = np.random.default_rng(SEED)
     near = [weighted(fitter, *fitter.sample(build_paint(drag.drag_paint(k, count)))) for k in range(count)]
     far: Targets = []
@@ -140,7 +128,7 @@ def tolerances(fitter: LobeFitter, targets: Targets) -> None:
 
 def adverse(count: int) -> None:
     """Print the solver's own limit on the large program, and the least squares by its steps."""
-    limit = part("fit_limit")
+    limit = load_module(Path(__file__).with_name("fit_limit.py"))
     gamma, program = limit.adversary()
     rng = np.random.default_rng(SEED)
     solver, fallback = BlockSolver([program]), FallbackSolver(program)

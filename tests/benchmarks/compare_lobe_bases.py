@@ -11,24 +11,35 @@ from dataclasses import dataclass, replace
 import numpy as np
 from lobe_experiment import ENDING, HELD_OUT, MEASURED, arguments, paints, table
 
-from brdf_suite.documents.paint import Gloss
+from brdf_suite.documents.paint import Gloss, Paint
 from brdf_suite.documents.store import load_paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.fitting import LobeBasis, LobeFitter, LobeWeights, default_basis, log_spaced
+from brdf_suite.fitting.lobes.basis import STORED_NAME, stored_bases
 from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.fitting.metrics import aspecular_delta_e, directional_reflectance
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.layers import Layered
-from brdf_suite.resources import resource
+from brdf_suite.resources import resource, resource_names
 
 LIMIT_S = 1.0  # quality, not speed, is compared here
 BETWEEN = tuple(gamma for gamma in HELD_OUT if gamma > MEASURED[0])
 ROUGHNESSES = np.geomspace(0.003, 0.1, 16)
 #: What a search by hand found before there was one by machine: octaves for the flop, fives for the coats.
 BY_HAND = (1.0, 2.0, 4.0, 8.0, 16.0, 80.0, 400.0, 2_000.0, 10_000.0, 50_000.0)
+#: What the search found for the shipped paints before it had edits of them.
+PAINTS_ALONE = (1.9399, 5.7547, 8.5066, 19.085, 81.802, 548.91, 3_601.5, 21_827.0, 116_000.0)
 RULES = ("flake", "monotone", "polynomial")
+#: L* at 45° of the edits, as shares of the way from the reading at 110° to that at 15°.
+EDIT_SHARES = (0.2, 0.35, 0.5, 0.65, 0.8)
+#: Coats less glossy than this at 20° are not edited: in the plane of incidence they are what limits the fit.
+EDITED_FROM_GU = 20.0
+#: Where edits are judged between the measured angles; no sample of the fit has base and coat together there.
+EDIT_BETWEEN = (8.0, 20.0, 25.0, 30.0, 35.0, 60.0, 75.0, 90.0)
+#: A measured angle is missed by more than this: it is seen beside the paint.
+SEEN = 1.0
 
 
 @dataclass(frozen=True)
@@ -118,6 +129,67 @@ def per_basis(chosen: dict[str, Layered], roughnesses: Sequence[float]) -> None:
     )
 
 
+def read_paints(count: int | None) -> list[Paint]:
+    """Return the shipped paints of readings at the three angles; ``count`` at most, spread over them."""
+    names = resource_names("paints", ENDING)
+    if count is not None:
+        names = names[:: max(1, len(names) // count)][:count]
+    found = (load_paint(resource("paints", name + ENDING)) for name in names)
+    return [paint for paint in found if tuple(m.aspecular_deg for m in paint.measurements) == MEASURED]
+
+
+def edits(chosen: Sequence[Paint]) -> list[Layered]:
+    """Return the paints with L* at 45° moved, each to every one of :data:`EDIT_SHARES` that can be built."""
+    found = []
+    for paint in chosen:
+        if paint.gloss.gu_20 < EDITED_FROM_GU:
+            continue
+        bright, middle, dark = (paint.lab_at(angle) for angle in MEASURED)
+        for share in EDIT_SHARES:
+            lightness = dark[0] + share * (bright[0] - dark[0])
+            try:
+                found.append(build_paint(paint.with_lab(MEASURED[1], (lightness, *middle[1:]))))
+            except UnreachableError:  # the edit is one that Designer refuses
+                continue
+    return found
+
+
+def per_edit(count: int | None) -> None:
+    """Print what each basis makes of edited paints, of the paints themselves and of another rule between angles."""
+    chosen = read_paints(count)
+    groups = {
+        "edits": edits(chosen),
+        "paints": [build_paint(paint) for paint in chosen],
+        "monotone": [build_paint(replace(paint, interpolation="monotone")) for paint in chosen],
+    }
+    found, default = stored_bases(resource("basis", STORED_NAME))
+    bases = {
+        f"found ({basis.count})" + (", the default" if basis.count == default else ""): basis
+        for basis in found.values()
+        if basis.count >= default - 2
+    }
+    bases[f"found for the paints alone ({len(PAINTS_ALONE)})"] = LobeBasis(PAINTS_ALONE)
+    bases[f"by hand ({len(BY_HAND)})"] = LobeBasis(BY_HAND)
+    rows = []
+    for name, basis in bases.items():
+        fitter = LobeFitter(basis, time_limit_s=LIMIT_S)
+        cells = [name]
+        for group, layers in groups.items():
+            pairs = [(Whole(item), fitter.fit(item).weights) for item in layers]
+            if group == "edits":
+                worst = np.array([aspecular_delta_e(p, w, MEASURED).max() for p, w in pairs])
+                cells += [str(int((worst > SEEN).sum())), f"{worst.max():.1f}"]
+            between = np.array([aspecular_delta_e(p, w, EDIT_BETWEEN) for p, w in pairs])
+            cells.append(f"{np.median(between):.2f} / {between.mean():.2f} / {between.max():.1f}")
+        rows.append(cells)
+    table(
+        ["basis", f"edits missed by > {SEEN:g} at 15/45/110", "worst", *(f"{g}, between" for g in groups)],
+        rows,
+        f"edits: {len(groups['edits'])} of {len(chosen)} paints, but those below {EDITED_FROM_GU:g} GU; between: "
+        f"median / mean / worst ΔE00 at {', '.join(f'{angle:g}' for angle in EDIT_BETWEEN)}°",
+    )
+
+
 def per_coat(fitter: LobeFitter) -> None:
     """Print the default fit of coats of n = 1.5 over their roughness."""
     rows = []
@@ -190,6 +262,7 @@ def main() -> None:
     given = arguments(__doc__ or "")
     chosen = paints(count=given.paints)
     per_basis(chosen, ROUGHNESSES[:2] if given.paints else ROUGHNESSES)
+    per_edit(given.paints)
     fitter = LobeFitter(time_limit_s=LIMIT_S)
     per_coat(fitter)
     per_rule(fitter, given.paints)

@@ -17,7 +17,7 @@ from brdf_suite.appearance.colorimetry import working_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.files.images import read_environment_image
 from brdf_suite.fitting import default_basis
-from brdf_suite.fitting.lobes.fitter import ENERGY_WEIGHT
+from brdf_suite.fitting.lobes.layer_programs import ENERGY_WEIGHT
 from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
@@ -168,7 +168,7 @@ def local(normals: FloatArray, directions: FloatArray) -> FloatArray:
 
 def transmitted(layers: Layered, cosine: FloatArray) -> FloatArray:
     """Return T(θ)²/T(45°)² (n, 1), by which the renderer takes the base; 1 where nothing covers it."""
-    if not getattr(layers, "base_under_coat", True):
+    if not layers.base_under_coat:
         return np.ones((cosine.size, 1))
     share = (1.0 - fresnel_dielectric(cosine, layers.ior)) / (1.0 - fresnel_dielectric(COSINE, layers.ior))
     return np.asarray(share**2)[:, None]

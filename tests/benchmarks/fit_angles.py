@@ -11,20 +11,28 @@ include γ = -15, 25 and 75: so those angles, and the ones at 20° and 65°, are
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.paint import Gloss, Paint
+from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleWeights
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS
 from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
-from brdf_suite.progress import Progress, report
+from brdf_suite.progress import Progress, part, report
 from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.protocol import Reflectance
 
+#: For whoever waits.
+TITLE = "the fit at several incidences"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
     "multi_angle_median_ms": (
@@ -38,7 +46,8 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "<=",
         0.2,
         "ΔE00",
-        "paint and its fit at 16 incidences, light at 45°, γ = 15, 45, 110: worst over the designed paints",
+        "paint and its fit at 16 incidences, light at 45°, γ = 15, 45, 110: worst over the designed paints, 38 of "
+        "the 46 of the database",
     ),
     "de00_median": (
         "<=",
@@ -46,16 +55,23 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "ΔE00",
         "the same at angles not used: γ = -15, 25, 75 with light at 45°, and γ = -15, 15, 25, 45, 75, 110, as far as "
         "a view is above the horizon, at 20° and 65°, which are no incidences of the fit; samples without -15, 25, 75: "
-        "median",
+        "median over the 38 designed paints",
     ),
     "de00_worst": ("<=", 4.0, "ΔE00", "the same, worst"),
-    "de00_worst_but_matte_and_shift": (
-        "<=",
+    "de00_worst_usual": (
+        "",
         None,
         "ΔE00",
         "the same, worst, without paints read under two lights and coats rougher than α = .05",
     ),
-    "de00_at_measured_but_matte": ("<=", None, "ΔE00", "de00_at_measured without coats rougher than α = .05"),
+    "de00_at_measured_cook_torrance": (
+        "",
+        None,
+        "ΔE00",
+        "de00_at_measured of the other 8 paints, those of Table 1, fitted as facets: worst",
+    ),
+    "de00_worst_cook_torrance": ("", None, "ΔE00", "de00_worst of these 8"),
+    "de00_at_measured_but_matte": ("", None, "ΔE00", "de00_at_measured without coats rougher than α = .05"),
 }
 #: key: what is to be known of the figure; filled by ``run``.
 NOTES: dict[str, str] = {}
@@ -78,16 +94,16 @@ def held_out() -> list[tuple[float, tuple[float, ...]]]:
     ]
 
 
-def held_out_fitter(**settings: float) -> AngleFitter:
+def held_out_fitter(*, facets: bool = False) -> AngleFitter:
     """Return a patient fitter whose base samples leave out γ = -15, 25 and 75."""
     kept = [
         (g, w) for g, w in zip(BASE_GAMMAS_DEG, BASE_WEIGHTS, strict=True) if g not in HELD_OUT_GAMMAS_DEG
     ]
     return AngleFitter(
+        facets=facets,
         time_limit_s=10.0,
         base_gammas_deg=tuple(g for g, _ in kept),
         base_weights=tuple(w for _, w in kept),
-        **settings,
     )
 
 
@@ -96,7 +112,30 @@ def designed() -> dict[str, PaintReflectance]:
     return {name: build_paint(load_shipped_paint(name)) for name in paint_names()}
 
 
-def errors(target: PaintReflectance, fit: AngleWeights) -> NDArray[np.float64]:
+def cook_torrance(count: int | None = None) -> dict[str, CookTorrance]:
+    """Return the first ``count`` paints of Table 1 by name; all eight where left out."""
+    return {name: CookTorrance(paint) for name, paint in list(TABLE_1.items())[:count]}
+
+
+def judged(
+    paints: Mapping[str, Reflectance], progress: Progress | None, *, facets: bool = False
+) -> tuple[dict[str, NDArray[np.float64]], dict[str, NDArray[np.float64]]]:
+    """Return by name ΔE00 at the measured angles of the default fit, and at the held-out ones of a blind one."""
+    usual, blind = AngleFitter(facets=facets, time_limit_s=10.0), held_out_fitter(facets=facets)
+    measured, held = {}, {}
+    for number, (name, target) in enumerate(paints.items()):
+        report(progress, number / len(paints), f"{name} at several incidences")
+        layers = layered(target)
+        if layers is None:
+            raise SuiteError(f"Nothing divides {name} into coat and base.")
+        measured[name] = aspecular_delta_e(target, usual.fit(layers).weights, MEASURED_DEG)
+        held[name] = errors(target, blind.fit(layers).weights)
+    for fitter in (usual, blind):
+        fitter.close()
+    return measured, held
+
+
+def errors(target: Reflectance, fit: AngleWeights) -> NDArray[np.float64]:
     """Return ΔE00 at all held-out geometries."""
     return np.concatenate([aspecular_delta_e(target, fit, gammas, theta) for theta, gammas in held_out()])
 
@@ -133,7 +172,7 @@ def drag(progress: Progress | None, steps: int = STEPS) -> tuple[list[AngleFit],
 
 def run(progress: Progress | None = None) -> dict[str, float | None]:
     """Return the figures of :data:`BOUNDS`."""
-    fits, processor = drag(progress)
+    fits, processor = drag(part(progress, 0.0, 0.6), STEPS)
     taken = 1e3 * np.array([fit.seconds for fit in fits])
     limited = sum(fit.time_limited for fit in fits)
     # A fit that other programs interrupt waits for its turn, and that is no property of the fit.
@@ -143,17 +182,14 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
         f"{limited} of {len(fits)} met the limit of 16 ms"
     )
     paints = designed()
-    usual, blind = AngleFitter(time_limit_s=10.0), held_out_fitter()
-    measured, held = {}, {}
-    for name, target in paints.items():
-        measured[name] = aspecular_delta_e(target, usual.fit(target).weights, MEASURED_DEG)
-        held[name] = errors(target, blind.fit(target).weights)
-    for fitter in (usual, blind):
-        fitter.close()
+    measured, held = judged(paints, part(progress, 0.6, 0.9))
+    facets_measured, facets_held = judged(cook_torrance(), part(progress, 0.9, 1.0), facets=True)
     matte = {name for name, target in paints.items() if target.coat.roughness > MATTE}
     shift = {name for name, target in paints.items() if not hasattr(target.base, "rule")}
     worst = sorted(held, key=lambda name: held[name].max(), reverse=True)[:5]
     NOTES["de00_worst"] = ", ".join(f"{name} {held[name].max():.1f}" for name in worst)
+    worst = sorted(facets_held, key=lambda name: facets_held[name].max(), reverse=True)[:3]
+    NOTES["de00_worst_cook_torrance"] = ", ".join(f"{name} {facets_held[name].max():.1f}" for name in worst)
     worst = sorted(measured, key=lambda name: measured[name].max(), reverse=True)[:3]
     NOTES["de00_at_measured"] = ", ".join(f"{name} {measured[name].max():.2f}" for name in worst)
     return {
@@ -162,9 +198,9 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
         "de00_at_measured": float(max(e.max() for e in measured.values())),
         "de00_median": float(np.median(np.concatenate(list(held.values())))),
         "de00_worst": float(max(e.max() for e in held.values())),
-        "de00_worst_but_matte_and_shift": float(
-            max(e.max() for name, e in held.items() if name not in matte | shift)
-        ),
+        "de00_worst_usual": float(max(e.max() for name, e in held.items() if name not in matte | shift)),
+        "de00_at_measured_cook_torrance": float(max(e.max() for e in facets_measured.values())),
+        "de00_worst_cook_torrance": float(max(e.max() for e in facets_held.values())),
         "de00_at_measured_but_matte": float(
             max(e.max() for name, e in measured.items() if name not in matte)
         ),

@@ -14,6 +14,8 @@ from brdf_suite.fitting.lobes.basis import STORED_NAME
 from brdf_suite.progress import Progress, report
 from brdf_suite.resources import resource, resource_root
 
+#: For whoever waits.
+TITLE = "the exponents"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
     "basis_vs_log": (

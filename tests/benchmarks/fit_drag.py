@@ -10,6 +10,8 @@ from brdf_suite.fitting import LobeFit, LobeFitter
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.build import build_paint
 
+#: For whoever waits.
+TITLE = "a drag, and unrelated paints"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float, str, str]] = {
     "drag_median_ms": ("<=", 0.25, "ms", "whole fit, 1,000 steps of a drag, median"),

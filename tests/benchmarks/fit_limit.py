@@ -8,14 +8,13 @@ between two frames, in which the background thread goes on: it never comes to an
 
 from __future__ import annotations
 
-import importlib.util
 import time
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.cli.bench import load_module
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.fitting import LobeFit, LobeFitter
 from brdf_suite.fitting.lobes.limited import LimitedSolver
@@ -25,6 +24,8 @@ from brdf_suite.reflectance.build import build_paint
 
 FloatArray = NDArray[np.float64]
 
+#: For whoever waits.
+TITLE = "the limit and the optimum"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float, str, str]] = {
     "hard_limit_p99_ms": (
@@ -162,20 +163,9 @@ def excess(fitter: LobeFitter, fit: LobeFit, base: FloatArray, coat: FloatArray)
     return float(((ours - theirs) / np.maximum(theirs, 1e-6)).max())
 
 
-def _drag() -> ModuleType:
-    """Load the part that knows the paints of the drag; the parts are not a package."""
-    path = Path(__file__).with_name("fit_drag.py")
-    spec = importlib.util.spec_from_file_location("brdf_suite_bench_fit_drag_paints", path)
-    if spec is None or spec.loader is None:
-        raise SuiteError(f"{path} cannot be imported.")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 def against_scipy(progress: Progress | None) -> dict[str, float]:
     """Return the ratio of times over a drag, and the largest gap over a drag, paints and random targets."""
-    drag = _drag()
+    drag = load_module(Path(__file__).with_name("fit_drag.py"))
     fitter = LobeFitter(time_limit_s=1.0)
     rng = np.random.default_rng(SEED)
     ours, theirs, gaps = [], [], []

@@ -7,14 +7,18 @@ from unittest.mock import create_autospec
 import pytest
 from brdf_designer.assembly import paint_format, shipped_paint
 from brdf_designer.controller import Controller, Parts, View
+from brdf_designer.patches import PatchRow
+from brdf_designer.status import DeskStatus
 from brdf_qt.document_files import DocumentFiles
 from brdf_qt.document_store import DocumentStore
 from brdf_qt.link_messages import BadMessageError, encode
 from brdf_qt.recovery import Recovery
+from brdf_qt.status_line import StatusLine
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.documents.store import paint_from_json
+from brdf_suite.fitting.lobes.solver import Outcome
 from brdf_suite.pipeline.paint import PaintFitter
 
 
@@ -133,6 +137,34 @@ def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
     # The other programs were told of the paint once; its weights are theirs to find.
     qtbot.wait(20)
     assert len(desk.published) == 1
+    hurried.close()
+    desk.recovery.close(keep=False)
+
+
+def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot):
+    hurried = PaintFitter(time_limit_s=1e-6)
+    desk = Desk(hurried, dialogs)
+    with hurried._fitter._solver._background.lock:
+        hurried._fitter._solver._solver.run = lambda *_: Outcome.LOST  # no paint is known that loses it
+        desk.controller.edit(("lab", 1, 0), 30.0)
+        before = desk.view.show_fit.call_args.args[0]
+        assert (before.time_limited, before.exact_follows) == (True, True)
+    qtbot.waitUntil(lambda: desk.view.show_fit.call_count == 2, timeout=20_000)
+    after = desk.view.show_fit.call_args.args[0]
+    assert (after.time_limited, after.exact_follows) == (True, False)
+    assert after.delta_e == before.delta_e
+    line = StatusLine()
+    qtbot.addWidget(line)
+    status = DeskStatus(line)
+    row = PatchRow()
+    qtbot.addWidget(row)
+    row.show_colours(desk.view.show_colours.call_args.args[0])
+    large = [2.0] * len(after.delta_e)
+    for state, told in ((before, "follows by itself"), (after, "no exact")):
+        status.show_fit(state)
+        assert told in status._fit.toolTip()
+        row.show_differences(large, time_limited=True, exact_follows=state.exact_follows)
+        assert told in row._cells[0][3].toolTip()
     hurried.close()
     desk.recovery.close(keep=False)
 

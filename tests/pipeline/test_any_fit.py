@@ -12,13 +12,17 @@ import pytest
 from brdf_suite.cli.main import main
 from brdf_suite.documents.cook_torrance import Clearcoat, CookTorrancePaint
 from brdf_suite.documents.store import save_paint
-from brdf_suite.errors import FileError, FittingError, UnreachableError
+from brdf_suite.errors import Cancelled, FileError, FittingError, UnreachableError
 from brdf_suite.files.measured import FORMATS, write_measured
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.any_fit import fit_any, fit_reflectance
 from brdf_suite.pipeline.fit_errors import held_out_errors
+from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -48,6 +52,30 @@ def test_the_paints_of_table_1_meet_their_readings(name: str) -> None:
     light = float(found.weights.coat_energy()[1])
     sharp = [lobe for lobe in TABLE_1[name].lobes if lobe.m <= 0.1]
     assert 0.6 < light / sum(4.0 * lobe.ks[1] * lobe.r for lobe in sharp) < 1.6
+
+
+def test_layers_are_called_what_they_are_and_keep_their_notices() -> None:
+    paint = build_paint(load_shipped_paint("blue"))
+    told = fit_reflectance("blue", replace(paint, notices=("made up",)))
+    assert told.kind == "designed"
+    assert told.notices == ("made up",)
+    coated = fit_reflectance("coated", Coated(Lambertian((0.4, 0.2, 0.1))), notices=("before",))
+    assert coated.kind == "layered"
+    assert coated.notices == ("before",)
+    assert fit_reflectance("coated", Coated(CookTorrance(TABLE_1["table1_white"]))).kind == "cook_torrance"
+
+
+def test_a_fit_of_measured_data_can_be_cancelled_while_it_works(shared_data: Path) -> None:
+    told: list[str] = []
+
+    def cancel(_fraction: float, what: str) -> None:
+        told.append(what)
+        if told.count("fitting") == 3:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        fit_any(shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf", progress=cancel)
+    assert told == ["reading", "fitting", "fitting", "fitting"]
 
 
 def test_a_clearcoat_of_its_own_is_the_coat(tmp_path: Path) -> None:

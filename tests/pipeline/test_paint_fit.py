@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+import threading
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from brdf_suite.documents.paint import Gloss, Measurement
 from brdf_suite.errors import UnreachableError
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline import paint as paint_module
+from brdf_suite.pipeline.paint import PaintFitter, fit_patiently
 from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
 
 
@@ -71,3 +74,33 @@ def test_what_is_achieved_under_two_lights_is_told_apart() -> None:
     )
     assert fit.achieved_at(15.0, 15.0) == fit.angles[3].fitted
     assert fit.angles[3].fitted != fit.angles[0].fitted
+
+
+@pytest.mark.parametrize("reachable", [True, False])
+def test_a_fitter_for_one_paint_is_closed_with_it(reachable: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    def threads() -> set[threading.Thread]:
+        return {thread for thread in threading.enumerate() if thread.name.startswith("brdf-fit")}
+
+    made = []
+
+    class Noted(PaintFitter):
+        """Kept here, so that only closing it can end its thread."""
+
+        def __init__(self, *args: Any, **settings: Any) -> None:
+            super().__init__(*args, **settings)
+            made.append(self)
+
+    monkeypatch.setattr(paint_module, "PaintFitter", Noted)
+    monkeypatch.setattr(paint_module, "PATIENT_TIME_LIMIT_S", 1e-6)
+    before = threads()
+    paint = load_shipped_paint("blue")
+    if reachable:
+        fit = fit_patiently(paint, "blue")
+        assert fit.time_limited
+        assert not fit.exact_follows or fit.fit.exact.done()
+    else:
+        with pytest.raises(UnreachableError, match="blue: "):
+            fit_patiently(replace(paint, gloss=replace(paint.gloss, gu_20=199.0)), "blue")
+    assert threads() <= before
+    with pytest.raises(RuntimeError, match="shutdown"):
+        made[0]._fitter._solver._background._executor.submit(int)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import threading
 from concurrent.futures import Future
 from dataclasses import replace
 
 import pytest
 from brdf_qt.exact_fit import ExactFit
-from brdf_qt.fit_error import LIMITED_TIP, fit_tips, large_error_tip
+from brdf_qt.fit_error import FINAL_TIP, LIMITED_TIP, fit_tips, large_error_tip
 from PySide6.QtCore import QThread
 
 from brdf_suite.errors import FittingError
@@ -71,29 +72,50 @@ def test_a_fit_that_is_exact_already_is_not_waited_for(exact, qtbot):
     assert not told
 
 
-def test_a_closed_fitter_tells_nothing(hurried, exact, qtbot):
+@pytest.mark.parametrize("watched_first", [True, False])
+def test_a_closed_fitter_tells_nothing(hurried, exact, qtbot, watched_first):
     told = []
     exact.arrived.connect(told.append)
-    fit = hurried.fit(load_shipped_paint("blue"))
-    hurried.close()
-    exact.watch(fit)
+    exact.failed.connect(lambda *what: told.append(what))
+    with (
+        hurried._fitter._solver._background.lock
+    ):  # its thread cannot come to the optimum before it is closed
+        fit = hurried.fit(load_shipped_paint("blue"))
+        assert fit.exact_follows
+        if watched_first:
+            exact.watch(fit)
+        closing = threading.Thread(target=hurried.close)
+        closing.start()
+        qtbot.waitUntil(fit.fit.exact.cancelled, timeout=20_000)
+    closing.join()
+    if not watched_first:
+        exact.watch(fit)
     qtbot.wait(50)
-    assert not told or fit.fit.exact.result().time_limited is False
+    assert not told
+    assert not fit.exact_follows
 
 
 def test_a_solver_that_gives_up_is_told(hurried, exact, qtbot):
     future: Future[object] = Future()
     fit = hurried.fit(load_shipped_paint("blue"))
     fit = replace(fit, fit=replace(fit.fit, exact=future))
+    assert fit.exact_follows
     with qtbot.waitSignal(exact.failed, timeout=5_000) as told:
         exact.watch(fit)
         future.set_exception(FittingError("no optimum"))
-    assert str(told.args[0]) == "no optimum"
+    assert told.args[0] is fit
+    assert str(told.args[1]) == "no optimum"
+    assert not fit.exact_follows
 
 
-def test_a_limited_fit_says_that_the_exact_one_follows():
-    assert fit_tips(0.2, False) == ""
-    assert fit_tips(0.2, True) == LIMITED_TIP
-    assert fit_tips(2.0, True) == large_error_tip(True)
-    assert "follows" in LIMITED_TIP
-    assert "follows" in large_error_tip(True)
+def test_a_limited_fit_says_whether_the_exact_one_follows():
+    for worst in (0.2, None):
+        assert fit_tips(worst, False, False) == ""
+        assert fit_tips(worst, True, True) == LIMITED_TIP
+        assert fit_tips(worst, True, False) == FINAL_TIP
+    for follows in (True, False):
+        assert fit_tips(2.0, True, follows) == large_error_tip(True, follows)
+    assert "follows by itself" in LIMITED_TIP
+    assert "follows by itself" in large_error_tip(True, True)
+    assert "no exact one" in FINAL_TIP
+    assert "no exact answer" in large_error_tip(True, False)

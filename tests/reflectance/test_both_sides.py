@@ -19,21 +19,17 @@ from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.through_aperture import build_through
 from brdf_suite.resources import resource, resource_names
 
-NAMES = [
-    name
-    for name in resource_names("paints", ".brdfpaint")
-    # Read under one light here. A matte coat is most of what is read beyond the mirror direction, and what is left
-    # of the base there is the difference of two large numbers.
-    if not name.endswith("_shift") or name == "violet_shift"
-    if not name.startswith("matte_")
-]
+NAMES = resource_names("paints", ".brdfpaint")
 FIVE = (15.0, 25.0, 45.0, 75.0, 110.0)
 SIX = (-15.0, *FIVE)
 STEEP = (-44.0, -30.0, -15.0, 15.0, 30.0, 45.0, 75.0, 110.0)
 
 
 def shipped(name: str, **fields: object) -> Paint:
-    return replace(load_paint(resource("paints", f"{name}.brdfpaint")), **fields)
+    """The paint, of one that was read under several lights what was read under that at 45°."""
+    paint = load_paint(resource("paints", f"{name}.brdfpaint"))
+    at_45 = tuple(m for m in paint.measurements if m.illumination_deg == 45.0)
+    return replace(paint, measurements=at_45, **fields)
 
 
 def read_at(paint: Paint, angles: tuple[float, ...]) -> Paint:

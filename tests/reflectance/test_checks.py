@@ -111,7 +111,7 @@ class BackToTheLamp:
 
     n, share = 3000.0, 0.4
 
-    def eval(self, wi: Floats, wo: Floats) -> Floats:
+    def eval(self, wi: np.ndarray, wo: np.ndarray) -> np.ndarray:
         wi, wo = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
         above = (wi[..., 2] > 0.0) & (wo[..., 2] > 0.0)
         lobe = np.clip((wi * wo).sum(axis=-1), 0.0, 1.0) ** self.n * (self.n + 1.0) / (2.0 * math.pi)

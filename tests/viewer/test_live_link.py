@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,8 @@ from PySide6.QtWidgets import QPushButton
 from brdf_suite.documents.paint import Gloss, solid_paint
 from brdf_suite.documents.store import paint_to_json, view_from_json
 from brdf_suite.documents.view import Camera
+from brdf_suite.fitting.lobes.solver import Outcome
+from brdf_suite.pipeline.any_fit import fit_any
 from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFitter
 
 PROGRAM = Path(__file__).with_name("designer_program.py")
@@ -168,6 +171,36 @@ def test_a_time_limited_picture_says_so_and_becomes_exact_by_itself(viewer, qtbo
     assert "time-limited" not in viewer.window.paint.fit.text()
     assert viewer.stage.fit.worst_delta_e < 0.5
     hurried.close()
+
+
+def test_an_optimum_that_is_not_found_is_no_longer_promised(viewer, qtbot) -> None:
+    hurried = PaintFitter(time_limit_s=1e-6)
+    viewer.controller.paint._fitter = hurried
+    cell, section = viewer.window.status.cell("fit"), viewer.window.paint
+    with hurried._fitter._solver._background.lock:
+        hurried._fitter._solver._solver.run = lambda *_: Outcome.LOST  # no paint is known that loses it
+        viewer.controller.paint.open("copper")
+        for tip in (cell.toolTip(), section.fit.toolTip()):
+            assert "follows by itself" in tip
+        assert all(patch.exact_follows for patch in section.patches.patches)
+    qtbot.waitUntil(lambda: "no exact" in cell.toolTip(), timeout=20_000)
+    assert "no exact" in section.fit.toolTip()
+    assert "time-limited" in cell.text()
+    assert not any(patch.exact_follows for patch in section.patches.patches)
+    hurried.close()
+
+
+def test_a_fit_without_an_angle_to_compare_at_claims_no_bound(viewer) -> None:
+    fit = fit_any("table1_2k_acrylack")
+    none = replace(fit, angles=tuple(replace(row, fitted=False) for row in fit.angles))
+    assert none.worst_delta_e is None
+    viewer.controller.paint._show_fit(none, "file")
+    assert "ΔE" not in viewer.window.paint.fit.text()
+    assert "no angle" in viewer.window.paint.fit.text()
+    assert "ΔE" not in viewer.window.status.cell("fit").text()
+    viewer.controller.paint._show_fit(fit, "file")
+    assert "ΔE00 at most" in viewer.window.paint.fit.text()
+    assert "ΔE 0." in viewer.window.status.cell("fit").text()
 
 
 def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:

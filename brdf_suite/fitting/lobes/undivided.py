@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
+from brdf_suite.fitting.lobes.checks import checked_limit, checked_targets
 from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import build_program
 from brdf_suite.fitting.lobes.undivided_samples import (
@@ -35,6 +36,7 @@ from brdf_suite.fitting.lobes.undivided_samples import (
 )
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_angle, mirror
+from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -53,7 +55,6 @@ LEAST_LIGHT = 1e-4
 TIME_LIMIT_S = 30.0
 #: A share of the target left as error from which the user is told.
 _POOR = 0.3
-_CHANNELS = ("red", "green", "blue")
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,28 +87,38 @@ def fit_undivided(
     *,
     rows: UndividedRows | None = None,
     time_limit_s: float = TIME_LIMIT_S,
+    progress: Progress | None = None,
 ) -> UndividedFit:
     """Fit lobes to any reflectance; scattered samples where they were measured, all else where it is sampled best.
 
-    ``rows`` takes other samples than the default ones.
+    ``rows`` takes other samples than the default ones. ``progress`` tells the share of the limit that is used up.
 
     Raises
     ------
     FittingError
-        A value is negative or not finite, or there is no sample above the horizon; the message says where.
+        A value is negative, not finite or beyond any reflectance, or there is no sample above the horizon; the
+        message says where.
+    Cancelled
+        The progress callback asked for it; what is in work ends within a tenth of a second or so.
     """
     if isinstance(reflectance, ScatteredSamples) and rows is None:
-        return fit_scattered(reflectance, basis, time_limit_s=time_limit_s)
+        return fit_scattered(reflectance, basis, time_limit_s=time_limit_s, progress=progress)
     rows = rows or rows_of_reflectance(reflectance)
-    return fit_rows(rows, reflectance.eval(rows.wi, rows.wo), basis, time_limit_s=time_limit_s)
+    values = reflectance.eval(rows.wi, rows.wo)
+    return fit_rows(rows, values, basis, time_limit_s=time_limit_s, progress=progress)
 
 
 def fit_scattered(
-    samples: ScatteredSamples, basis: LobeBasis | None = None, *, time_limit_s: float = TIME_LIMIT_S
+    samples: ScatteredSamples,
+    basis: LobeBasis | None = None,
+    *,
+    time_limit_s: float = TIME_LIMIT_S,
+    progress: Progress | None = None,
 ) -> UndividedFit:
     """Fit lobes to scattered samples at the very directions of the samples; errors as :func:`fit_undivided`."""
     rows = rows_of_scattered(samples)
-    return fit_rows(rows, values_of_scattered(samples), basis, time_limit_s=time_limit_s)
+    values = values_of_scattered(samples)
+    return fit_rows(rows, values, basis, time_limit_s=time_limit_s, progress=progress)
 
 
 def values_of_scattered(samples: ScatteredSamples) -> FloatArray:
@@ -121,15 +132,27 @@ def fit_rows(
     basis: LobeBasis | None = None,
     *,
     time_limit_s: float = TIME_LIMIT_S,
+    progress: Progress | None = None,
 ) -> UndividedFit:
     """Fit lobes to f_r ``values`` (p, 3), 1/sr, at the pairs of ``rows``; errors as :func:`fit_undivided`."""
-    if not (np.isfinite(time_limit_s) and time_limit_s > 0.0):
-        raise FittingError(f"The time limit of a fit is {time_limit_s:g} s; it must be more than 0.")
+    checked_limit(time_limit_s)
     if rows.weights.size == 0:
         raise FittingError("There is nothing to fit: no sample has light and view above the horizon.")
-    values = _checked(rows, values)
+
+    def where(place: tuple[int, ...]) -> str:
+        gamma = np.degrees(aspecular_angle(rows.wi[place], rows.wo[place]))
+        light = np.degrees(np.arccos(min(rows.wi[place][2], 1.0)))
+        from_mirror = f"the view {float(gamma):.4g}° from its mirror direction"
+        return f"with the light at {light:.4g}° from the normal and {from_mirror}"
+
+    values = checked_targets("The reflectance", values, rows.wi.shape, where)
     exponents = (basis or default_basis()).array()
     start = time.perf_counter()
+
+    def watch() -> None:
+        report(progress, (time.perf_counter() - start) / time_limit_s, "fitting")
+
+    watch()
     count = exponents.size
     split = len(rows.incidences_rad) >= FEWEST_INCIDENCES
     target = rows.gather(values * rows.wi[:, 2:3])
@@ -144,7 +167,9 @@ def fit_rows(
     goal = np.concatenate((target, np.zeros((light.size, 3))))
     solver = LimitedSolver([program], inline=True)
     try:
-        answer = solver.solve([program.row_weights[:, None] * goal], start + time_limit_s, finish=False)
+        answer = solver.solve(
+            [program.row_weights[:, None] * goal], start + time_limit_s, finish=False, watch=watch
+        )
     finally:
         solver.close()
     found = answer.solutions[0] * program.column_scale[:, None]
@@ -214,25 +239,6 @@ def _importance(target: FloatArray) -> FloatArray:
 
 def _typical(weights: FloatArray) -> float:
     return float(weights.sum() / (2.0 * np.pi))
-
-
-def _checked(rows: UndividedRows, values: FloatArray) -> FloatArray:
-    """Return the values as float64 (p, 3), or raise a FittingError that names the first bad one."""
-    array = np.asarray(values, np.float64)
-    if array.shape != rows.wi.shape:
-        raise FittingError(f"The samples have the shape {array.shape}, not {rows.wi.shape}.")
-    bad = ~(np.isfinite(array) & (array >= 0.0))
-    if bad.any():
-        place, channel = np.argwhere(bad)[0]
-        value = array[place, channel]
-        what = "is not finite" if not np.isfinite(value) else f"is negative ({value:g} 1/sr)"
-        gamma = np.degrees(aspecular_angle(rows.wi[place], rows.wo[place]))
-        raise FittingError(
-            f"The reflectance cannot be fitted: its {_CHANNELS[channel]} channel {what} with the light at "
-            f"{np.degrees(np.arccos(min(rows.wi[place, 2], 1.0))):.4g}° from the normal and the view "
-            f"{float(gamma):.4g}° from its mirror direction."
-        )
-    return array
 
 
 def _told(

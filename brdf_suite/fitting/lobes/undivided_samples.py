@@ -63,9 +63,11 @@ class UndividedRows:
         ``(p,)`` the row that each pair belongs to, and its share of it.
     weights
         ``(n,)`` > 0: what the row's error counts, in sr.
+    theta_rad
+        ``(n,)`` polar angle of the light of each row, or of the mirror direction about which its lights lie.
     incidences_rad
-        Polar angles of the light, or of the mirror direction about which the lights lie, rising; angles whose
-        cosines differ by less than :data:`SAME_COSINE` are one.
+        The different ones of these angles, rising, at which enough is known; angles whose cosines differ by less than
+        :data:`SAME_COSINE` are one.
     notices
         For the user.
     """
@@ -75,6 +77,7 @@ class UndividedRows:
     row: Places
     share: Floats
     weights: Floats
+    theta_rad: Floats
     incidences_rad: tuple[float, ...]
     notices: tuple[str, ...] = ()
 
@@ -85,16 +88,18 @@ class UndividedRows:
         return result
 
     def subset(self, keep: Bools) -> UndividedRows:
-        """Return the rows ``keep`` (n,), with the incidences of the whole."""
+        """Return the rows ``keep`` (n,), with those incidences of the whole at which one of them is."""
         used = keep[self.row]
         order = np.cumsum(keep) - 1
+        kept = np.cos(self.theta_rad[keep])
         return UndividedRows(
             self.wi[used],
             self.wo[used],
             order[self.row[used]],
             self.share[used],
             self.weights[keep],
-            self.incidences_rad,
+            self.theta_rad[keep],
+            tuple(a for a in self.incidences_rad if (np.abs(np.cos(a) - kept) <= SAME_COSINE).any()),
             self.notices,
         )
 
@@ -137,9 +142,18 @@ def rows_of_scattered(samples: ScatteredSamples) -> UndividedRows:
         np.arange(count),
         np.ones(count),
         _solid_angles(wi, wo, theta),
+        theta,
         distinct_incidences(theta) if count else (),
         notices,
     )
+
+
+def views_with_light_at_minus_x(wi: Floats, wo: Floats) -> Floats:
+    """Return views (p, 3), each turned about the normal with its light until that has azimuth π."""
+    turn = np.pi - np.arctan2(wi[:, 1], wi[:, 0])
+    x = np.cos(turn) * wo[:, 0] - np.sin(turn) * wo[:, 1]
+    y = np.sin(turn) * wo[:, 0] + np.cos(turn) * wo[:, 1]
+    return np.stack((x, y, wo[:, 2]), axis=-1)
 
 
 def _solid_angles(wi: Floats, wo: Floats, theta: Floats) -> Floats:
@@ -152,11 +166,9 @@ def _solid_angles(wi: Floats, wo: Floats, theta: Floats) -> Floats:
     around = k * (np.pi * (3.0 - np.sqrt(5.0)))
     radius = np.sqrt(1.0 - height * height)
     points = np.stack((radius * np.cos(around), radius * np.sin(around), height), axis=-1)
-    # With the light turned to azimuth π, and to one side of the plane of incidence.
-    turn = np.pi - np.arctan2(wi[:, 1], wi[:, 0])
-    x = np.cos(turn) * wo[:, 0] - np.sin(turn) * wo[:, 1]
-    y = np.abs(np.sin(turn) * wo[:, 0] + np.cos(turn) * wo[:, 1])
-    views = np.stack((x, y, wo[:, 2]), axis=-1)
+    views = views_with_light_at_minus_x(wi, wo)
+    # To one side of the plane of incidence.
+    views[:, 1] = np.abs(views[:, 1])
     points[:, 1] = np.abs(points[:, 1])
     result = np.zeros(len(wi))
     bins = np.round(theta / _INCIDENCE_BIN_RAD)
@@ -177,7 +189,8 @@ def rows_of_reflectance(
 ) -> UndividedRows:
     """Return the rings about the mirror directions of ``incidences_deg``, their sums, and the plane at 45°.
 
-    Bins of a table that were not measured are left out of the rings that touch them.
+    Bins of a table that were not measured are left out of the rings that touch them. An incidence counts as one
+    where more than half of its rings, by their weights, is left.
     """
     notices: list[str] = []
     turns = 1
@@ -186,11 +199,13 @@ def rows_of_reflectance(
         notices.append(
             "It differs with the surface's azimuth; the lobes, which do not, show the mean over it."
         )
-    parts = [_rings(float(np.radians(angle)), turns) for angle in incidences_deg]
+    theta = np.radians(np.array(incidences_deg))
+    parts = [_rings(angle, turns) for angle in theta.tolist()]
     parts.append(_plane(turns))
-    wi, wo, row, share, weights = [], [], [], [], []
+    wi, wo, row, share, weights, at = [], [], [], [], [], []
+    left = np.zeros(len(parts))
     count = lost = 0
-    for part in parts:
+    for number, part in enumerate(parts):
         known = measured_pairs(reflectance, part.wi, part.wo)
         lost += int((~known).sum())
         for group in part.groups:
@@ -205,7 +220,11 @@ def rows_of_reflectance(
             row.append(np.full(used.size, count))
             share.append(given)
             weights.append(group.weight * (used.size / group.pairs.size if group.is_mean else 1.0))
+            at.append(part.theta_rad)
             count += 1
+            if group.is_mean:
+                left[number] += weights[-1]
+        left[number] /= sum(group.weight for group in part.groups if group.is_mean)
     if lost:
         notices.append(f"{lost} directions of the fit were not measured and are left out.")
     return UndividedRows(
@@ -214,9 +233,16 @@ def rows_of_reflectance(
         np.concatenate(row) if row else np.empty(0, np.intp),
         np.concatenate(share) if share else np.empty(0),
         np.array(weights),
-        distinct_incidences(np.radians(np.array(incidences_deg))),
+        np.array(at),
+        _known_incidences(theta, left[: theta.size]),
         tuple(notices),
     )
+
+
+def _known_incidences(theta_rad: Floats, left: Floats) -> tuple[float, ...]:
+    """Those of the incidences (k,) of which more than half is ``left`` (k,), or the one of which most is."""
+    known = left > 0.5
+    return distinct_incidences(theta_rad[known] if known.any() else theta_rad[[np.argmax(left)]])
 
 
 @dataclass(frozen=True, eq=False)
@@ -234,6 +260,7 @@ class _Part:
     wi: Floats
     wo: Floats
     groups: tuple[_Group, ...]
+    theta_rad: float
 
 
 def _rings(theta: float, turns: int) -> _Part:
@@ -261,7 +288,7 @@ def _rings(theta: float, turns: int) -> _Part:
         above = mine.size / (steps * turns)
         groups.append(_Group(mine, np.full(mine.size, 1.0 / mine.size), float(area[k] * above), True))
     groups.append(_Group(pairs, area[ring] / (steps * turns), ENERGY_WEIGHT, False))
-    return _Part(wi, wo, tuple(groups))
+    return _Part(wi, wo, tuple(groups), theta)
 
 
 def _plane(turns: int) -> _Part:
@@ -273,7 +300,7 @@ def _plane(turns: int) -> _Part:
     groups = tuple(
         _Group(pairs[place == k], np.full(turns, 1.0 / turns), PLANE_WEIGHT, True) for k in range(len(views))
     )
-    return _Part(wi, wo, groups)
+    return _Part(wi, wo, groups, float(np.radians(PLANE_DEG)))
 
 
 def ring_angles() -> Floats:

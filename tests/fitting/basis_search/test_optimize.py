@@ -60,3 +60,24 @@ def test_whoever_watches_can_end_it() -> None:
     with pytest.raises(Cancelled):
         optimize(distances, (5.0, 20.0, 9_000.0), watch)
     assert len(seen) == 7
+
+
+def test_a_narrow_valley_across_the_axes_needs_its_slopes() -> None:
+    """Steps along axes leave such a valley at every turn: tried without Levenberg-Marquardt, they end at .33."""
+    turned = np.array([[1.0, 1.0, 1.0], [1.0, -1.0, 0.0], [1.0, 1.0, -2.0]]) / np.sqrt([[3.0], [2.0], [6.0]])
+    across = np.array([[100.0], [1.0], [0.03]]) * turned
+
+    def valley(exponents: Floats) -> Floats:
+        return np.sqrt(0.01 + (across @ (np.log(exponents) - WANTED)) ** 2)
+
+    assert optimize(valley, (10.0, 60.0, 9_000.0)).value < 0.21
+
+
+def test_the_kink_of_the_maximum_needs_its_polish() -> None:
+    """The 16-norm of these has its least value at 1.86; where maximum plus mean is least, one has an edge."""
+
+    def edge(exponents: Floats) -> Floats:
+        above = float(np.log(exponents[0] / 8.0))
+        return np.array([max(1.0 + above, 0.0), *([max(0.9 - 0.2 * above, 0.0)] * 9)])
+
+    assert optimize(edge, (20.0,)).value == pytest.approx(11.0 / 6.0, abs=0.003)

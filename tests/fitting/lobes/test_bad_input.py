@@ -101,19 +101,6 @@ def test_exponents_that_are_nearly_one_still_fit() -> None:
     assert np.isfinite(weights.kdd).all()
 
 
-def test_dark_target_after_dark_target_still_has_an_answer_at_the_limit() -> None:
-    """The last weights, scaled down to each middle of 1e-300, come to nothing; they must not be divided by."""
-    fitter = LobeFitter(time_limit_s=1e-6)
-    base, coat = (np.full(shape, 1e-300) for shape in shapes(fitter))
-    base[0] = coat[0] = 1.0
-    bright = [np.ones(shape) for shape in shapes(fitter)]
-    with fitter._solver._background.lock:
-        for one in ((base, coat), (base, coat), bright):
-            fit = fitter.fit_samples(*one, ior=1.5)
-            assert (fit.base_error.relative <= 1.0 + 1e-9).all()
-    fitter.close()
-
-
 @pytest.mark.parametrize("ior", [np.nan, np.inf, 0.5, -1.5])
 def test_an_index_that_no_coat_has_is_refused(fitter: LobeFitter, ior: float) -> None:
     base, coat = (np.ones(shape) for shape in shapes(fitter))
@@ -122,3 +109,17 @@ def test_an_index_that_no_coat_has_is_refused(fitter: LobeFitter, ior: float) ->
     weights = fitter.fit_samples(base, coat, ior=1.0).weights
     with pytest.raises(FittingError, match="refractive index"):
         replace(weights, ior=ior)
+
+
+def test_a_fit_that_is_refused_leaves_the_one_before_it_in_work() -> None:
+    fitter = LobeFitter(time_limit_s=1e-6)
+    base, coat = (np.ones(shape) for shape in shapes(fitter))
+    with fitter._solver._background.lock:  # it cannot come to its end meanwhile
+        fit = fitter.fit_samples(base, coat, ior=1.5)
+        for bad in ({"ior": np.nan}, {"ior": 1.5, "base": -base}):
+            with pytest.raises(FittingError):
+                fitter.fit_samples(**{"base": base, "coat": coat, **bad})
+        assert fit.exact is not None
+        assert not fit.exact.cancelled()
+    assert not fit.exact.result(timeout=60.0).time_limited
+    fitter.close()

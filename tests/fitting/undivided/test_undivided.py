@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from brdf_suite.errors import FittingError
+from brdf_suite.errors import Cancelled, FittingError
 from brdf_suite.files.measured import read_measured
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.undivided import (
@@ -24,6 +25,7 @@ from brdf_suite.fitting.lobes.undivided_samples import rows_of_reflectance, rows
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination, spherical
 from brdf_suite.reflectance.models.lambertian import Lambertian
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -229,7 +231,13 @@ def test_any_brightness(scale: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("bad", "words"), [(np.nan, "is not finite"), (np.inf, "is not finite"), (-0.5, "is negative")]
+    ("bad", "words"),
+    [
+        (np.nan, "is not finite"),
+        (np.inf, "is not finite"),
+        (-0.5, "is negative"),
+        (1e305, "is beyond any reflectance"),
+    ],
 )
 def test_bad_values_are_named_with_their_place(bad: float, words: str) -> None:
     def value(wi: np.ndarray, wo: np.ndarray) -> np.ndarray:
@@ -268,6 +276,59 @@ def test_holes_of_a_table_are_not_fitted() -> None:
     assert fit.relative_error.max() < 1e-4
     assert any("not measured" in notice for notice in fit.notices)
     assert fit_undivided(IsotropicTable(values)).relative_error.max() > 0.6
+
+
+@pytest.mark.parametrize(("last", "split"), [(90, True), (34, False), (3, False)])
+def test_an_incidence_of_which_little_was_measured_is_none(last: int, split: bool) -> None:
+    """Rows of θd from ``last`` on are holes: with them go the rings about the mirror directions of those angles."""
+    known = lobe_sum(13, share=0.2)
+    table = IsotropicTable.from_reflectance(known, HalfAngleGrid(90, 90, 36))
+    holes = np.zeros(table.values.shape[:3], np.bool_)
+    holes[:, last:] = True
+    rows = rows_of_reflectance(IsotropicTable(table.values, holes))
+    fit = fit_undivided(IsotropicTable(table.values, holes), rows=rows)
+    assert fit.split_determined == split
+    assert fit.weights.kg.any() == split
+    told = [notice for notice in fit.notices if "undetermined" in notice]
+    assert bool(told) != split
+    if last == 34:
+        assert "The light stood at 10, 30° only" in told[0]
+
+
+def test_a_part_of_the_rows_has_the_incidences_that_are_in_it() -> None:
+    samples = scattered_from(lobe_sum(14), (20.0, 45.0, 65.0))
+    rows = rows_of_scattered(samples)
+    near = rows.theta_rad < np.radians(50.0)
+    part = rows.subset(near)
+    np.testing.assert_allclose(np.degrees(part.incidences_rad), (20.0, 45.0))
+    assert not fit_rows(part, values_of_scattered(samples)[near]).split_determined
+    some = np.zeros(near.size, np.bool_)
+    some[::3] = True
+    assert rows.subset(some).incidences_rad == rows.incidences_rad
+    # One that does not count as a whole does not count in a part.
+    whole = rows_of_reflectance(lobe_sum(14))
+    fewer = replace(whole, incidences_rad=whole.incidences_rad[:2])
+    assert fewer.subset(np.ones(fewer.weights.size, np.bool_)).incidences_rad == fewer.incidences_rad
+
+
+def test_a_fit_tells_its_progress_and_is_cancelled_between_runs() -> None:
+    rng = np.random.default_rng(3)
+    wi, wo = (
+        spherical(np.arccos(rng.uniform(0.05, 1.0, 20_000)), rng.uniform(0, 2 * np.pi, 20_000))
+        for _ in range(2)
+    )
+    samples = ScatteredSamples(wi, wo, lobe_sum(15).eval(wi, wo) * rng.lognormal(0.0, 0.3, (20_000, 1)))
+    told: list[tuple[float, str]] = []
+
+    def cancel(fraction: float, what: str) -> None:
+        told.append((fraction, what))
+        if len(told) == 4:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        fit_scattered(samples, progress=cancel)
+    assert [what for _, what in told] == ["fitting"] * 4
+    assert 0.0 <= told[0][0] < told[3][0] < 1.0
 
 
 def test_what_differs_with_azimuth_is_fitted_to_its_mean() -> None:
