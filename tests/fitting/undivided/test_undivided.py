@@ -209,6 +209,27 @@ def test_where_answers_tie_the_one_with_least_light_is_taken() -> None:
     assert lobes[:-1].max() < 1e-6 * lobes[-1].max()
 
 
+def test_of_lobes_that_meet_one_sample_equally_the_narrowest_is_taken() -> None:
+    """Without a price on light the simplex stops at the first of them, which reflects ten times as much."""
+    wi, wo, values = [], [], []
+    for theta in (20.0, 45.0, 65.0):
+        for gamma in (0.3, 20.0, 30.0, 40.0, 60.0, 80.0, 100.0):
+            view = aspecular_view(theta, gamma)
+            if view[2] > 0.02:
+                wi.append(illumination(theta))
+                wo.append(view)
+                values.append([1.1 if gamma < 1.0 else 0.1] * 3)
+    samples = ScatteredSamples(np.array(wi), np.array(wo), np.array(values))
+    basis = LobeBasis((2.0, 6.0, 20.0, 80.0, 500.0, 3_000.0, 20_000.0, 110_000.0))
+    lobes = fit_scattered(samples, basis)
+    reflected = (lobes.weights.kdd + lobes.weights.kg) * (
+        2.0 * np.pi / (lobes.weights.exponents[:, None] + 1.0)
+    )
+    # Lobes sharper than 80,000 are less than a third there and would have to be higher.
+    np.testing.assert_allclose(reflected.sum(axis=0), reflected[6])
+    assert reflected[6].min() > 0.0
+
+
 def test_black_is_all_zeros() -> None:
     fit = fit_undivided(Lambertian((0.0, 0.0, 0.0)))
     assert not np.concatenate((fit.weights.kd[None], fit.weights.kdd, fit.weights.kg)).any()
