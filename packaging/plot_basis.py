@@ -1,4 +1,4 @@
-"""Draw the stored search as the seed's Figures 2 and 3 do: exponents per count, and errors per count.
+"""Draw the stored search as the paper's Figures 2 and 3 do: exponents per count, and errors per count.
 
     python packaging/plot_basis.py [FILE [FOLDER]]
 

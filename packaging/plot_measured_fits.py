@@ -2,7 +2,7 @@
 
     python packaging/plot_measured_fits.py [DATA]
 
-DATA is the folder of measured files (default: ../shared/data/brdf). The seed paper's Figure 6 shows measured
+DATA is the folder of measured files (default: ../shared/data/brdf). The paper's Figure 6 shows measured
 paints in an environment; here are also slices of each against its fit.
 """
 

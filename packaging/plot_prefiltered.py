@@ -2,7 +2,7 @@
 
     python packaging/plot_prefiltered.py [ENVIRONMENT]
 
-Needs matplotlib (the dev dependencies). Like Figure 5 of the seed paper: what each lobe sees of the light.
+Needs matplotlib (the dev dependencies). Like Figure 5 of the paper: what each lobe sees of the light.
 """
 
 from __future__ import annotations

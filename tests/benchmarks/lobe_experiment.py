@@ -163,7 +163,7 @@ class Fitted:
 
     @property
     def rms(self) -> FloatArray:
-        """RMS over the held-out angles (paints,): Error(E, B_i) of the seed paper's equation 4."""
+        """RMS over the held-out angles (paints,): Error(E, B_i) of the paper's equation 4."""
         return np.asarray(np.sqrt((self.held_out**2).mean(axis=1)))
 
     @property

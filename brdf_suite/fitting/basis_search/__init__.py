@@ -1,1 +1,1 @@
-"""The search for the fixed exponents that fit a database of paints best (seed paper, section 3.2)."""
+"""The search for the fixed exponents that fit a database of paints best (Westlund and Meyer, section 3.2)."""

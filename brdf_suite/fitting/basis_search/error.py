@@ -1,4 +1,4 @@
-"""Error(E, paint) of the seed's equation 4: how far the lobes E can follow each paint of a database.
+"""Error(E, paint) of the paper's equation 4: how far the lobes E can follow each paint of a database.
 
 The weights are those that the product finds: the linear program of :class:`LobeFitter`, KD and KDD to the base, KG
 to the coat. Each paint's error is the RMS of residuals of two kinds, half and half:
@@ -43,7 +43,7 @@ MEASURED_UNIT = 0.4
 ENERGY_UNIT = 0.05
 #: What the numbers of a stored search are; part of the file.
 MEANING = (
-    "Error(E, paint) of the seed's equation 4: the root mean square of two kinds of residual, half and half, of the "
+    "Error(E, paint) of the paper's equation 4: the root mean square of two kinds of residual, half and half, of the "
     "fit that the product makes. Colour: ΔE00 between paint and fit at aspecular angles that the fit does not see, at "
     f"the measured angles in units of {MEASURED_UNIT:g}, else of 1. Coat: the share of its energy within a radius of "
     f"the mirror direction, in units of {ENERGY_UNIT:g}. Both units are about what an observer just sees."
@@ -117,7 +117,7 @@ class BasisError:
 
 
 def equation_4(errors: FloatArray) -> float:
-    """Return the seed's equation 4 for errors ``(paints,)``: their maximum plus their mean."""
+    """Return the paper's equation 4 for errors ``(paints,)``: their maximum plus their mean."""
     return float(errors.max() + errors.mean())
 
 

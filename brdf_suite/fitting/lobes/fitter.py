@@ -1,4 +1,4 @@
-"""The weights of the fixed lobes for a designed paint, while a slider moves (seed, section 4)."""
+"""The weights of the fixed lobes for a designed paint, while a slider moves (Westlund and Meyer, section 4)."""
 
 from __future__ import annotations
 

@@ -94,10 +94,10 @@ def test_a_quarter_of_ks_is_a_mirror_of_narrow_facets() -> None:
 
 
 def test_the_numbers_are_the_papers(shared_data: Path) -> None:
-    """Table 1 as the seed text prints it, read here by its own small reader."""
+    """Table 1 as the paper's text prints it, read here by its own small reader."""
     text = next((shared_data.parent / "seeds").glob("003_*.txt"), None)
     if text is None:
-        pytest.skip("the seed text is not there")
+        pytest.skip("the paper's text is not there")
     rows = [
         line.split("\t") for line in text.read_text(encoding="utf-8").splitlines() if line.count("\t") == 4
     ]

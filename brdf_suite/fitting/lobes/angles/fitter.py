@@ -1,4 +1,4 @@
-"""Lobe weights at many incidences in one fit, while a slider moves (seed, section 4, its second way of Fresnel)."""
+"""Lobe weights at many incidences in one fit, while a slider moves (Westlund and Meyer, section 4, its second way of Fresnel)."""
 
 from __future__ import annotations
 
