@@ -1,4 +1,4 @@
-"""``brdf-suite basis``: search the fixed exponents that fit a database of paints best (Westlund and Meyer, section 3.2)."""
+"""``brdf-suite basis``: search the exponents that fit a database of paints best (Westlund and Meyer, section 3.2)."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """The fixed set of cosine lobes: their exponents.
 
 The set is fixed because one environment map is prefiltered per exponent; an edit changes weights only
-(Westlund and Meyer, sections 3.2 and 4). It was found by a search over a database of paints (``basis_search``), whose stored
-answer is read here.
+(Westlund and Meyer, sections 3.2 and 4). It was found by a search over a database of paints
+(``basis_search``), whose stored answer is read here.
 """
 
 from __future__ import annotations

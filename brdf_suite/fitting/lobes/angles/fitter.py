@@ -1,4 +1,7 @@
-"""Lobe weights at many incidences in one fit, while a slider moves (Westlund and Meyer, section 4, its second way of Fresnel)."""
+"""Lobe weights at many incidences in one fit, while a slider moves (the second way of Fresnel).
+
+Westlund and Meyer, section 4.
+"""
 
 from __future__ import annotations
 

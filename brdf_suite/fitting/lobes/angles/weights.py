@@ -61,7 +61,7 @@ def _mixed(grid: AngleGrid, table: FloatArray, cosine: FloatArray) -> FloatArray
 
 @dataclass(frozen=True, eq=False)
 class AngleWeights:
-    """Weights of the lobes at K incidences, linear Rec. 2020, ≥ 0; Westlund and Meyer, section 4, its second way of Fresnel.
+    """Weights of the lobes at K incidences, linear Rec. 2020, ≥ 0: the second way of Fresnel.
 
     With the weights of the table at the cosines c = N·L and d = L·H, H halfway between light and view::
 
