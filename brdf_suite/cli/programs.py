@@ -19,6 +19,7 @@ PROGRAMS = {
 }
 _FALLBACK_PICTURE = "brdf-suite.png"
 _FALLBACK_SIZE = (1280, 720)
+_PATIENCE_S = 20.0
 _POLL_S = 0.1
 
 
@@ -44,31 +45,53 @@ def open_both(options: argparse.Namespace) -> int:
     arguments = [paint] if paint else []
     # Both show the paint that was asked for; the Viewer, told of one by name, would otherwise stay with it.
     own = {"viewer": ["--follow"]}
-    running = {
-        name: subprocess.Popen([sys.executable, "-m", package, *arguments, *own.get(name, [])])
-        for name, (package, _what) in PROGRAMS.items()
+    # A flag and not an exception: wherever a signal finds us, no program is left behind. Told to end, the command takes
+    # its windows with it; each keeps its unsaved work for the next start.
+    told: list[int] = []
+    before = {
+        number: signal.signal(number, lambda number, _frame: told.append(number))
+        for number in (signal.SIGINT, signal.SIGTERM)
     }
-    status = 0
-    # Told to end, the command takes its windows with it; each keeps its unsaved work for the next start.
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    running: dict[str, subprocess.Popen[bytes]] = {}
     try:
-        while running:
-            for name, process in list(running.items()):
-                code = process.poll()
-                if code is None:
-                    continue
-                del running[name]
-                if code != 0:
-                    status = 1
-                    print(f"brdf-suite: {name} ended with status {code}", file=sys.stderr)
-            time.sleep(_POLL_S)
-    except KeyboardInterrupt:
-        for process in running.values():
-            process.terminate()
-        for process in running.values():
-            process.wait()
-        raise
+        for name, (package, _what) in PROGRAMS.items():
+            running[name] = subprocess.Popen([sys.executable, "-m", package, *arguments, *own.get(name, [])])
+        status = _wait_for(running, told)
+    finally:
+        _end(running)
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    if told:
+        raise KeyboardInterrupt
     return status
+
+
+def _wait_for(running: dict[str, subprocess.Popen[bytes]], told: list[int]) -> int:
+    """Wait until no program runs or a signal came; what ended is taken out of ``running``. 1: one failed."""
+    status = 0
+    while running and not told:
+        for name, process in list(running.items()):
+            code = process.poll()
+            if code is None:
+                continue
+            del running[name]
+            if code != 0:
+                status = 1
+                print(f"brdf-suite: {name} ended with status {code}", file=sys.stderr)
+        time.sleep(_POLL_S)
+    return status
+
+
+def _end(running: dict[str, subprocess.Popen[bytes]]) -> None:
+    """End the programs: asked first, and where one does not in time, by force."""
+    for process in running.values():
+        process.terminate()
+    for process in running.values():
+        try:
+            process.wait(_PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
 
 
 def open_one(name: str, arguments: Sequence[str]) -> int:
