@@ -102,14 +102,23 @@ def _first_view(options: argparse.Namespace) -> View:
 
 def _report_startup(controller: ViewerController) -> None:
     """Print one line of JSON at the first complete picture."""
+    done: set[str] = set()
     times: dict[str, float] = {}
 
+    def reached(what: str) -> None:
+        # With maps from the cache the picture may be complete before the window is painted: it is seen only then.
+        done.add(what)
+        if "painted" in done and not times:
+            times["ready_s"] = round(process_age_s(), 3)
+        if done == {"painted", "complete"} and len(times) == 1:
+            times["complete_s"] = round(process_age_s(), 3)
+            print(json.dumps(times), flush=True)
+
     def painted() -> None:
-        times["ready_s"] = round(process_age_s(), 3)
+        reached("painted")
 
     def complete() -> None:
-        times["complete_s"] = round(process_age_s(), 3)
-        print(json.dumps(times), flush=True)
+        reached("complete")
 
     controller.window.first_painted.connect(painted)
     controller.picture_complete.connect(complete)

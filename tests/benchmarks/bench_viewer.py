@@ -127,8 +127,8 @@ def _maps() -> EnvironmentMaps:
         face = np.stack([1 + np.sin(3 * s), 1 + np.sin(4 * t), 1 + np.sin(5 * s * t)], -1)
         return CubeFaces(np.broadcast_to(face, (6, size, size, 3)).astype(np.float16))
 
-    lobes = tuple(faces(face_size(e, LARGEST_FACE)) for e in EXPONENTS)
-    return EnvironmentMaps(EXPONENTS, lobes, faces(face_size(1.0, LARGEST_FACE)), faces(LARGEST_FACE))
+    lobes = tuple(faces(face_size(e)) for e in EXPONENTS)
+    return EnvironmentMaps(EXPONENTS, lobes, faces(face_size(1.0)), faces(LARGEST_FACE))
 
 
 def _weights(paint: Paint) -> MaterialWeights:
