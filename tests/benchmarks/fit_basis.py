@@ -27,7 +27,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
     "basis_vs_best_log": ("", None, "", "the same over the best log-spaced set of all ends"),
     "basis_error": ("", None, "", "maximum + mean error of the default exponents (1: just seen)"),
     "basis_search_s": ("<=", 900.0, "s", "whole basis search, 1 to 11 lobes, two workers; of the stored run"),
-    "database_paints": ("", None, "", "paints in the database of the search"),
+    "database_paints": ("", None, "", "paints in the database of the search, 25 edits of them included"),
 }
 NOTES: dict[str, str] = {}
 #: Ends that the best log-spaced set is sought over.
