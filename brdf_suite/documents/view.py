@@ -17,8 +17,7 @@ TONE_CURVES: tuple[str, ...] = get_args(ToneCurve)
 Background = Literal["environment", "grey"]
 BACKGROUNDS: tuple[str, ...] = get_args(Background)
 
-ENVIRONMENT_LAYOUTS: tuple[str, ...] = (
-    "auto",
+ImageLayout = Literal[
     "latlong",
     "horizontal_cross",
     "vertical_cross",
@@ -28,7 +27,9 @@ ENVIRONMENT_LAYOUTS: tuple[str, ...] = (
     "angular",
     "mirror_ball",
     "dome",
-)
+]
+"""A layout that an environment's image can have."""
+ENVIRONMENT_LAYOUTS: tuple[str, ...] = ("auto", *get_args(ImageLayout))
 """How an environment's image can be laid out; ``auto``: as the file says or its shape tells."""
 
 SENSOR_WIDTH_MM = 36.0

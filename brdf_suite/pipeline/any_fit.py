@@ -38,11 +38,11 @@ from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit, fit_patien
 from brdf_suite.pipeline.scene import find_any_paint
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.layers import Layered, layered
+from brdf_suite.reflectance.layers import layered
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
-from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.protocol import Layered, Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 #: ``layered`` is what has a coat and a base but is neither of the two kinds of paint.

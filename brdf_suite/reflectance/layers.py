@@ -18,7 +18,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -30,37 +29,13 @@ from brdf_suite.reflectance.models.channels import luminance
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_of
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
-from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.protocol import Layered, Reflectance
 
 #: Largest facet slope m of a lobe that counts as coat.
 SHARP_SLOPE = 0.1
 #: Largest index that is given: F of a higher one hardly depends on the angle. It stands for r = 1, F = 1.
 LARGEST_IOR = 100.0
 _FIT_COSINE = math.cos(math.pi / 4.0)
-
-
-class Layered(Protocol):
-    """Two layers whose sum is the whole: f_r = base + coat."""
-
-    @property
-    def base(self) -> Reflectance:
-        """Pigment, flakes and wide lobes, as they are seen from outside."""
-        ...
-
-    @property
-    def coat(self) -> Reflectance:
-        """The sharp reflection of the first surface."""
-        ...
-
-    @property
-    def ior(self) -> float:
-        """Refractive index of the coat, 1 to :data:`LARGEST_IOR`; 1 where there is none."""
-        ...
-
-    @property
-    def base_under_coat(self) -> bool:
-        """Whether light for the base crosses the coat, so that T² applies."""
-        ...
 
 
 @dataclass(frozen=True)

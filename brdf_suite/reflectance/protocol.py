@@ -37,3 +37,27 @@ class SampledReflectance(Reflectance, Protocol):
     def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
         ...
+
+
+class Layered(Protocol):
+    """Two layers whose sum is the whole: f_r = base + coat."""
+
+    @property
+    def base(self) -> Reflectance:
+        """Pigment, flakes and wide lobes, as they are seen from outside."""
+        ...
+
+    @property
+    def coat(self) -> Reflectance:
+        """The sharp reflection of the first surface."""
+        ...
+
+    @property
+    def ior(self) -> float:
+        """Refractive index of the coat, at least 1; 1 where there is none."""
+        ...
+
+    @property
+    def base_under_coat(self) -> bool:
+        """Whether light for the base crosses the coat, so that T² applies."""
+        ...

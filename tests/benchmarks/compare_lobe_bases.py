@@ -21,7 +21,7 @@ from brdf_suite.fitting.metrics import aspecular_delta_e, directional_reflectanc
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.coat_lobe import CoatLobe
-from brdf_suite.reflectance.layers import Layered
+from brdf_suite.reflectance.protocol import Layered
 from brdf_suite.resources import resource, resource_names
 
 LIMIT_S = 1.0  # quality, not speed, is compared here

@@ -23,7 +23,7 @@ from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
 from brdf_suite.reflectance.coat_lobe import CoatLobe
-from brdf_suite.reflectance.layers import Layered
+from brdf_suite.reflectance.protocol import Layered
 from brdf_suite.resources import resource, resource_names
 
 FloatArray = NDArray[np.float64]

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.fitting import LobeFitter, default_basis
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS, BaseSamples, CoatSamples
-from brdf_suite.reflectance.layers import Layered
+from brdf_suite.reflectance.protocol import Layered
 
 #: Angles that the greedy choice may take.
 CANDIDATES = tuple(sorted(({float(g) for g in range(-30, 135, 5)} | {8.0, 92.0}) - set(HELD_OUT)))

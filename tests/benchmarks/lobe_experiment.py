@@ -21,7 +21,8 @@ from brdf_suite.errors import UnreachableError
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.layers import Layered, layered
+from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.protocol import Layered
 from brdf_suite.resources import resource, resource_names
 
 FloatArray = NDArray[np.float64]

@@ -33,7 +33,8 @@ from brdf_suite.errors import FileError, FittingError, SuiteError, UnreachableEr
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.layers import Layered, layered
+from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.protocol import Layered
 
 FloatArray = NDArray[np.float64]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, Protocol, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +23,7 @@ from brdf_suite.fitting.lobes.weighting import (
     ring_solid_angles,
 )
 from brdf_suite.fitting.lobes.weights import LobeWeights
-from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.protocol import Layered
 
 if TYPE_CHECKING:
     from concurrent.futures import Future  # see answers.py
@@ -36,30 +36,6 @@ WARM_UP_S = 1.0
 DIFFUSE_GAMMA_DEG = 110.0
 
 Diffuse = Literal["joint", "measured"]
-
-
-class LayeredReflectance(Protocol):
-    """What a fit needs of a paint: its two layers apart, and what the coat does to light for the base."""
-
-    @property
-    def base(self) -> Reflectance:
-        """Flakes and pigment, seen through the coat."""
-        ...
-
-    @property
-    def coat(self) -> Reflectance:
-        """The clearcoat's own reflection."""
-        ...
-
-    @property
-    def ior(self) -> float:
-        """Refractive index of the coat."""
-        ...
-
-    @property
-    def base_under_coat(self) -> bool:
-        """Whether light for the base crosses the coat, see :class:`LobeWeights`."""
-        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,14 +177,14 @@ class LobeFitter:
         """End the background thread, should there be one, and drop what it works at."""
         self._solver.close()
 
-    def sample(self, reflectance: LayeredReflectance) -> tuple[FloatArray, FloatArray]:
+    def sample(self, reflectance: Layered) -> tuple[FloatArray, FloatArray]:
         """Return ``f_r·(N·L)`` at the base's samples ``(n, 3)`` and the coat's rings ``(k, 3)``."""
         base = reflectance.base.eval(self.base_samples.light, self.base_samples.views)
         coat = reflectance.coat.eval(self.coat_samples.lights, self.coat_samples.view)
         rings = (np.asarray(coat, np.float64) * self.coat_samples.cosines[..., None]).mean(axis=1)
         return self._cosine * np.asarray(base, np.float64), rings
 
-    def fit(self, reflectance: LayeredReflectance) -> LobeFit:
+    def fit(self, reflectance: Layered) -> LobeFit:
         """Fit ``reflectance``: base to KD and KDD, coat to KG.
 
         Raises

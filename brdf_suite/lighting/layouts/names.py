@@ -8,19 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Literal
 
-Layout = Literal[
-    "latlong",
-    "horizontal_cross",
-    "vertical_cross",
-    "horizontal_strip",
-    "vertical_strip",
-    "exr_cube",
-    "angular",
-    "mirror_ball",
-    "dome",
-]
+from brdf_suite.documents.view import ImageLayout
+
+Layout = ImageLayout
 
 LAYOUTS: Mapping[Layout, str] = MappingProxyType(
     {

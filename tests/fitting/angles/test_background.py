@@ -17,7 +17,8 @@ from brdf_suite.fitting.lobes.angles import fitter as fitter_module
 from brdf_suite.fitting.lobes.angles.late import one_after_another
 from brdf_suite.pipeline.scene import find_any_paint, find_paint
 from brdf_suite.reflectance.build import build_paint, build_reflectance
-from brdf_suite.reflectance.layers import Layered, layered
+from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.protocol import Layered
 
 SECONDS = 20.0
 

@@ -22,10 +22,11 @@ from brdf_suite.fitting.lobes.angles.targets import AngleSamples, base_target, c
 from brdf_suite.fitting.lobes.angles.weights import AngleWeights
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.checks import checked_ior, checked_limit
-from brdf_suite.fitting.lobes.fitter import LayeredReflectance, PartError
+from brdf_suite.fitting.lobes.fitter import PartError
 from brdf_suite.fitting.lobes.limited import LimitedSolution, LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS
+from brdf_suite.reflectance.protocol import Layered
 
 if TYPE_CHECKING:  # 3 ms with the logging that it loads, on the start-up path of programs that may not fit
     from concurrent.futures import Future
@@ -164,7 +165,7 @@ class AngleFitter:
         samples = AngleSamples(look, 0.0 * look, np.repeat(rings[..., None], 3, 2), 1.5, under)
         self._fit(samples, time.perf_counter(), 2.0 * WARM_UP_S)
 
-    def sample(self, reflectance: LayeredReflectance) -> AngleSamples:
+    def sample(self, reflectance: Layered) -> AngleSamples:
         """Evaluate ``reflectance`` at the samples of the fit."""
         start = time.perf_counter()
         flat, rings = self.base_samples, self.coat_samples
@@ -180,7 +181,7 @@ class AngleFitter:
             time.perf_counter() - start,
         )
 
-    def fit(self, reflectance: LayeredReflectance) -> AngleFit:
+    def fit(self, reflectance: Layered) -> AngleFit:
         """Fit ``reflectance``: coat to KG, base to KD and KDD, at every incidence of the grid.
 
         Raises
