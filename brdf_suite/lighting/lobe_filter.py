@@ -149,11 +149,15 @@ class LobeFilter:
         return self._bright
 
 
+def ring_count(height: int) -> int:
+    """Return the number of rings that a map of so many rows is filtered with: a multiple of at least 256."""
+    return height if height >= _MIN_RINGS else height * -(-_MIN_RINGS // height)
+
+
 def _enlarge(radiance: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return the map with at least 256 rings, by bilinear interpolation where it has fewer."""
-    height = radiance.shape[0]
-    if height >= _MIN_RINGS:
+    rings = ring_count(radiance.shape[0])
+    if rings == radiance.shape[0]:
         return radiance
-    rings = height * -(-_MIN_RINGS // height)
     theta, phi = ring_angles(rings)[:, None], column_angles(2 * rings)[None, :]
     return sample(radiance, direction(theta, phi))

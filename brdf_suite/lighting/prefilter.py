@@ -15,8 +15,8 @@ from brdf_suite.errors import ValueRangeError
 from brdf_suite.lighting.cube_edges import pack_lobe
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.face_array import FaceArray, pack_faces
-from brdf_suite.lighting.lobe_filter import LobeFilter
-from brdf_suite.lighting.zonal import BROAD_BANDLIMIT, lobe_bandlimit
+from brdf_suite.lighting.lobe_filter import LobeFilter, ring_count
+from brdf_suite.lighting.zonal import BROAD_BANDLIMIT, largest_exponent, lobe_bandlimit
 from brdf_suite.progress import Progress, part, report
 
 ALGORITHM_VERSION = 3
@@ -72,6 +72,15 @@ def face_size(exponent: float) -> int:
     return next((size for size in sizes if size >= wanted and size <= MAX_FACE), MAX_FACE)
 
 
+def filtered_exponents(environment: Environment, exponents: Sequence[float]) -> list[float]:
+    """Return the exponents that get a map of their own, the diffuse map's among them, in the order of the work.
+
+    Sharper ones share the environment's own map.
+    """
+    sharpest = largest_exponent(ring_count(environment.radiance.shape[0]))
+    return sorted({DIFFUSE_EXPONENT, *(float(e) for e in exponents if e <= sharpest)})
+
+
 def prefilter(
     environment: Environment,
     exponents: Sequence[float],
@@ -80,8 +89,9 @@ def prefilter(
 ) -> LobeMaps:
     """Filter an environment with the unit-gain cosine lobes of ``exponents`` (any order, each > 0).
 
-    The diffuse map and the broad lobes come first; ``ready`` hears of each map as it is done, and
-    ``progress`` may cancel. Error before packing: below 1e-5 of the map's largest value (tests/lighting).
+    The diffuse map and the broad lobes come first, then the background, with which there is a picture to show,
+    then the sharp lobes; ``ready`` hears of each map as it is done, and ``progress`` may cancel. Error before
+    packing: below 1e-5 of the map's largest value (tests/lighting).
 
     >>> sky = Environment("white", np.ones((64, 128, 3), np.float32))
     >>> float(prefilter(sky, [20.0]).lobes[0].radiance().round(3).max())
@@ -98,13 +108,14 @@ def prefilter(
             raise ValueRangeError(f"exponents[{index}]", f"must be a finite number above 0, not {exponent}")
     report(progress, 0.0, "reading the environment's rings")
     lobe_filter = LobeFilter(environment.radiance, part(progress, 0.0, 0.0))
-    smooth = sorted({DIFFUSE_EXPONENT, *(e for e in wanted if e <= lobe_filter.largest_exponent)})
+    smooth = filtered_exponents(environment, wanted)
     costs = np.array([600.0 * lobe_bandlimit(e) ** 2 + 100.0 * face_size(e) ** 2 for e in smooth])
     ends = 0.9 * np.cumsum(costs) / costs.sum()
     maps: dict[float, FaceArray] = {}
     limits = [lobe_bandlimit(e) for e in smooth]
     # In plain numpy two analyses: one for all broad lobes, so that they come soon, one for the rest.
     first = max(limits) if lobe_filter.compiled else max(n for n in limits if n <= BROAD_BANDLIMIT)
+    last_broad = max(e for e, limit in zip(smooth, limits, strict=True) if limit <= BROAD_BANDLIMIT)
     for index, exponent in enumerate(smooth):
         step = part(progress, float(ends[index - 1]) if index else 0.0, float(ends[index]))
         lobe_filter.analyse(first if limits[index] <= first else max(limits), part(step, 0.0, 0.5))
@@ -112,9 +123,10 @@ def prefilter(
         report(step, 1.0, f"lobe {exponent:g} is filtered")
         if ready is not None:
             ready(exponent, maps[exponent])
-    background = pack_faces(lobe_filter.background(background_size(environment)))
-    if ready is not None:
-        ready(None, background)
+        if exponent == last_broad:
+            background = pack_faces(lobe_filter.background(background_size(environment)))
+            if ready is not None:
+                ready(None, background)
     report(progress, 1.0, "the environment is filtered")
     lobes = tuple(maps.get(exponent, background) for exponent in wanted)
     return LobeMaps(wanted, lobes, maps[DIFFUSE_EXPONENT], background)

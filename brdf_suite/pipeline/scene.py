@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,8 +15,10 @@ from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.lighting.prefilter import LobeMaps
 from brdf_suite.pipeline.environments import AUTOMATIC, read_environment
+from brdf_suite.pipeline.partial_maps import PartialMaps
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.resources import resource, resource_names
 from brdf_suite.surface.mesh import Mesh
@@ -125,6 +128,7 @@ class PreparedEnvironment:
     """An environment with its prefiltered maps, ready to be shown.
 
     ``name`` is what the user called it; ``notices`` say what went wrong with the cache, which costs only time.
+    ``missing`` counts the maps, of ``wanted``, that are still being filtered; the nearest ones stand in for them.
     """
 
     name: str
@@ -132,6 +136,13 @@ class PreparedEnvironment:
     maps: LobeMaps
     from_cache: bool
     notices: tuple[str, ...] = ()
+    missing: int = 0
+    wanted: int = 0
+
+    @property
+    def is_final(self) -> bool:
+        """Whether every lobe has its own map."""
+        return self.missing == 0
 
     def to_json(self) -> dict[str, object]:
         """Return what it is, as plain values."""
@@ -147,6 +158,10 @@ class PreparedEnvironment:
         }
 
 
+Partial = Callable[[PreparedEnvironment], None]
+"""Called with an environment whose sharp maps are still being filtered."""
+
+
 def load_environment(
     name_or_path: str | os.PathLike[str],
     progress: Progress | None = None,
@@ -154,6 +169,7 @@ def load_environment(
     layout: str = AUTOMATIC,
     basis: LobeBasis | None = None,
     cache: MapCache | None = None,
+    partial: Partial | None = None,
 ) -> PreparedEnvironment:
     """Read an environment and prefilter it for ``basis``, or take its maps from the cache.
 
@@ -164,6 +180,9 @@ def load_environment(
         file, which is drawn.
     layout
         How the image is laid out, where its shape does not tell; see :func:`read_environment`.
+    partial
+        Called, on the same thread, as soon as there is something to show: the diffuse map, the broad lobes and the
+        background; then after each sharper map. Never where the maps come from the cache.
 
     Raises
     ------
@@ -178,15 +197,25 @@ def load_environment(
     exponents = (basis or default_basis()).exponents
     store = cache or MapCache()
     told = len(store.notices)
-    filtered: list[float | None] = []
-    maps = store.get_or_compute(
-        environment,
-        exponents,
-        part(progress, _READING_SHARE, 1.0),
-        ready=lambda exponent, _faces: filtered.append(exponent),
-    )
+    so_far = PartialMaps(environment, exponents)
+
+    def ready(exponent: float | None, faces: FaceArray) -> None:
+        so_far.add(exponent, faces)
+        maps = so_far.maps() if partial is not None and so_far.made < so_far.wanted else None
+        if partial is not None and maps is not None:
+            missing = so_far.wanted - so_far.made
+            partial(
+                PreparedEnvironment(name, environment, maps, False, missing=missing, wanted=so_far.wanted)
+            )
+
+    maps = store.get_or_compute(environment, exponents, part(progress, _READING_SHARE, 1.0), ready)
     return PreparedEnvironment(
-        name, environment, maps, from_cache=not filtered, notices=tuple(store.notices[told:])
+        name,
+        environment,
+        maps,
+        from_cache=so_far.made == 0,
+        notices=tuple(store.notices[told:]),
+        wanted=so_far.wanted,
     )
 
 
