@@ -74,6 +74,7 @@ class Designer:
         self._closed = False
         self._join()
         self.controller.refresh()
+        self.window.keep_opened()
         self._show_history()
         self.window.show_recent(self.files.recent())
 
@@ -121,6 +122,8 @@ class Designer:
         files.recent_changed.connect(lambda: window.show_recent(files.recent()))
         self.store.history_changed.connect(self._show_history)
         self.store.replaced.connect(window.close_pickers)
+        # After the controller, which has shown the document by then.
+        self.store.replaced.connect(window.keep_opened)
         self.link.peers_changed.connect(lambda _count: window.desk_status.show_peers(self.link.peers))
         app = QCoreApplication.instance()
         if app is not None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from brdf_qt.main_window import SuiteWindow
 from brdf_qt.message_bar import Message
+from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QDragEnterEvent, QDropEvent, QKeySequence
@@ -254,6 +255,11 @@ class DesignerWindow(SuiteWindow):
         dialog.currentColorChanged.connect(picked)
         dialog.finished.connect(ended)
         dialog.show()
+
+    def keep_opened(self) -> None:
+        """Take what is shown for what the document had when it was opened: a double click goes back to it."""
+        for field in self.inspector.findChildren(NumberField):
+            field.set_default(field.value())
 
     def close_pickers(self) -> None:
         """Close every picker: another document has come, and its readings are others."""

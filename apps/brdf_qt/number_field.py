@@ -7,6 +7,9 @@ edited(float)
 gesture_started, gesture_finished
     Around a drag and around a burst of wheel turns or key steps, so that the owner makes one undo step of it.
     A typed value and a reset come without them: each is a step of its own.
+limited(text)
+    A typed or pasted number lies beyond the range; the text says which end was taken instead. It is shown beside
+    the field, too.
 """
 
 from __future__ import annotations
@@ -17,13 +20,14 @@ from PySide6.QtCore import QEvent, QLocale, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
     QGuiApplication,
+    QHelpEvent,
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
     QValidator,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QWidget
+from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QToolTip, QWidget
 
 from brdf_qt.burst import Burst
 
@@ -31,6 +35,7 @@ _NUMBER = re.compile(r"[-+−]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?")
 _UNFINISHED = re.compile(r"^\s*[-+−]?[.,]?\s*$")
 DRAG_START_PX = 4
 PX_PER_STEP = 4
+_TOLD_MS = 6000
 
 
 def parse_number(text: str) -> float | None:
@@ -44,11 +49,15 @@ def parse_number(text: str) -> float | None:
 
 
 class NumberField(QDoubleSpinBox):
-    """One number; double click resets it to ``default``, Shift drags finely, Ctrl coarsely."""
+    """One number; double click resets it to ``default``, Shift drags finely, Ctrl coarsely.
+
+    ``default`` is what was given first, until :meth:`set_default` makes it the value of the document that is open.
+    """
 
     edited = Signal(float)
     gesture_started = Signal()
     gesture_finished = Signal()
+    limited = Signal(str)
 
     def __init__(
         self,
@@ -69,6 +78,7 @@ class NumberField(QDoubleSpinBox):
         self._dragging = False
         self._typing = False
         self._quiet = False
+        self._beyond: float | None = None
         self.setAccessibleName(f"{name}, {unit}" if unit else name)
         self.setLocale(QLocale.c())
         self.setButtonSymbols(QAbstractSpinBox.ButtonSymbols.NoButtons)
@@ -84,6 +94,7 @@ class NumberField(QDoubleSpinBox):
         self._burst.started.connect(self.gesture_started)
         self._burst.finished.connect(self.gesture_finished)
         self.valueChanged.connect(self._on_changed)
+        self.editingFinished.connect(self._tell_limit)
         self.lineEdit().installEventFilter(self)
         self.lineEdit().setCursor(Qt.CursorShape.SizeHorCursor)
 
@@ -94,6 +105,10 @@ class NumberField(QDoubleSpinBox):
             self.setValue(value)
         finally:
             self._quiet = False
+
+    def set_default(self, value: float) -> None:
+        """Take ``value``, within the range, as what a reset goes back to."""
+        self.default = min(self.maximum(), max(self.minimum(), value))
 
     def reset(self) -> None:
         """Go back to the default, as one edit."""
@@ -111,7 +126,27 @@ class NumberField(QDoubleSpinBox):
         number = parse_number(text)
         if number is None:
             return self.value()
-        return min(self.maximum(), max(self.minimum(), number))
+        return self._within(number)
+
+    def _within(self, number: float) -> float:
+        """Return the number, or the end of the range that it lies beyond; which is told once editing is over."""
+        kept = min(self.maximum(), max(self.minimum(), number))
+        # What is shown has fewer decimals than the ends of a range may have.
+        beyond = abs(kept - number) > 0.5 * 10.0 ** -self.decimals()
+        self._beyond = number if beyond else None
+        return kept
+
+    def _tell_limit(self) -> None:
+        number, self._beyond = self._beyond, None
+        if number is None:
+            return
+        low = number < self.minimum()
+        end = self.textFromValue(self.minimum() if low else self.maximum())
+        unit = f" {self.unit}" if self.unit else ""
+        which = "less than the least" if low else "more than the most"
+        text = f"{number:g}{unit} is {which} that can be set; it is {end}{unit} now."
+        QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), text, self, self.rect(), _TOLD_MS)
+        self.limited.emit(text)
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
         body = text.removesuffix(self.suffix()).strip()
@@ -136,7 +171,17 @@ class NumberField(QDoubleSpinBox):
             if event.matches(keys.Undo) or event.matches(keys.Redo):
                 event.ignore()
                 return False
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            QToolTip.showText(event.globalPos(), self._tip(), self)
+            return True
         return super().event(event)
+
+    def _tip(self) -> str:
+        """What the number is, its range, and what a double click gives."""
+        unit = f" {self.unit}" if self.unit else ""
+        low, high, default = (self.textFromValue(v) for v in (self.minimum(), self.maximum(), self.default))
+        reach = f"{low} to {high}{unit}; double click: {default}{unit}"
+        return f"{self.toolTip()}\n{reach}" if self.toolTip() else reach
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Turn only the field that has the focus: a wheel that scrolls the inspector changes no value."""
@@ -154,8 +199,9 @@ class NumberField(QDoubleSpinBox):
         elif event.matches(QKeySequence.StandardKey.Paste):
             number = parse_number(clipboard.text())
             if number is not None:
-                self.setValue(number)
+                self.setValue(self._within(number))
                 self.selectAll()
+                self._tell_limit()
         elif event.key() == Qt.Key.Key_Escape and line.isModified():
             self.set_value(self.value())
             line.setText(self.text())
