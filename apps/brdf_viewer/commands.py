@@ -10,7 +10,8 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu
 
 from brdf_viewer.camera_presets import PRESETS
-from brdf_viewer.sections import BACKGROUND_TITLES, TONE_TITLES
+from brdf_viewer.sections.environment import BACKGROUND_TITLES
+from brdf_viewer.sections.tone import TONE_TITLES
 from brdf_viewer.source_chooser import Source
 
 
@@ -25,7 +26,7 @@ class ViewerCommands(QObject):
         A shipped paint; Designer is to be followed or not; Designer is to be started.
     preset_wanted(key), frame_wanted(), turntable_wanted(bool)
         The camera.
-    tone_curve_wanted(key), background_wanted(key), fresnel_wanted(bool)
+    tone_curve_wanted(key), background_wanted(key), fresnel_wanted(key)
         How the picture is shown.
     copy_wanted(), picture_wanted()
         The picture goes to the clipboard, or to a file.
@@ -43,7 +44,7 @@ class ViewerCommands(QObject):
     turntable_wanted = Signal(bool)
     tone_curve_wanted = Signal(str)
     background_wanted = Signal(str)
-    fresnel_wanted = Signal(bool)
+    fresnel_wanted = Signal(str)
     copy_wanted = Signal()
     picture_wanted = Signal()
     source_wanted = Signal(str, str)
@@ -101,12 +102,12 @@ class ViewerCommands(QObject):
         for action in self._source_groups[kind].actions():
             action.setChecked(action.data() == key)
 
-    def show_state(self, *, tone_curve: str, background: str, fresnel: bool) -> None:
+    def show_state(self, *, tone_curve: str, background: str, fresnel: str) -> None:
         """Tick what the view has."""
         for group, key in ((self._tone, tone_curve), (self._background, background)):
             for action in group.actions():
                 action.setChecked(action.data() == key)
-        self.fresnel.setChecked(fresnel)
+        self.fresnel.setChecked(fresnel != "off")
 
     def _add_file(self) -> None:
         menu = self._window.file_menu
@@ -179,7 +180,7 @@ class ViewerCommands(QObject):
         )
         self.fresnel = self._window.add_action(menu, "Fres&nel")
         self.fresnel.setCheckable(True)
-        self.fresnel.triggered.connect(self.fresnel_wanted)
+        self.fresnel.triggered.connect(lambda on: self.fresnel_wanted.emit("raised" if on else "off"))
 
     def _choices(self, menu: QMenu, titles: dict[str, str], signal: object) -> QActionGroup:
         group = QActionGroup(menu)

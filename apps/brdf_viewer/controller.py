@@ -115,7 +115,7 @@ class ViewerController(QObject):
         for signal in (environment.background_edited, commands.background_wanted):
             signal.connect(lambda key: stage.change_view(background=key))
         for signal in (window.fresnel.fresnel_edited, commands.fresnel_wanted):
-            signal.connect(lambda on: stage.change_view(fresnel=on))
+            signal.connect(lambda key: stage.change_view(fresnel=key))
         for signal in (window.tone.tone_curve_edited, commands.tone_curve_wanted):
             signal.connect(lambda key: stage.change_view(tone_curve=key))
         for kind in ("environment", "surface", "paint"):
@@ -140,7 +140,7 @@ class ViewerController(QObject):
         window.environment.rotation.set_value(new.rotation_deg)
         window.environment.exposure.set_value(new.exposure_ev)
         window.environment.set_background(new.background)
-        window.fresnel.on.setChecked(new.fresnel)
+        window.fresnel.set_mode(new.fresnel)
         window.tone.set_curve(new.tone_curve)
         window.commands.show_state(tone_curve=new.tone_curve, background=new.background, fresnel=new.fresnel)
         window.status.cell("exposure").set(f"{new.exposure_ev:+.1f} EV", "Exposure")

@@ -19,7 +19,7 @@ from brdf_suite.pipeline.scene import default_paint_name, paint_names
 from brdf_viewer.paint_patches import Patch
 from brdf_viewer.paint_source import DESIGNER, PaintSource
 from brdf_viewer.recent_files import RecentFiles
-from brdf_viewer.sections import set_note
+from brdf_viewer.sections.note import set_note
 from brdf_viewer.source_chooser import Source, title_of
 from brdf_viewer.stage import Stage
 from brdf_viewer.window import ViewerWindow

@@ -15,15 +15,13 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.pipeline.scene import default_view, environment_names, surface_names
 
-_FIELDS = ("environment", "surface", "tone_curve", "background", "environment_layout")
-_FRESNEL = "view/fresnel"
+_FIELDS = ("environment", "surface", "tone_curve", "background", "environment_layout", "fresnel", "look_up")
 
 
 def remember(store: QSettings, view: View) -> None:
     """Keep what is worth it."""
     for name in _FIELDS:
         store.setValue(f"view/{name}", getattr(view, name))
-    store.setValue(_FRESNEL, view.fresnel)
 
 
 def recall(store: QSettings) -> View:
@@ -42,4 +40,4 @@ def recall(store: QSettings) -> View:
         view = dataclasses.replace(
             view, environment_layout=default_view().environment_layout
         )  # of a file that is gone
-    return dataclasses.replace(view, fresnel=store.value(_FRESNEL, view.fresnel, type=bool))
+    return view

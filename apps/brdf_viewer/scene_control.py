@@ -18,7 +18,7 @@ from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.file_watch import FileWatch
 from brdf_viewer.loading import ENVIRONMENT, SURFACE, SceneLoader
 from brdf_viewer.recent_files import RecentFiles
-from brdf_viewer.sections import set_note
+from brdf_viewer.sections.note import set_note
 from brdf_viewer.source_chooser import Source, title_of
 from brdf_viewer.stage import Stage
 from brdf_viewer.window import ViewerWindow

@@ -13,14 +13,12 @@ from PySide6.QtWidgets import QWidget
 from brdf_suite.realtime.context import Context
 from brdf_viewer.camera_presets import PRESETS
 from brdf_viewer.commands import ViewerCommands
-from brdf_viewer.sections import (
-    CameraSection,
-    EnvironmentSection,
-    FresnelSection,
-    PaintSection,
-    SurfaceSection,
-    ToneSection,
-)
+from brdf_viewer.sections.camera import CameraSection
+from brdf_viewer.sections.environment import EnvironmentSection
+from brdf_viewer.sections.fresnel import FresnelSection
+from brdf_viewer.sections.paint import PaintSection
+from brdf_viewer.sections.surface import SurfaceSection
+from brdf_viewer.sections.tone import ToneSection
 
 _BUSY_AFTER_MS = 200
 """Work that is done sooner shows no progress: a strip that flashes up says nothing."""

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from brdf_suite.cli.layout import add_layout
 from brdf_suite.cli.output import print_json, progress_bar, size
-from brdf_suite.documents.view import TONE_CURVES, View
+from brdf_suite.documents.view import FRESNEL_MODES, TONE_CURVES, View
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -71,7 +71,11 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "neutral (Khronos PBR Neutral), characteristic (film), linear (clipped)",
     )
     command.add_argument(
-        "--no-fresnel", action="store_true", help="leave the coat's Fresnel rise towards grazing out"
+        "--fresnel",
+        choices=FRESNEL_MODES,
+        default=View().fresnel,
+        help="how coat and base follow the angle: off (as fitted), raised (sharp lobes by F(θ)/F(θ fit)), "
+        f"multi_angle (weights fitted at several incidences); default: {View().fresnel}",
     )
     command.add_argument("--json", action="store_true", help="print what was done as one JSON object")
     command.set_defaults(run=run)
@@ -109,7 +113,7 @@ def run(options: argparse.Namespace) -> int:
         rotation_deg=options.rotation,
         exposure_ev=view.exposure_ev if options.exposure is None else options.exposure,
         tone_curve=options.tone,
-        fresnel=not options.no_fresnel,
+        fresnel=options.fresnel,
         environment_layout=options.layout,
     )
     with progress_bar("rendering", quiet=options.json) as progress:

@@ -15,7 +15,21 @@ from brdf_suite.errors import DocumentError
 
 Migration = Callable[[dict[str, object]], dict[str, object]]
 
-VERSIONS: dict[str, int] = {"brdfpaint": 2, "brdfview": 2, "brdfstudio": 1}
+
+def _fresnel_mode(fields: dict[str, object]) -> dict[str, object]:
+    on = fields.get("fresnel", True)
+    if not isinstance(on, bool):
+        raise ValueError("fresnel was true or false")
+    # The picture stays as it was: lobes were looked up as in the paper, flakes and occlusion not drawn.
+    old: dict[str, object] = {
+        "look_up": "paper",
+        "sparkle": {"mode": "off"},
+        "surface_look": {"occlusion": False},
+    }
+    return {**fields, **old, "fresnel": "raised" if on else "off"}
+
+
+VERSIONS: dict[str, int] = {"brdfpaint": 2, "brdfview": 3, "brdfstudio": 1}
 """The present version of each format."""
 
 MIGRATIONS: dict[tuple[str, int], Migration] = {
@@ -23,6 +37,8 @@ MIGRATIONS: dict[tuple[str, int], Migration] = {
     ("brdfpaint", 1): dict,
     # Version 2 added how the image of the environment is laid out, with a default.
     ("brdfview", 1): dict,
+    # Version 3 gave Fresnel three modes instead of on and off, and added fields with defaults.
+    ("brdfview", 2): _fresnel_mode,
 }
 """``MIGRATIONS[format, n]`` turns fields of version n (without format and version) into those of n + 1."""
 

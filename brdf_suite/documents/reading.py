@@ -49,6 +49,10 @@ class FieldReader:
             self.fail(f'the field "{name}" is missing')
         return self._fields.pop(name)
 
+    def has(self, name: str) -> bool:
+        """Whether a field is there and was not taken yet."""
+        return name in self._fields
+
     def take_or(self, name: str, default: _T) -> object | _T:
         """Return a field, or ``default`` where it is absent."""
         return self._fields.pop(name, default)

@@ -16,7 +16,8 @@ from brdf_suite.documents.cook_torrance import Clearcoat, CookTorranceLobe, Cook
 from brdf_suite.documents.migrations import VERSIONS, open_envelope
 from brdf_suite.documents.paint import Flakes, Gloss, Measurement, Paint
 from brdf_suite.documents.reading import FieldReader, fill, read_json
-from brdf_suite.documents.view import Camera, View
+from brdf_suite.documents.view import PARTS, Camera, View
+from brdf_suite.documents.view_settings import Lamp, PartMaterial, SurfaceLook
 from brdf_suite.errors import DocumentError
 
 PAINT_ENDING = ".brdfpaint"
@@ -137,17 +138,32 @@ def _optional(reader: FieldReader, name: str, kind: Callable[..., _T]) -> _T | N
 
 def view_to_json(view: View) -> dict[str, object]:
     """Return the JSON object of a view; :func:`view_from_json` is its inverse."""
-    fields = dataclasses.asdict(view)
-    target = fields["camera"]["target"]
-    fields["camera"]["target"] = None if target is None else list(target)
+    fields: dict[str, object] = dataclasses.asdict(view, dict_factory=_with_lists)
     return {"format": "brdfview", "version": VERSIONS["brdfview"], **fields}
+
+
+def _with_lists(pairs: list[tuple[str, object]]) -> dict[str, object]:
+    # JSON knows no tuples, and what is sent and saved is compared with what is read.
+    return {name: list(value) if isinstance(value, tuple) else value for name, value in pairs}
 
 
 def view_from_json(value: object, path: _Path = "the message") -> View:
     """Return the view in a JSON value; errors as :func:`paint_from_json`."""
     reader = open_envelope(value, "brdfview", path)
-    camera = fill(reader.take_object("camera"), Camera)
-    return fill(reader, View, taken={"camera": camera})
+    taken: dict[str, object] = {"camera": fill(reader.take_object("camera"), Camera)}
+    for name, kind in PARTS.items():
+        if name not in taken and reader.has(name):
+            part = reader.take_object(name)
+            within: dict[str, object] = {}
+            if kind is SurfaceLook and part.has("materials"):
+                items = part.take_objects("materials")
+                within["materials"] = tuple(
+                    fill(item, PartMaterial, required=("part", "material")) for item in items
+                )
+            taken[name] = fill(part, kind, taken=within)
+    if reader.has("lamps"):
+        taken["lamps"] = tuple(fill(item, Lamp) for item in reader.take_objects("lamps"))
+    return fill(reader, View, taken=taken)
 
 
 def _measurement(reader: FieldReader) -> Measurement:

@@ -10,12 +10,29 @@ from types import MappingProxyType
 from typing import Literal, get_args
 
 from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.documents.view_settings import (
+    Compare,
+    Lamp,
+    LightColour,
+    Relief,
+    Sparkle,
+    SurfaceLook,
+    TwoTone,
+    check_colour,
+    check_lamps,
+)
 from brdf_suite.errors import ValueRangeError
 
 ToneCurve = Literal["faithful", "neutral", "characteristic", "linear"]
 TONE_CURVES: tuple[str, ...] = get_args(ToneCurve)
-Background = Literal["environment", "grey"]
+Background = Literal["environment", "blurred", "grey", "colour"]
 BACKGROUNDS: tuple[str, ...] = get_args(Background)
+FresnelMode = Literal["off", "raised", "multi_angle"]
+FRESNEL_MODES: tuple[str, ...] = get_args(FresnelMode)
+LookUp = Literal["shifted", "paper"]
+LOOK_UPS: tuple[str, ...] = get_args(LookUp)
+ExposureMode = Literal["locked", "automatic"]
+EXPOSURE_MODES: tuple[str, ...] = get_args(ExposureMode)
 
 ImageLayout = Literal[
     "latlong",
@@ -83,6 +100,11 @@ class View:
     ``environment`` and ``surface`` are the name of a packaged one (``booth``, ``speed_form``) or the
     absolute path of a file. Whether it exists is found out where it is opened. ``environment_layout`` says how that
     file's image is laid out, one of :data:`ENVIRONMENT_LAYOUTS`.
+
+    ``fresnel``: the weights as fitted, sharp lobes raised by F(θ)/F(θ_fit), or weights fitted at several incidences.
+    ``look_up``: lobes looked up along the mirror direction as in the paper, or shifted towards the normal.
+    ``exposure_ev`` counts from the automatic exposure where ``exposure_mode`` is ``automatic``. ``background_colour``
+    is encoded sRGB. ``clipping_marks`` and ``gamut_marks`` mark what the screen cannot show.
     """
 
     camera: Camera = field(default_factory=Camera)
@@ -92,12 +114,26 @@ class View:
     exposure_ev: float = 0.0
     tone_curve: ToneCurve = "faithful"
     background: Background = "environment"
-    fresnel: bool = True
+    fresnel: FresnelMode = "raised"
     environment_layout: str = "auto"
+    look_up: LookUp = "shifted"
+    exposure_mode: ExposureMode = "locked"
+    background_colour: tuple[float, float, float] = (0.46, 0.46, 0.46)
+    clipping_marks: bool = False
+    gamut_marks: bool = False
+    light_colour: LightColour = field(default_factory=LightColour)
+    lamps: tuple[Lamp, ...] = ()
+    sparkle: Sparkle = field(default_factory=Sparkle)
+    surface_look: SurfaceLook = field(default_factory=SurfaceLook)
+    relief: Relief = field(default_factory=Relief)
+    two_tone: TwoTone = field(default_factory=TwoTone)
+    compare: Compare = field(default_factory=Compare)
 
     def __post_init__(self) -> None:
-        if not isinstance(self.camera, Camera):
-            raise ValueRangeError("camera", f"a camera is wanted, not {describe(self.camera)}")
+        for name, kind in PARTS.items():
+            if not isinstance(getattr(self, name), kind):
+                words = name.replace("_", " ")
+                raise ValueRangeError(name, f"a {words} is wanted, not {describe(getattr(self, name))}")
         for name in ("environment", "surface"):
             _check_name_or_path(getattr(self, name), name)
         for name in ("rotation_deg", "exposure_ev"):
@@ -105,8 +141,30 @@ class View:
         check_choice(self.tone_curve, "tone_curve", TONE_CURVES)
         check_choice(self.background, "background", BACKGROUNDS)
         check_choice(self.environment_layout, "environment_layout", ENVIRONMENT_LAYOUTS)
-        if not isinstance(self.fresnel, bool):
-            raise ValueRangeError("fresnel", f"true or false is wanted, not {describe(self.fresnel)}")
+        check_choice(self.fresnel, "fresnel", FRESNEL_MODES)
+        check_choice(self.look_up, "look_up", LOOK_UPS)
+        check_choice(self.exposure_mode, "exposure_mode", EXPOSURE_MODES)
+        for name in ("clipping_marks", "gamut_marks"):
+            if not isinstance(getattr(self, name), bool):
+                raise ValueRangeError(name, f"true or false is wanted, not {describe(getattr(self, name))}")
+        object.__setattr__(
+            self, "background_colour", check_colour(self.background_colour, "background_colour")
+        )
+        object.__setattr__(self, "lamps", check_lamps(self.lamps, "lamps"))
+
+
+PARTS: Mapping[str, type] = MappingProxyType(
+    {
+        "camera": Camera,
+        "light_colour": LightColour,
+        "sparkle": Sparkle,
+        "surface_look": SurfaceLook,
+        "relief": Relief,
+        "two_tone": TwoTone,
+        "compare": Compare,
+    }
+)
+"""The fields of a view that are values with fields of their own."""
 
 
 def _check_name_or_path(value: object, place: str) -> None:

@@ -77,7 +77,7 @@ class SceneRenderer:
     def set_surface(self, mesh: Mesh) -> None:
         """Show this surface."""
         self._renderer.set_mesh(
-            [MeshPart(p.name, p.material, p.positions, p.normals, p.triangles) for p in mesh.parts]
+            [MeshPart(p.name, p.material, p.positions, p.normals, p.triangles, p.uvs) for p in mesh.parts]
         )
 
     def draw(self, view: View, framebuffer: Any, size: Size) -> None:
@@ -255,6 +255,6 @@ def picture_metadata(fit: PaintFit | AnyFit, view: View) -> dict[str, str]:
         "Description": (
             f"{fit.name} on {Path(view.surface).stem} in {Path(view.environment).stem}, "
             f"{view.exposure_ev:+g} EV, light turned {view.rotation_deg:g}°, tone curve {view.tone_curve}, "
-            f"fresnel {'on' if view.fresnel else 'off'}"
+            f"fresnel {view.fresnel.replace('_', ' ')}"
         ),
     }

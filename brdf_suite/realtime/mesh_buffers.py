@@ -11,9 +11,11 @@ from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.gpu_objects import GpuObjects
 from brdf_suite.realtime.values import MeshPart
 
+_ATTRIBUTES = (("position", 3), ("normal", 3), ("uv", 2))
+
 
 class MeshBuffers:
-    """Positions and normals interleaved, 32-bit indices; a vertex array per part and program."""
+    """Positions, normals and texture coordinates interleaved, 32-bit indices; a vertex array per part and program."""
 
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects
@@ -29,7 +31,8 @@ class MeshBuffers:
         self.release()
         self.generation += 1
         for part in parts:
-            vertices = np.concatenate([part.positions, part.normals], axis=1)
+            uvs = np.zeros((len(part.positions), 2), np.float32) if part.uvs is None else part.uvs
+            vertices = np.concatenate([part.positions, part.normals, uvs], axis=1)
             self._buffers.append(
                 (self._objects.buffer(vertices.tobytes()), self._objects.buffer(part.triangles.tobytes()))
             )
@@ -40,8 +43,14 @@ class MeshBuffers:
     def arrays(self, program: moderngl.Program) -> list[moderngl.VertexArray]:
         """Return one vertex array per part for ``program``; made at the first call, kept until the next mesh."""
         if program not in self._arrays:
+            # A compiler drops the attributes that a program does not read; their bytes are then stepped over.
+            known = [(name, count) for name, count in _ATTRIBUTES if name in program]
+            layout = " ".join(
+                f"{count}f" if name in program else f"{4 * count}x" for name, count in _ATTRIBUTES
+            )
+            names = [name for name, _ in known]
             self._arrays[program] = [
-                self._objects.vertex_array(program, [(vertices, "3f 3f", "position", "normal")], indices)
+                self._objects.vertex_array(program, [(vertices, layout, *names)], indices)
                 for vertices, indices in self._buffers
             ]
         return self._arrays[program]

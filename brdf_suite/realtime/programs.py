@@ -34,27 +34,35 @@ def look_up_counts(lobes: int) -> tuple[int, ...]:
     return tuple(sorted({min(count, lobes) for count in (4, 7, lobes)}))
 
 
+Features = frozenset[str]
+"""What of the surface shader is compiled in, by the words that its files test with ``#ifdef``."""
+
+
 class Programs:
     """Programs of one context; ``surface_shader`` takes the place of mesh.frag.glsl."""
 
     def __init__(self, objects: GpuObjects, surface_shader: Path | None = None) -> None:
         self._objects = objects
         self._surface_shader = surface_shader or SHADERS / "mesh.frag.glsl"
-        self._surfaces: dict[int, moderngl.Program] = {}
+        self._surfaces: dict[tuple[int, Features], moderngl.Program] = {}
         self._screen: dict[tuple[str, int], ScreenProgram] = {}
 
-    def surface(self, look_ups: int) -> moderngl.Program:
-        """Return the program that shades surfaces with so many look-ups of lobes."""
-        if look_ups not in self._surfaces:
+    def surface(self, look_ups: int, features: Features = frozenset()) -> moderngl.Program:
+        """Return the program that shades surfaces with so many look-ups of lobes and these features."""
+        key = (look_ups, features)
+        if key not in self._surfaces:
+            words = dict.fromkeys(sorted(features), "1")
             fragment = compose(
-                self._surface_shader.name, lobe_defines(look_ups), (self._surface_shader.parent, SHADERS)
+                self._surface_shader.name,
+                lobe_defines(look_ups) | words,
+                (self._surface_shader.parent, SHADERS),
             )
-            program = self._objects.program(compose("mesh.vert.glsl"), fragment)
+            program = self._objects.program(compose("mesh.vert.glsl", words), fragment)
             block = program.get("Material", None)
             if isinstance(block, moderngl.UniformBlock):
                 block.binding = MATERIAL_BINDING
-            self._surfaces[look_ups] = program
-        return self._surfaces[look_ups]
+            self._surfaces[key] = program
+        return self._surfaces[key]
 
     def background(self) -> ScreenProgram:
         """Return the program of the background and the vertex array to draw it with."""

@@ -27,10 +27,17 @@ from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.environment_textures import EnvironmentTextures
+from brdf_suite.realtime.features import surface_features
 from brdf_suite.realtime.gpu_objects import Counters, GpuObjects
 from brdf_suite.realtime.material_set import MaterialSet
 from brdf_suite.realtime.mesh_buffers import MeshBuffers
-from brdf_suite.realtime.programs import MATERIAL_BINDING, Programs, assign, look_up_counts
+from brdf_suite.realtime.programs import (
+    MATERIAL_BINDING,
+    Features,
+    Programs,
+    assign,
+    look_up_counts,
+)
 from brdf_suite.realtime.target import LightTarget, PictureTarget
 from brdf_suite.realtime.tone_curves import TONE_CURVE_NUMBERS
 from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights, MeshPart
@@ -59,7 +66,7 @@ class Renderer:
         self._materials = MaterialSet(self._objects)
         self._light = LightTarget(self._objects)
         self._picture = PictureTarget(self._objects)
-        self._warm: tuple[tuple[int, ...], int, int] | None = None
+        self._warm: tuple[tuple[int, ...], int, int, Features] | None = None
 
     @property
     def counters(self) -> Counters:
@@ -154,9 +161,10 @@ class Renderer:
         self.context.enable_only(moderngl.DEPTH_TEST)
         self.context.depth_func = "<="
         self._environment.bind()
-        self._warm_up(samples)
+        features = surface_features(view)
+        self._warm_up(samples, features)
         light_framebuffer.clear(depth=1.0)
-        self._draw_mesh(view, camera, crop(size, corner, tile))
+        self._draw_mesh(view, features, camera, crop(size, corner, tile))
         self._draw_background(view, camera, size, corner)
 
         target.use()
@@ -167,21 +175,22 @@ class Renderer:
         light.use(0)
         screen.render(moderngl.TRIANGLES, vertices=3)
 
-    def _draw_mesh(self, view: View, camera: CameraMatrices, cropping: NDArray[np.float64]) -> None:
+    def _draw_mesh(
+        self, view: View, features: Features, camera: CameraMatrices, cropping: NDArray[np.float64]
+    ) -> None:
         common = (
             self._environment.uniforms()
             | _view_uniforms(view)
             | {
                 "world_to_clip": _columns(cropping @ camera.world_to_clip),
                 "eye": tuple(camera.eye),
-                "fresnel_on": view.fresnel,
             }
         )
         ready: set[int] = set()
         for part, material in enumerate(self._mesh.materials):
             buffer, lobes = self._materials.find(material)
             look_ups = next(count for count in self._look_up_counts if count >= len(lobes))
-            program = self._programs.surface(look_ups)
+            program = self._programs.surface(look_ups, features)
             if look_ups not in ready:
                 assign(program, common)
                 ready.add(look_ups)
@@ -189,15 +198,15 @@ class Renderer:
             buffer.bind_to_uniform_block(MATERIAL_BINDING)
             self._mesh.arrays(program)[part].render(moderngl.TRIANGLES)
 
-    def _warm_up(self, samples: int) -> None:
+    def _warm_up(self, samples: int, features: Features) -> None:
         """Draw one triangle with every program: drivers finish compiling at the first draw, not in an edit."""
-        key = (self._look_up_counts, samples, self._mesh.generation)
+        key = (self._look_up_counts, samples, self._mesh.generation, features)
         if self._warm == key or not self._mesh.materials:
             return
         buffer, _ = self._materials.find("neutral")
         buffer.bind_to_uniform_block(MATERIAL_BINDING)
         for look_ups in self._look_up_counts:
-            program = self._programs.surface(look_ups)
+            program = self._programs.surface(look_ups, features)
             assign(program, self._environment.uniforms() | self._environment.lobe_uniforms((), look_ups))
             self._mesh.arrays(program)[0].render(moderngl.TRIANGLES, vertices=3)
         self._warm = key

@@ -34,6 +34,8 @@ class MeshPart:
         (n, 3) float32, about unit length; either side, the shader turns them to the viewer.
     triangles
         (k, 3) uint32, k ≥ 1, indices below n.
+    uvs
+        (n, 2) float32, lengths on the surface in millimetres; None where the mesh has none.
     """
 
     name: str
@@ -41,6 +43,7 @@ class MeshPart:
     positions: NDArray[Any]
     normals: NDArray[Any]
     triangles: NDArray[Any]
+    uvs: NDArray[Any] | None = None
 
     def __post_init__(self) -> None:
         positions = _finite(self.positions, np.float32, (-1, 3), f"part {self.name!r}: positions")
@@ -55,6 +58,9 @@ class MeshPart:
         object.__setattr__(self, "positions", positions)
         object.__setattr__(self, "normals", normals)
         object.__setattr__(self, "triangles", np.ascontiguousarray(triangles, np.uint32))
+        if self.uvs is not None:
+            uvs = _finite(self.uvs, np.float32, (len(positions), 2), f"part {self.name!r}: uvs")
+            object.__setattr__(self, "uvs", uvs)
 
 
 _HALF_INFINITY = 0x7C00

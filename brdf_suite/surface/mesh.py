@@ -9,19 +9,13 @@ being edited.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias, TypeVar, get_args
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from brdf_suite.documents.view_settings import MATERIALS
 from brdf_suite.errors import ValueRangeError
-
-Material: TypeAlias = Literal[
-    "paint", "glass", "rubber", "chrome", "lamp", "tail_lamp", "trim", "cavity", "neutral"
-]
-"""``trim`` is matt black plastic; ``neutral`` is everything else on a mesh that others made."""
-
-MATERIALS: tuple[str, ...] = get_args(Material)
 
 # Any width is accepted and converted; what a Part holds is float32 and uint32.
 Reals: TypeAlias = NDArray[np.floating[Any]]

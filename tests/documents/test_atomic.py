@@ -32,7 +32,7 @@ except FileError as error:
 
 def run(prelude: str, path: Path) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-c", prelude + SAVE_NEW, str(path)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    return subprocess.run(command, capture_output=True, text=True, timeout=240, check=False)
 
 
 @pytest.fixture

@@ -15,7 +15,14 @@ from hypothesis import strategies as st
 from brdf_suite.documents.migrations import MIGRATIONS, VERSIONS
 from brdf_suite.documents.paint import Flakes, Gloss, solid_paint
 from brdf_suite.documents.reading import LARGEST_FILE
-from brdf_suite.documents.store import load_paint, load_view, paint_from_json, paint_to_json, view_to_json
+from brdf_suite.documents.store import (
+    load_paint,
+    load_view,
+    paint_from_json,
+    paint_to_json,
+    view_from_json,
+    view_to_json,
+)
 from brdf_suite.documents.view import View
 from brdf_suite.errors import DocumentError, FileError
 
@@ -168,6 +175,41 @@ def test_a_view_is_held_to_the_same(tmp_path: Path) -> None:
     path.write_text(json.dumps(good()), encoding="utf-8")
     with pytest.raises(DocumentError, match='"brdfview" is wanted'):
         load_view(path)
+
+
+@pytest.mark.parametrize(("was", "is_now"), [(True, "raised"), (False, "off")])
+def test_a_view_of_version_2_shows_what_it_showed(was: bool, is_now: str) -> None:
+    old = {"format": "brdfview", "version": 2, "camera": {}, "fresnel": was, "background": "grey"}
+    view = view_from_json(old)
+    assert (view.fresnel, view.look_up, view.background) == (is_now, "paper", "grey")
+    assert (view.sparkle.mode, view.surface_look.occlusion) == ("off", False)
+    with pytest.raises(DocumentError, match="version 2"):
+        view_from_json({**old, "fresnel": "perhaps"})
+
+
+@pytest.mark.parametrize(
+    ("fields", "place"),
+    [
+        ({"lamps": [{}, {"strength": -1.0}]}, r"lamps\[1\]\.strength: -1 is outside"),
+        ({"lamps": {}}, "lamps: a list is wanted"),
+        ({"lamps": [{}] * 9}, "lamps: 9 are more than the 8"),
+        ({"lamps": [{"position": [0.0, 1.0, "up"]}]}, r"lamps\[0\]\.position\[2\]: a number"),
+        ({"sparkle": {"light_count": 2.5}}, r"sparkle\.light_count: a whole number"),
+        ({"surface_look": {"materials": [{"part": "door"}]}}, r"materials\[0\].*material.* missing"),
+        (
+            {"surface_look": {"materials": [{"part": "door", "material": "paint"}] * 2}},
+            r"surface_look\.materials: a part is named twice",
+        ),
+        ({"relief": {"normal_map": "bumps.png"}}, r"relief\.normal_map: an absolute path"),
+        ({"compare": {"mode": "best"}}, r"compare\.mode: one of off, side"),
+        ({"light_colour": {"adapted": 1}}, r"light_colour\.adapted: true or false"),
+        ({"background_colour": [0.0, 0.0, 2.0]}, r"background_colour\[2\]"),
+        ({"two_tone": {"colour": "red"}}, r"two_tone.*unknown"),
+    ],
+)
+def test_the_parts_of_a_view_name_their_places(fields: dict[str, object], place: str) -> None:
+    with pytest.raises(DocumentError, match=place):
+        view_from_json({**view_to_json(View()), **fields})
 
 
 values = st.recursive(

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from brdf_suite.documents import cook_torrance as cook_torrance_module
 from brdf_suite.documents import paint as paint_module
 from brdf_suite.documents import view as view_module
+from brdf_suite.documents import view_settings
 from brdf_suite.documents.cook_torrance import (
     DISTRIBUTION_NORMS,
     Clearcoat,
@@ -41,7 +42,31 @@ from brdf_suite.documents.store import (
     view_from_json,
     view_to_json,
 )
-from brdf_suite.documents.view import BACKGROUNDS, TONE_CURVES, Camera, View
+from brdf_suite.documents.view import (
+    BACKGROUNDS,
+    EXPOSURE_MODES,
+    FRESNEL_MODES,
+    LOOK_UPS,
+    TONE_CURVES,
+    Camera,
+    View,
+)
+from brdf_suite.documents.view_settings import (
+    COMPARE_MODES,
+    ILLUMINANTS,
+    LAMP_KINDS,
+    LENGTH_UNITS,
+    NORMALS_MODES,
+    SPARKLE_MODES,
+    Compare,
+    Lamp,
+    LightColour,
+    PartMaterial,
+    Relief,
+    Sparkle,
+    SurfaceLook,
+    TwoTone,
+)
 from brdf_suite.errors import DocumentError
 
 
@@ -55,6 +80,7 @@ def line(longest: int) -> st.SearchStrategy[str]:
 
 
 P, V = paint_module.PARAMETERS, view_module.PARAMETERS
+S = view_settings.PARAMETERS
 labs = st.tuples(*(numbers(P[f"lab[{i}]"]) for i in range(3)))
 measurements = st.lists(
     st.builds(Measurement, st.floats(0.0, 60.0), st.floats(-25.0, 89.0), labs),
@@ -114,7 +140,57 @@ views = st.builds(
     exposure_ev=numbers(V["exposure_ev"]),
     tone_curve=st.sampled_from(TONE_CURVES),
     background=st.sampled_from(BACKGROUNDS),
-    fresnel=st.booleans(),
+    fresnel=st.sampled_from(FRESNEL_MODES),
+    look_up=st.sampled_from(LOOK_UPS),
+    exposure_mode=st.sampled_from(EXPOSURE_MODES),
+    background_colour=st.tuples(*[st.floats(0.0, 1.0)] * 3),
+    clipping_marks=st.booleans(),
+    gamut_marks=st.booleans(),
+    light_colour=st.builds(LightColour, illuminant=st.sampled_from(ILLUMINANTS), adapted=st.booleans()),
+    lamps=st.lists(
+        st.builds(
+            Lamp,
+            kind=st.sampled_from(LAMP_KINDS),
+            position=st.tuples(*[numbers(S["lamp.position"])] * 3),
+            azimuth_deg=numbers(S["lamp.azimuth_deg"]),
+            elevation_deg=numbers(S["lamp.elevation_deg"]),
+            strength=numbers(S["lamp.strength"]),
+            temperature_k=numbers(S["lamp.temperature_k"]),
+        ),
+        max_size=2,
+    ).map(tuple),
+    sparkle=st.builds(Sparkle, mode=st.sampled_from(SPARKLE_MODES), light_count=st.integers(1, 16)),
+    surface_look=st.builds(
+        SurfaceLook,
+        unit=st.sampled_from(LENGTH_UNITS),
+        scale=numbers(S["surface.scale"]),
+        recentre=st.booleans(),
+        flip_normals=st.booleans(),
+        normals=st.sampled_from(NORMALS_MODES),
+        materials=st.sampled_from([(), (PartMaterial("door", "paint"), PartMaterial("glas ü", "glass"))]),
+        occlusion=st.booleans(),
+        ground=st.booleans(),
+    ),
+    relief=st.builds(
+        Relief,
+        normal_map=st.sampled_from([None, "/n.png"]),
+        normal_strength=numbers(S["relief.normal_strength"]),
+        normal_width_mm=numbers(S["relief.normal_width_mm"]),
+        orange_peel=numbers(S["relief.orange_peel"]),
+        orange_peel_mm=numbers(S["relief.orange_peel_mm"]),
+    ),
+    two_tone=st.builds(
+        TwoTone,
+        paint=st.sampled_from([None, "red", "/p.brdfpaint"]),
+        mask=st.sampled_from([None, "/m.png"]),
+        mask_width_mm=numbers(S["two_tone.mask_width_mm"]),
+    ),
+    compare=st.builds(
+        Compare,
+        mode=st.sampled_from(COMPARE_MODES),
+        paint=st.sampled_from([None, "red"]),
+        divider=numbers(S["compare.divider"]),
+    ),
 )
 few = settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 

@@ -28,7 +28,7 @@ def gains_of_the_shader(
     coat: Coat,
 ) -> tuple[Array, Array]:
     (folder / "gains.glsl").write_text(
-        f'#define LOBES {MAX_LOBES}\nconst bool fresnel_on = true;\n#include "material.glsl"\n'
+        f'#define LOBES {MAX_LOBES}\n#define FRESNEL_RAISED 1\n#include "material.glsl"\n'
         "vec4 gains(float c) { vec3 base, gloss; fresnel_gains(c, base, gloss); return vec4(base.r, gloss.rgb); }\n"
     )
     material = MaterialWeights(

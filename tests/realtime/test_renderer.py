@@ -117,10 +117,21 @@ def test_exposure_rotation_and_background_upload_nothing(renderer, scenes):
         {"rotation_deg": 40.0},
         {"background": "grey"},
         {"tone_curve": "characteristic"},
-        {"fresnel": False},
     )
     for change in changes:
         assert not np.array_equal(renderer.render_image(replace(VIEW, **change), (60, 60)), first)
+    assert (counters.total_created, counters.texture_uploads, counters.buffer_writes) == before
+
+
+def test_a_mode_is_compiled_once(renderer, scenes):
+    scene(renderer, scenes)
+    counters = renderer.counters
+    first = renderer.render_image(VIEW, (60, 60))
+    off = renderer.render_image(replace(VIEW, fresnel="off"), (60, 60))
+    before = (counters.total_created, counters.texture_uploads, counters.buffer_writes)
+    assert np.array_equal(renderer.render_image(VIEW, (60, 60)), first)
+    assert np.array_equal(renderer.render_image(replace(VIEW, fresnel="off"), (60, 60)), off)
+    assert not np.array_equal(first, off)
     assert (counters.total_created, counters.texture_uploads, counters.buffer_writes) == before
 
 

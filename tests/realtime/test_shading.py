@@ -67,7 +67,7 @@ def test_mirror_coat_reflects_fresnel(renderer, scenes, ior):
     # Between two vertices a position lies inside the sphere: at the rim, where F is steep, that shows.
     assert difference.max() <= 2.5
 
-    flat = renderer.render_image(View(VIEW.camera, tone_curve="linear", fresnel=False), SIZE)
+    flat = renderer.render_image(View(VIEW.camera, tone_curve="linear", fresnel="off"), SIZE)
     assert np.abs(flat[seen] - codes(fit)).max() <= CODE
 
 

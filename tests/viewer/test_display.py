@@ -61,10 +61,10 @@ def test_tone_curve(viewer, index) -> None:
 
 def test_fresnel_from_the_box_and_from_the_menu(viewer) -> None:
     assert changes(viewer, viewer.window.fresnel.on.click) > 3
-    assert viewer.view.fresnel is False
+    assert viewer.view.fresnel == "off"
     assert not viewer.window.commands.fresnel.isChecked()
     viewer.window.commands.fresnel.trigger()
-    assert viewer.view.fresnel is True
+    assert viewer.view.fresnel == "raised"
     assert viewer.window.fresnel.on.isChecked()
 
 

@@ -13,7 +13,7 @@ from brdf_viewer.environment_figures import HistogramBars, lines
 from brdf_viewer.file_kinds import ENDINGS, kind_of
 from brdf_viewer.file_watch import FileWatch
 from brdf_viewer.remembered import recall, remember
-from brdf_viewer.sections import LAYOUT_TITLES
+from brdf_viewer.sections.environment import LAYOUT_TITLES
 from PySide6.QtCore import QSettings
 
 from brdf_suite.documents.light_store import save_light

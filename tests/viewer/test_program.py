@@ -128,15 +128,15 @@ def test_what_is_remembered_comes_back_and_what_is_gone_does_not(tmp_path, qapp)
     file = tmp_path / "light.exr"
     file.touch()
     view = View(
-        environment=str(file), surface="sphere", tone_curve="linear", background="grey", fresnel=False
+        environment=str(file), surface="sphere", tone_curve="linear", background="grey", fresnel="off"
     )
     remember(settings(), view)
     assert recall(settings()) == view
     file.unlink()
-    assert recall(settings()) == View(surface="sphere", tone_curve="linear", background="grey", fresnel=False)
+    assert recall(settings()) == View(surface="sphere", tone_curve="linear", background="grey", fresnel="off")
     settings().setValue("view/tone_curve", "sepia")
     settings().setValue("view/surface", "../../etc")
-    assert recall(settings()) == View(background="grey", fresnel=False)
+    assert recall(settings()) == View(background="grey", fresnel="off")
 
 
 def test_closing_remembers_the_view(start, lights) -> None:

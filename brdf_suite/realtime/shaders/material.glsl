@@ -1,6 +1,6 @@
 // Provides: uniform block Material (one buffer per material), COAT_NONE, COAT_DIELECTRIC, COAT_METAL, COAT_FACETS,
 //           void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
-// Needs:    LOBES (number of look-ups), uniform bool fresnel_on
+// Needs:    LOBES (number of look-ups); FRESNEL_RAISED where the gains follow the angle
 #include "fresnel.glsl"
 
 const int COAT_NONE = 0;
@@ -40,8 +40,7 @@ void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
 {
     base_gain = vec3(1.0);
     gloss_gain = vec3(1.0);
-    if (!fresnel_on)
-        return;
+#ifdef FRESNEL_RAISED
     int kind = int(coat.x);
     if (kind == COAT_DIELECTRIC || kind == COAT_FACETS)
     {
@@ -58,4 +57,5 @@ void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
         vec3 g = max(gloss_albedo.rgb, vec3(1e-4));
         gloss_gain = (g + max(1.0 - g, 0.0) * rise) / g;
     }
+#endif
 }

@@ -1,7 +1,6 @@
 // Provides: the display light of a surface with lobe weights, in the light of the prefiltered maps
 // Needs:    world_position, world_normal of mesh.vert.glsl; LOBES, FOR_EACH_LOBE
 uniform vec3 eye;
-uniform bool fresnel_on;
 
 #include "facing.glsl"
 #include "lobes.glsl"

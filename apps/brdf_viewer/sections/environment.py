@@ -1,0 +1,77 @@
+"""Which light, turned how far, how bright."""
+
+from __future__ import annotations
+
+from brdf_qt.form import Form
+from brdf_qt.section import Section
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QComboBox, QWidget
+
+from brdf_suite.documents.view import PARAMETERS
+from brdf_viewer.environment_figures import EnvironmentFigures
+from brdf_viewer.sections.note import note
+from brdf_viewer.slider_field import SliderField
+from brdf_viewer.source_chooser import SourceChooser
+
+LAYOUT_TITLES = {
+    "auto": "As its shape tells",
+    "latlong": "Latitude-longitude",
+    "horizontal_cross": "Cube, horizontal cross",
+    "vertical_cross": "Cube, vertical cross",
+    "horizontal_strip": "Cube, faces side by side",
+    "vertical_strip": "Cube, faces one below another",
+    "exr_cube": "Cube of OpenEXR",
+    "angular": "Angular probe",
+    "mirror_ball": "Mirror ball",
+    "dome": "Dome, upper half",
+}
+BACKGROUND_TITLES = {"environment": "Environment", "grey": "Neutral grey"}
+
+
+class EnvironmentSection(Section):
+    """Which light, turned how far, how bright, and whether it is seen behind the surface."""
+
+    rotation_edited = Signal(float)
+    exposure_edited = Signal(float)
+    background_edited = Signal(str)
+    layout_edited = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("Environment", "environment", parent)
+        self.chooser = SourceChooser("Open an environment file (.exr, .hdr, .brdfstudio)")
+        self.rotation = SliderField("Rotation", "°", -180.0, 180.0, 1.0, 1, 0.0)
+        self.rotation.edited.connect(self.rotation_edited)
+        self.exposure = SliderField("Exposure", "EV", -8.0, 8.0, 0.1, 2, 0.0)
+        self.exposure.edited.connect(self.exposure_edited)
+        self.background = QComboBox()
+        for key, title in BACKGROUND_TITLES.items():
+            self.background.addItem(title, key)
+        self.background.activated.connect(
+            lambda index: self.background_edited.emit(self.background.itemData(index))
+        )
+        self.layout_list = QComboBox()
+        for key, title in LAYOUT_TITLES.items():
+            self.layout_list.addItem(title, key)
+        self.layout_list.activated.connect(
+            lambda index: self.layout_edited.emit(self.layout_list.itemData(index))
+        )
+        self.facts = note()
+        self.figures = EnvironmentFigures()
+        form = Form()
+        form.add_row("Light", self.chooser, "A high-dynamic-range panorama, or a studio, lights the surface")
+        form.add_row("Layout", self.layout_list, "How a file's image is laid out, where its shape misleads")
+        form.add_wide(self.facts)
+        form.add_wide(self.figures)
+        form.add_row("Rotation", self.rotation, PARAMETERS["rotation_deg"].meaning + " (Alt + drag)")
+        form.add_row("Exposure", self.exposure, PARAMETERS["exposure_ev"].meaning)
+        form.add_row("Background", self.background, "What is seen behind the surface; the light stays")
+        self.add(form)
+
+    def set_background(self, key: str) -> None:
+        """Show the present background."""
+        self.background.setCurrentIndex(self.background.findData(key))
+
+    def set_layout(self, key: str, choosable: bool) -> None:
+        """Show the present layout; only a file of pixels has a choice of it."""
+        self.layout_list.setCurrentIndex(self.layout_list.findData(key))
+        self.layout_list.setEnabled(choosable)

@@ -1,0 +1,265 @@
+"""The parts of a view beside its camera: light colour, lamps, sparkle, surface, relief, two-tone, comparison.
+
+Each is a frozen value that checks itself; a :class:`~brdf_suite.documents.view.View` holds them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import PurePosixPath, PureWindowsPath
+from types import MappingProxyType
+from typing import Literal, TypeAlias, get_args
+
+from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.errors import ValueRangeError
+
+Illuminant = Literal["environment", "D65", "D50", "A", "TL84", "LED"]
+ILLUMINANTS: tuple[str, ...] = get_args(Illuminant)
+LampKind = Literal["point", "directional"]
+LAMP_KINDS: tuple[str, ...] = get_args(LampKind)
+SparkleMode = Literal["off", "texture", "glints"]
+SPARKLE_MODES: tuple[str, ...] = get_args(SparkleMode)
+LengthUnit = Literal["file", "m", "cm", "mm", "in"]
+LENGTH_UNITS: tuple[str, ...] = get_args(LengthUnit)
+NormalsMode = Literal["file", "smooth", "flat"]
+NORMALS_MODES: tuple[str, ...] = get_args(NormalsMode)
+CompareMode = Literal["off", "side", "swipe", "blink", "difference"]
+COMPARE_MODES: tuple[str, ...] = get_args(CompareMode)
+Material: TypeAlias = Literal[
+    "paint", "glass", "rubber", "chrome", "lamp", "tail_lamp", "trim", "cavity", "neutral"
+]
+"""What a part of a mesh is made of. ``trim`` is matt black plastic; ``neutral`` everything else."""
+MATERIALS: tuple[str, ...] = get_args(Material)
+
+MOST_LAMPS = 8
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        "lamp.position": Parameter("Position", "m", -1e4, 1e4, 0.0, "Where a point lamp is, y up"),
+        "lamp.azimuth_deg": Parameter("Azimuth", "°", -3600.0, 3600.0, 30.0, "Around the y axis, 0 on +z"),
+        "lamp.elevation_deg": Parameter("Elevation", "°", -90.0, 90.0, 45.0, "Above the horizontal plane"),
+        "lamp.strength": Parameter(
+            "Strength",
+            "",
+            0.0,
+            1e6,
+            1.0,
+            "Illuminance over π, in the units of the environment: a white surface that faces the lamp, "
+            "at 1 m from a point lamp, gets this radiance",
+        ),
+        "lamp.temperature_k": Parameter(
+            "Colour temperature",
+            "K",
+            1000.0,
+            25000.0,
+            6500.0,
+            "Of the lamp's light, on the locus of daylight",
+        ),
+        "sparkle.light_count": Parameter(
+            "Lights", "", 1.0, 16.0, 8.0, "The brightest lights of the environment, in which flakes glint"
+        ),
+        "surface.scale": Parameter("Scale", "", 1e-4, 1e4, 1.0, "Factor on all lengths of the mesh"),
+        "relief.normal_strength": Parameter(
+            "Strength", "", 0.0, 4.0, 1.0, "Factor on the normal map's slopes"
+        ),
+        "relief.normal_width_mm": Parameter(
+            "Width", "mm", 0.1, 1e5, 100.0, "What one tile of the map covers"
+        ),
+        "relief.orange_peel": Parameter(
+            "Orange peel", "°", 0.0, 5.0, 0.0, "Root mean square slope of the coat's waviness"
+        ),
+        "relief.orange_peel_mm": Parameter(
+            "Wavelength", "mm", 0.2, 50.0, 4.0, "Typical distance from crest to crest of the orange peel"
+        ),
+        "two_tone.mask_width_mm": Parameter(
+            "Width", "mm", 0.1, 1e5, 1000.0, "What one tile of the mask covers"
+        ),
+        "compare.divider": Parameter("Divider", "", 0.0, 1.0, 0.5, "Share of the width that shows the first"),
+    }
+)
+
+
+@dataclass(frozen=True)
+class LightColour:
+    """The colour that the environment's white is taken for, and whether the eye has adapted to it.
+
+    ``environment`` leaves the light as it is; ``TL84`` is CIE F11. Not adapted, the light's tint is seen;
+    adapted, white stays white, and colours shift by the adaptation alone: a paint without a spectrum can show no
+    metamerism.
+    """
+
+    illuminant: Illuminant = "environment"
+    adapted: bool = True
+
+    def __post_init__(self) -> None:
+        check_choice(self.illuminant, "illuminant", ILLUMINANTS)
+        _check_flag(self.adapted, "adapted")
+
+
+@dataclass(frozen=True)
+class Lamp:
+    """A light of no size beside the environment: ``point`` at ``position`` (metres), or ``directional``."""
+
+    kind: LampKind = "point"
+    position: tuple[float, float, float] = (1.0, 2.0, 1.0)
+    azimuth_deg: float = PARAMETERS["lamp.azimuth_deg"].default
+    elevation_deg: float = PARAMETERS["lamp.elevation_deg"].default
+    strength: float = PARAMETERS["lamp.strength"].default
+    temperature_k: float = PARAMETERS["lamp.temperature_k"].default
+
+    def __post_init__(self) -> None:
+        check_choice(self.kind, "kind", LAMP_KINDS)
+        object.__setattr__(self, "position", _three(self.position, "position", PARAMETERS["lamp.position"]))
+        _check_numbers(self, "lamp", ("azimuth_deg", "elevation_deg", "strength", "temperature_k"))
+
+
+@dataclass(frozen=True)
+class Sparkle:
+    """How flakes are drawn, and in how many of the environment's lights."""
+
+    mode: SparkleMode = "glints"
+    light_count: int = int(PARAMETERS["sparkle.light_count"].default)
+
+    def __post_init__(self) -> None:
+        check_choice(self.mode, "mode", SPARKLE_MODES)
+        count = PARAMETERS["sparkle.light_count"].check(self.light_count, "light_count")
+        if count != int(count):
+            raise ValueRangeError("light_count", f"a whole number is wanted, not {count:g}")
+        object.__setattr__(self, "light_count", int(count))
+
+
+@dataclass(frozen=True)
+class PartMaterial:
+    """The material that a part of the mesh is given instead of its own."""
+
+    part: str
+    material: Material
+
+    def __post_init__(self) -> None:
+        check_text(self.part, "part", longest=1000, lines=False, empty=False)
+        check_choice(self.material, "material", MATERIALS)
+
+
+@dataclass(frozen=True)
+class SurfaceLook:
+    """How the mesh is taken and what is baked for it.
+
+    ``unit`` is the length unit of the file, ``file``: as it says, metres where it does not; ``recentre`` puts
+    the middle of its box over the origin and its lowest point on the ground.
+    """
+
+    unit: LengthUnit = "file"
+    scale: float = PARAMETERS["surface.scale"].default
+    recentre: bool = False
+    flip_normals: bool = False
+    normals: NormalsMode = "file"
+    materials: tuple[PartMaterial, ...] = ()
+    occlusion: bool = True
+    ground: bool = False
+
+    def __post_init__(self) -> None:
+        check_choice(self.unit, "unit", LENGTH_UNITS)
+        check_choice(self.normals, "normals", NORMALS_MODES)
+        for name in ("recentre", "flip_normals", "occlusion", "ground"):
+            _check_flag(getattr(self, name), name)
+        _check_numbers(self, "surface", ("scale",))
+        object.__setattr__(self, "materials", _items(self.materials, "materials", PartMaterial, 10_000))
+        names = [item.part for item in self.materials]
+        if len(set(names)) != len(names):
+            raise ValueRangeError("materials", "a part is named twice")
+
+
+@dataclass(frozen=True)
+class Relief:
+    """Small shapes of the surface: a tiled normal map (an absolute path), and the coat's orange peel."""
+
+    normal_map: str | None = None
+    normal_strength: float = PARAMETERS["relief.normal_strength"].default
+    normal_width_mm: float = PARAMETERS["relief.normal_width_mm"].default
+    orange_peel: float = PARAMETERS["relief.orange_peel"].default
+    orange_peel_mm: float = PARAMETERS["relief.orange_peel_mm"].default
+
+    def __post_init__(self) -> None:
+        check_path(self.normal_map, "normal_map")
+        numbers = ("normal_strength", "normal_width_mm", "orange_peel", "orange_peel_mm")
+        _check_numbers(self, "relief", numbers)
+
+
+@dataclass(frozen=True)
+class TwoTone:
+    """A second paint where the mask is white; both None: one paint. The mask is a tiled image, by path."""
+
+    paint: str | None = None
+    mask: str | None = None
+    mask_width_mm: float = PARAMETERS["two_tone.mask_width_mm"].default
+
+    def __post_init__(self) -> None:
+        _check_paint(self.paint, "paint")
+        check_path(self.mask, "mask")
+        _check_numbers(self, "two_tone", ("mask_width_mm",))
+
+
+@dataclass(frozen=True)
+class Compare:
+    """A second paint (a shipped name or an absolute path), and how it stands beside the first."""
+
+    mode: CompareMode = "off"
+    paint: str | None = None
+    divider: float = PARAMETERS["compare.divider"].default
+
+    def __post_init__(self) -> None:
+        check_choice(self.mode, "mode", COMPARE_MODES)
+        _check_paint(self.paint, "paint")
+        _check_numbers(self, "compare", ("divider",))
+
+
+def check_path(value: object, place: str) -> None:
+    """Raise :class:`ValueRangeError` where ``value`` is neither None nor an absolute path."""
+    if value is None:
+        return
+    text = check_text(value, place, longest=4096, lines=False, empty=False)
+    # A file written on another system is still valid here; opening it will say that it is missing.
+    if not (PurePosixPath(text).is_absolute() or PureWindowsPath(text).is_absolute()):
+        raise ValueRangeError(place, f"an absolute path is wanted, not {describe(value)}")
+
+
+def _check_paint(value: object, place: str) -> None:
+    if value is not None:
+        check_text(value, place, longest=4096, lines=False, empty=False)
+
+
+def _check_flag(value: object, place: str) -> None:
+    if not isinstance(value, bool):
+        raise ValueRangeError(place, f"true or false is wanted, not {describe(value)}")
+
+
+def _check_numbers(owner: object, group: str, names: tuple[str, ...]) -> None:
+    for name in names:
+        number = PARAMETERS[f"{group}.{name}"].check(getattr(owner, name), name)
+        object.__setattr__(owner, name, number)
+
+
+def _three(value: object, place: str, parameter: Parameter) -> tuple[float, float, float]:
+    if not isinstance(value, (tuple, list)) or len(value) != 3:
+        raise ValueRangeError(place, f"three numbers are wanted, not {describe(value)}")
+    x, y, z = (parameter.check(item, f"{place}[{i}]") for i, item in enumerate(value))
+    return (x, y, z)
+
+
+def _items(value: object, place: str, kind: type, most: int) -> tuple[object, ...]:
+    if not isinstance(value, (tuple, list)) or not all(isinstance(item, kind) for item in value):
+        raise ValueRangeError(place, f"a list is wanted, not {describe(value)}")
+    if len(value) > most:
+        raise ValueRangeError(place, f"{len(value)} are more than the {most} allowed")
+    return tuple(value)
+
+
+def check_lamps(value: object, place: str) -> tuple[Lamp, ...]:
+    """Return lamps as a tuple, or raise :class:`ValueRangeError`."""
+    return tuple(item for item in _items(value, place, Lamp, MOST_LAMPS) if isinstance(item, Lamp))
+
+
+def check_colour(value: object, place: str) -> tuple[float, float, float]:
+    """Return three numbers of 0 to 1, encoded sRGB, or raise :class:`ValueRangeError`."""
+    return _three(value, place, Parameter("Colour", "", 0.0, 1.0, 0.5, "Encoded sRGB"))

@@ -1,0 +1,21 @@
+"""Which features of the surface shader a view asks for: they are compiled in, not branched over."""
+
+from __future__ import annotations
+
+from brdf_suite.documents.view import View
+from brdf_suite.realtime.programs import Features
+
+
+def surface_features(view: View) -> Features:
+    """Return the words that the shader files test with ``#ifdef``, for one frame.
+
+    A word costs a program of its own, compiled at its first frame, so each stands for what a user switches on
+    or off, never for a number that is dragged.
+
+    >>> sorted(surface_features(View(fresnel="off")))
+    []
+    """
+    words: set[str] = set()
+    if view.fresnel != "off":
+        words.add("FRESNEL_RAISED")
+    return frozenset(words)
