@@ -1,7 +1,9 @@
 """The mouse gestures of every picture in the suite, as intents: no camera and no rendering is known here.
 
-Left drag orbits; middle drag or Shift + left drag pans; the wheel zooms; Alt + left drag turns the light;
-F frames the object. What a drag does is settled when its button goes down.
+Left drag orbits; middle drag or Shift + left drag pans; the wheel zooms to what is under the cursor; Alt + left
+drag, or right drag (window managers like to keep Alt for themselves), turns the light; F frames the object. What
+a drag does is settled when its button goes down. While Ctrl is held, all of them are ten times as fine. Nothing
+goes on after the hand has stopped.
 """
 
 from __future__ import annotations
@@ -13,6 +15,8 @@ from PySide6.QtWidgets import QWidget
 ORBIT_DEG_PER_PIXEL = 0.35
 LIGHT_DEG_PER_PIXEL = 0.5
 ZOOM_PER_NOTCH = 0.88
+FINE = 0.1
+"""What a gesture is multiplied by while Ctrl is held."""
 _NOTCH = 120.0
 
 
@@ -25,8 +29,9 @@ class CameraGestures(QObject):
         Changes of the camera's angles; the object follows the mouse.
     panned(right, up)
         How far the picture moved, as fractions of the widget's height.
-    zoomed(factor)
-        What the distance is to be multiplied by; below 1 comes nearer.
+    zoomed(factor, right, up)
+        What the distance is to be multiplied by; below 1 comes nearer. Where the cursor is, from the middle of the
+        widget, as fractions of its height.
     light_turned(degrees)
         Change of the environment's rotation, positive counter-clockwise seen from above.
     framed()
@@ -37,7 +42,7 @@ class CameraGestures(QObject):
 
     orbited = Signal(float, float)
     panned = Signal(float, float)
-    zoomed = Signal(float)
+    zoomed = Signal(float, float, float)
     light_turned = Signal(float)
     framed = Signal()
     started = Signal()
@@ -82,7 +87,7 @@ class CameraGestures(QObject):
         if not event.buttons() & self._button:  # released where nobody told us
             self._end()
             return False
-        step = event.position() - self._last
+        step = (event.position() - self._last) * _fineness(event)
         self._last = event.position()
         if self._drag == "orbit":
             self.orbited.emit(-ORBIT_DEG_PER_PIXEL * step.x(), ORBIT_DEG_PER_PIXEL * step.y())
@@ -103,7 +108,10 @@ class CameraGestures(QObject):
         delta = event.angleDelta().y() or event.angleDelta().x()  # Alt turns a wheel sideways
         if delta == 0:
             return False
-        self.zoomed.emit(ZOOM_PER_NOTCH ** (delta / _NOTCH))
+        place = event.position() - QPointF(self._widget.width() / 2, self._widget.height() / 2)
+        height = max(1, self._widget.height())
+        notches = delta / _NOTCH * _fineness(event)
+        self.zoomed.emit(ZOOM_PER_NOTCH**notches, place.x() / height, -place.y() / height)
         event.accept()
         return True
 
@@ -120,10 +128,16 @@ class CameraGestures(QObject):
             self.finished.emit()
 
 
+def _fineness(event: QMouseEvent | QWheelEvent) -> float:
+    return FINE if event.modifiers() & Qt.KeyboardModifier.ControlModifier else 1.0
+
+
 def _drag_of(event: QMouseEvent) -> str | None:
     """Which drag a button press begins; None where it is none of ours."""
     if event.button() == Qt.MouseButton.MiddleButton:
         return "pan"
+    if event.button() == Qt.MouseButton.RightButton:
+        return "light"
     if event.button() != Qt.MouseButton.LeftButton:
         return None
     modifiers = event.modifiers()

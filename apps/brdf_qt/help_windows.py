@@ -25,8 +25,9 @@ GESTURES = (
     ("Wheel on a focused number or slider", "Step it"),
     ("Left drag in a picture", "Orbit"),
     ("Middle or Shift drag in a picture", "Pan"),
-    ("Wheel in a picture", "Zoom"),
-    ("Alt drag in a picture", "Turn the light"),
+    ("Wheel in a picture", "Zoom to the cursor"),
+    ("Right or Alt drag in a picture", "Turn the light"),
+    ("Ctrl with any of these", "Ten times as fine"),
 )
 
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.realtime.camera import dolly, frame, orbit, pan, resolve
+from brdf_suite.realtime.camera import dolly_to, frame, orbit, pan, resolve
 from brdf_viewer.camera_presets import look_from, signed_deg
 from brdf_viewer.stage import Stage
 from brdf_viewer.turntable import Turntable, turn
@@ -72,15 +72,15 @@ class CameraControl(QObject):
             pan(self._camera, self._stage.bounds, self._size, right * height, -up * height)
         )
 
-    def _zoom(self, factor: float) -> None:
-        self._stage.set_camera(dolly(self._camera, self._stage.bounds, self._size, factor))
+    def _zoom(self, factor: float, right: float, up: float) -> None:
+        self._stage.set_camera(dolly_to(self._camera, self._stage.bounds, self._size, factor, (right, up)))
 
     def _turn_light(self, degrees: float) -> None:
         self._stage.change_view(rotation_deg=signed_deg(self._stage.view.rotation_deg + degrees))
 
     def _turn(self, degrees: float) -> None:
         settled = dataclasses.replace(self._stage.view, camera=self._settled())
-        self._stage.set_view(turn(settled, degrees))
+        self._stage.set_view(turn(settled, degrees, self._stage.bounds.centre))
 
     def _aim(self, **angles: float) -> None:
         self._stage.set_camera(dataclasses.replace(self._settled(), **angles))

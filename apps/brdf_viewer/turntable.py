@@ -6,6 +6,7 @@ The object itself has no angle in a view, so camera and light are turned togethe
 from __future__ import annotations
 
 import dataclasses
+import math
 
 from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal
 
@@ -49,7 +50,16 @@ class Turntable(QObject):
         self.turned.emit(DEG_PER_SECOND * seconds)
 
 
-def turn(view: View, degrees: float) -> View:
-    """Return the view of the object turned by ``degrees`` counter-clockwise seen from above."""
-    camera = dataclasses.replace(view.camera, azimuth_deg=(view.camera.azimuth_deg - degrees) % 360.0)
+def turn(view: View, degrees: float, centre: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> View:
+    """Return the view of the object turned by ``degrees`` counter-clockwise seen from above.
+
+    ``centre`` (m) is a point of the axis: the object turns about itself, also where the camera looks past it.
+    """
+    camera, target = view.camera, view.camera.target
+    if target is not None:
+        angle = math.radians(-degrees)
+        x, z = target[0] - centre[0], target[2] - centre[2]
+        turned = (x * math.cos(angle) + z * math.sin(angle), z * math.cos(angle) - x * math.sin(angle))
+        target = (centre[0] + turned[0], target[1], centre[2] + turned[1])
+    camera = dataclasses.replace(camera, azimuth_deg=(camera.azimuth_deg - degrees) % 360.0, target=target)
     return dataclasses.replace(view, camera=camera, rotation_deg=signed_deg(view.rotation_deg - degrees))

@@ -219,6 +219,25 @@ def dolly(camera: Camera, bounds: Bounds, size: tuple[int, int], factor: float) 
     return replace(camera, distance=float(np.clip(camera.distance * factor, low, high)))
 
 
+def dolly_to(
+    camera: Camera, bounds: Bounds, size: tuple[int, int], factor: float, place: tuple[float, float]
+) -> Camera:
+    """Return the camera at ``factor`` times its distance, with what is at ``place`` kept there.
+
+    ``place`` is (right, up) from the middle of the picture, as fractions of its height. The point that stays is the
+    one at the target's depth, so going in and out by the same factor ends where it began.
+    """
+    start = resolve(camera, bounds, size)
+    nearer = dolly(start, bounds, size, factor)
+    if start.distance is None or start.target is None or nearer.distance is None:
+        raise AssertionError("resolve() fills distance and target")
+    # A fraction of the height is this long at the target.
+    shrunk = 2 * half_tangents(camera, size)[1] * (start.distance - nearer.distance)
+    basis = axes(camera)
+    target = np.asarray(start.target) + shrunk * (place[0] * basis[:, 0] + place[1] * basis[:, 1])
+    return replace(nearer, target=_triple(target))
+
+
 def frame(camera: Camera) -> Camera:
     """Return the camera that looks from the same side at the whole object."""
     return replace(camera, distance=None, target=None)

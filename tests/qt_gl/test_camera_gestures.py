@@ -15,6 +15,7 @@ NONE, SHIFT, ALT = (
     Qt.KeyboardModifier.ShiftModifier,
     Qt.KeyboardModifier.AltModifier,
 )
+CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 @pytest.fixture
@@ -51,7 +52,7 @@ def drag(widget, button, modifiers, dx, dy, then=NONE) -> None:
     QTest.mouseRelease(widget, button, then, QPoint(100 + dx, 100 + dy))
 
 
-def wheel(widget, notches, sideways=False) -> None:
+def wheel(widget, notches, sideways=False, modifiers=NONE) -> None:
     turn = QPoint(round(120 * notches), 0) if sideways else QPoint(0, round(120 * notches))
     place = QPointF(50, 50)
     event = QWheelEvent(
@@ -60,7 +61,7 @@ def wheel(widget, notches, sideways=False) -> None:
         QPoint(),
         turn,
         Qt.MouseButton.NoButton,
-        NONE,
+        modifiers,
         Qt.ScrollPhase.NoScrollPhase,
         False,
     )
@@ -74,6 +75,10 @@ def wheel(widget, notches, sideways=False) -> None:
         (LEFT, SHIFT, ("panned", 0.2, -0.05)),
         (MIDDLE, NONE, ("panned", 0.2, -0.05)),
         (LEFT, ALT, ("light_turned", 40 * LIGHT_DEG_PER_PIXEL)),
+        (RIGHT, NONE, ("light_turned", 40 * LIGHT_DEG_PER_PIXEL)),
+        (LEFT, CTRL, ("orbited", -4 * ORBIT_DEG_PER_PIXEL, ORBIT_DEG_PER_PIXEL)),
+        (MIDDLE, CTRL, ("panned", 0.02, -0.005)),
+        (RIGHT, CTRL, ("light_turned", 4 * LIGHT_DEG_PER_PIXEL)),
     ],
 )
 def test_a_drag(widget, heard, button, modifiers, intent) -> None:
@@ -88,7 +93,7 @@ def test_what_a_drag_does_is_settled_at_its_start(widget, heard) -> None:
 
 
 def test_other_buttons_and_moves_without_one_do_nothing(widget, heard) -> None:
-    drag(widget, RIGHT, NONE, 40, 10)
+    drag(widget, Qt.MouseButton.BackButton, NONE, 40, 10)
     QTest.mouseMove(widget, QPoint(10, 10))
     assert heard == []
 
@@ -105,6 +110,13 @@ def test_the_wheel_zooms_in_and_back(widget, heard) -> None:
     assert factors[0] * factors[1] == pytest.approx(1)
     assert factors[2] == pytest.approx(ZOOM_PER_NOTCH**0.25)
     assert factors[3] == pytest.approx(ZOOM_PER_NOTCH)
+    # The cursor at (50, 50) of 400 x 200: left of the middle and above it.
+    assert heard[0][2:] == pytest.approx((-0.75, 0.25))
+
+
+def test_ctrl_zooms_finely(widget, heard) -> None:
+    wheel(widget, 1, modifiers=CTRL)
+    assert heard[0][1] == pytest.approx(ZOOM_PER_NOTCH**0.1)
 
 
 def test_f_frames(widget, heard) -> None:

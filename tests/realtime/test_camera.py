@@ -156,3 +156,25 @@ def test_a_composed_picture_has_the_object_in_its_middle(size: tuple[int, int]) 
     assert max(-low.min(), high.max()) == pytest.approx(1 / cam.MARGIN, abs=0.02)
     own = Camera(distance=7.0, target=(0.1, 0.2, 0.3))
     assert cam.compose(own, bounds, size) == own
+
+
+@given(cameras, st.floats(0.3, 3.0), st.floats(-0.8, 0.8), st.floats(-0.5, 0.5))
+@settings(max_examples=40, deadline=None)
+def test_a_dolly_keeps_what_is_under_the_cursor_there(camera, factor, right, up):
+    start = cam.resolve(camera, BOX, SIZE)
+    axes = cam.axes(start)
+    height = 2 * cam.half_tangents(start, SIZE)[1] * start.distance
+    point = np.asarray(start.target) + height * (right * axes[:, 0] + up * axes[:, 1])
+    nearer = cam.dolly_to(start, BOX, SIZE, factor, (right, up))
+    before = project(cam.matrices(start, BOX, SIZE).world_to_clip, point)[:2]
+    after = project(cam.matrices(nearer, BOX, SIZE).world_to_clip, point)[:2]
+    np.testing.assert_allclose(after, before, atol=1e-6)
+    np.testing.assert_allclose(before, (2 * right * SIZE[1] / SIZE[0], 2 * up), atol=1e-6)
+    back = cam.dolly_to(nearer, BOX, SIZE, 1 / factor, (right, up))
+    np.testing.assert_allclose(back.target, start.target, atol=1e-6)
+
+
+def test_a_dolly_that_has_reached_its_limit_does_not_slide_sideways():
+    nearest = cam.dolly(cam.resolve(Camera(), BOX, SIZE), BOX, SIZE, 1e-9)
+    again = cam.dolly_to(nearest, BOX, SIZE, 0.5, (0.4, 0.2))
+    np.testing.assert_allclose(again.target, nearest.target, atol=1e-12)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 from brdf_viewer.camera_presets import PRESETS
@@ -26,8 +28,8 @@ def drag(widget, dx: int, dy: int, button=LEFT, modifiers=NONE) -> None:
     QTest.mouseRelease(widget, button, modifiers, end.toPoint())
 
 
-def wheel(widget, notches: float) -> None:
-    place = QPointF(widget.rect().center())
+def wheel(widget, notches: float, place: QPointF | None = None) -> None:
+    place = place or QPointF(widget.rect().center())
     turn = QPoint(0, round(120 * notches))
     event = QWheelEvent(
         place,
@@ -137,7 +139,7 @@ def test_the_turntable_leaves_the_background_where_it_is(viewer) -> None:
     viewer.stage.change_view(surface=viewer.view.surface)
     wheel(viewer.canvas, -6)
     first = viewer.pixels()
-    viewer.stage.set_view(turn(viewer.view, 120.0))
+    viewer.stage.set_view(turn(viewer.view, 120.0, viewer.stage.bounds.centre))
     second = viewer.pixels()
     corner = np.s_[: first.shape[0] // 6, : first.shape[1] // 6]
     assert np.abs(first[corner].astype(int) - second[corner]).max() <= 3
@@ -145,6 +147,49 @@ def test_the_turntable_leaves_the_background_where_it_is(viewer) -> None:
     moved = np.abs(first[middle].astype(int) - second[middle]).max(axis=-1) > 3
     # A sphere looks the same all round, but for single pixels of its rim, where another edge of the mesh is drawn.
     assert moved.sum() <= 6
+
+
+def test_the_turntable_turns_the_object_about_itself_where_the_camera_looks_past_it(viewer) -> None:
+    from brdf_viewer.turntable import turn
+
+    viewer.stage.change_view(background="grey")
+    grey = viewer.pixels()[2, 2]
+    drag(viewer.canvas, 60, 20, MIDDLE)
+    place = object_centre(viewer.pixels(), grey)
+    for degrees in (30.0, 120.0):
+        viewer.stage.set_view(turn(viewer.view, degrees, viewer.stage.bounds.centre))
+        assert object_centre(viewer.pixels(), grey) == pytest.approx(place, abs=1.0)
+
+
+def test_the_wheel_keeps_what_is_under_the_cursor(viewer) -> None:
+    viewer.stage.change_view(background="grey")
+    grey = viewer.pixels()[2, 2]
+    x, y = object_centre(viewer.pixels(), grey)
+    cursor = QPointF(viewer.canvas.width() / 2 + 100, viewer.canvas.height() / 2 - 50)
+    wheel(viewer.canvas, -5, cursor)
+    share = 0.88**5  # what was 100 pixels left of the cursor is so much nearer to it
+    new = object_centre(viewer.pixels(), grey)
+    expected = cursor.x() + share * (x - cursor.x()), cursor.y() + share * (y - cursor.y())
+    assert new == pytest.approx(expected, abs=3)
+
+
+def test_a_right_drag_turns_the_light_and_ctrl_makes_it_fine(viewer) -> None:
+    before = viewer.view
+    drag(viewer.canvas, 40, 0, Qt.MouseButton.RightButton)
+    assert viewer.view == dataclasses.replace(before, rotation_deg=20.0)
+    drag(viewer.canvas, 40, 0, Qt.MouseButton.RightButton, Qt.KeyboardModifier.ControlModifier)
+    assert viewer.view.rotation_deg == pytest.approx(22.0)
+
+
+def test_an_orbit_stops_at_the_poles_and_comes_back_without_a_jump(viewer) -> None:
+    azimuth = viewer.view.camera.azimuth_deg
+    drag(viewer.canvas, 0, 2000)
+    assert (viewer.view.camera.elevation_deg, viewer.view.camera.azimuth_deg) == (89.0, azimuth)
+    top = viewer.pixels()
+    drag(viewer.canvas, 0, -4000)
+    assert viewer.view.camera.elevation_deg == -89.0
+    drag(viewer.canvas, 0, 4000)
+    assert (viewer.pixels() == top).all()
 
 
 def test_tab_on_the_picture_hides_and_shows_the_inspector(viewer, qtbot) -> None:
