@@ -19,9 +19,9 @@ SCREEN = ("tests/viewer", "tests/qt_gl")
 def main() -> int:
     """Prepare, run, and return pytest's exit status (the first that is not zero)."""
     if sys.argv[1:] == ["--prepare-only"]:
-        prepare("dev", "reference")
+        prepare("dev", "reference", "video")
         return 0
-    python = str(prepare("dev", "reference"))
+    python = str(prepare("dev", "reference", "video"))
     environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", "PYTHONFAULTHANDLER": "1"}
     pytest = [python, "-m", "pytest"]
     if sys.argv[1:]:
