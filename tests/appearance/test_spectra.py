@@ -172,7 +172,7 @@ def test_the_committed_command_writes_the_packaged_table(
         str(checkout / "packaging" / "generate_colour_tables.py"),
         tmp_path / "cie.csv",
     ]
-    subprocess.run(command, check=True, timeout=120, capture_output=True)
+    subprocess.run(command, check=True, timeout=240, capture_output=True)
     packaged = (checkout / "resources" / "colour" / "cie.csv").read_bytes()
     assert (tmp_path / "cie.csv").read_bytes() == packaged
 

@@ -108,7 +108,7 @@ def test_the_parts_are_told_one_after_another_in_words(monkeypatch: pytest.Monke
 
 def test_the_comparison_of_limits_prints_its_tables() -> None:
     command = [sys.executable, "-W", "error", "compare_limit.py", "--paints", "2"]
-    done = subprocess.run(command, cwd=HERE, capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run(command, cwd=HERE, capture_output=True, text=True, timeout=240, check=False)
     assert done.returncode == 0, done.stderr
     rows = [line for line in done.stdout.splitlines() if line.startswith("| ")]
     assert len(rows) >= 14

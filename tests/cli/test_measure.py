@@ -319,7 +319,7 @@ def test_the_process_itself() -> None:
         [sys.executable, "-W", "error", "-m", "brdf_suite.cli.main", "measure", "table1_bmw_339"],
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=240,
         check=False,
     )
     assert done.returncode == 0, done.stderr

@@ -26,6 +26,7 @@ def fuzzing(checkout: Path) -> ModuleType:
         module = importlib.util.module_from_spec(spec)
         sys.modules[name] = module
         spec.loader.exec_module(module)
+        module.SECONDS = 60.0  # a busy machine is no fault of a reader
     return module
 
 
@@ -56,7 +57,6 @@ def test_a_crash_a_hang_and_a_wrong_answer_are_seen(
     path = tmp_path / "x.exr"
     path.write_bytes(b"x" * 400)
     parent = fuzzing.os.getpid()
-    monkeypatch.setattr(fuzzing, "SECONDS", 0.2)
 
     def crash(_path: Path) -> str:
         if fuzzing.os.getpid() != parent:
@@ -64,11 +64,12 @@ def test_a_crash_a_hang_and_a_wrong_answer_are_seen(
         return "read"
 
     def hang(_path: Path) -> str:
-        fuzzing.time.sleep(30.0)
+        fuzzing.time.sleep(600.0)
         return "read"
 
     monkeypatch.setattr(fuzzing, "_radiance", lambda _path: None)
-    for outcome, words in ((crash, "died (SIGKILL)"), (hang, "over 0.8 s")):
+    for outcome, words, seconds in ((crash, "died (SIGKILL)", 60.0), (hang, "over 0.8 s", 0.2)):
+        monkeypatch.setattr(fuzzing, "SECONDS", seconds)
         monkeypatch.setattr(fuzzing, "outcome", outcome)
         counts, _, _ = fuzzing.fuzz(path, 2, seed=0, keep=tmp_path / "kept")
         assert sum(count for result, count in counts.items() if words in result) == 2

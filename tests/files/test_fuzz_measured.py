@@ -35,6 +35,7 @@ def fuzzing(checkout: Path) -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)
+    module.SECONDS = 60.0  # a busy machine is no fault of a reader
     return module
 
 

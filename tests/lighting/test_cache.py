@@ -5,9 +5,9 @@ import os
 import subprocess
 import sys
 import threading
-import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,6 +15,7 @@ from filelock import FileLock
 
 from brdf_suite.errors import Cancelled
 from brdf_suite.lighting import cache as cache_module
+from brdf_suite.lighting import cache_turn
 from brdf_suite.lighting.cache import MapCache, cache_key, default_root
 from brdf_suite.lighting.cache_turn import lock_path, take_turn
 from brdf_suite.lighting.environment import Environment
@@ -165,7 +166,7 @@ def test_two_programs_do_the_work_once(tmp_path: Path) -> None:
         )
         for name in "ab"
     ]
-    answers = [program.communicate(timeout=200)[0] for program in programs]
+    answers = [program.communicate(timeout=280)[0] for program in programs]
     assert [program.returncode for program in programs] == [0, 0]
     assert answers[0] == answers[1] != ""
     assert len(list(tmp_path.glob("made-*"))) == 1
@@ -174,7 +175,7 @@ def test_two_programs_do_the_work_once(tmp_path: Path) -> None:
 HOLDER = """
 import sys, time
 from filelock import FileLock
-lock = FileLock(sys.argv[1]); lock.acquire(); print("held", flush=True); time.sleep(60)
+lock = FileLock(sys.argv[1]); lock.acquire(); print("held", flush=True); time.sleep(600)
 """
 
 
@@ -233,8 +234,13 @@ def test_a_holder_without_a_sign_of_life_is_not_waited_for(
     assert len(cache.entries()) == 1
 
 
-def test_a_holder_that_gives_signs_of_life_is_waited_for(environment: Environment) -> None:
-    """The work of the first takes longer than the second's patience with silence."""
+def test_a_holder_that_gives_signs_of_life_is_waited_for(
+    environment: Environment, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The work of the first takes longer than the second's patience with silence, on a clock of the test's own."""
+    now = [100.0]
+    monkeypatch.setattr(cache_turn, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    looked = threading.Semaphore(0)  # one for each time that the second looks and goes on waiting
     key = cache_key(environment, [3.0])
     folder = MapCache().folder
     steps = 0
@@ -242,21 +248,23 @@ def test_a_holder_that_gives_signs_of_life_is_waited_for(environment: Environmen
     def slow() -> None:
         nonlocal steps
         with take_turn(
-            folder, key, timeout_s=60.0, silence_s=60.0, progress=None, notice=pytest.fail
+            folder, key, timeout_s=600.0, silence_s=600.0, progress=None, notice=pytest.fail
         ) as turn:
             watched = turn.watched(None)
             for _ in range(8):
+                now[0] += 2.0
                 watched(0.1, "slow")
                 started.set()
-                time.sleep(0.5)
+                for _ in range(2):  # the first look may have been on its way before the sign
+                    assert looked.acquire(timeout=120.0)
                 steps += 1
 
     started = threading.Event()
     with ThreadPoolExecutor(1) as pool:
         first = pool.submit(slow)
-        assert started.wait(20.0)
+        assert started.wait(120.0)
         second = MapCache(silence_s=3.0)
-        second.get_or_compute(environment, [3.0])
+        second.get_or_compute(environment, [3.0], lambda _fraction, _what: looked.release())
         assert steps == 8, "it did not wait"
         assert second.notices == []
         first.result()

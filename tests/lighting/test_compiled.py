@@ -83,7 +83,7 @@ def test_without_kernels_numpy_works_while_another_process_compiles(
 ) -> None:
     monkeypatch.setattr(compiled, "_stamp", lambda module: tmp_path / "not there")
     started = []
-    sleeper = [sys.executable, "-c", "import time; time.sleep(60)"]
+    sleeper = [sys.executable, "-c", "import time; time.sleep(600)"]
 
     def start() -> subprocess.Popen[bytes]:
         started.append(subprocess.Popen(sleeper))
@@ -108,7 +108,7 @@ def test_a_wait_says_what_it_waits_for_and_can_be_cancelled(
     fresh: type, monkeypatch: pytest.MonkeyPatch, tmp_path
 ) -> None:
     monkeypatch.setattr(compiled, "_stamp", lambda module: tmp_path / "not there")
-    process = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(60)"])
+    process = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(600)"])
     monkeypatch.setattr(compiled, "_start", lambda: process)
 
     def cancel(fraction: float, what: str) -> None:

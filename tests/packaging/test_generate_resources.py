@@ -9,7 +9,7 @@ from pathlib import Path
 
 def generate(checkout: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, str(checkout / "packaging" / "generate_resources.py"), *arguments]
-    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    return subprocess.run(command, capture_output=True, text=True, timeout=240, check=False)
 
 
 def contents(folder: Path) -> dict[str, bytes]:

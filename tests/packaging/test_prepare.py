@@ -190,7 +190,7 @@ def test_a_file_in_place_of_the_environment_is_named(
 
 @pytest.mark.skipif(sys.platform == "win32", reason="an interrupt is sent in another way there")
 def test_cancelling_says_how_to_go_on(checkout: Path, environment: Path, tmp_path: Path) -> None:
-    pip = pip_that(environment, "print('Collecting numpy', flush=True)\ntime.sleep(60)")
+    pip = pip_that(environment, "print('Collecting numpy', flush=True)\ntime.sleep(600)")
     driver = (
         "import sys, pathlib\n"
         "sys.path.insert(0, sys.argv[1])\n"
@@ -213,7 +213,7 @@ def test_cancelling_says_how_to_go_on(checkout: Path, environment: Path, tmp_pat
         while "fetching" not in (line := running.stdout.readline()):
             assert line, "ended before it began"
         running.send_signal(signal.SIGINT)
-        _, said = running.communicate(timeout=60)
+        _, said = running.communicate(timeout=200)
     assert said == "cancelled; run this again to go on\n"
     assert running.returncode == 130
 

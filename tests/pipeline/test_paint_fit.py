@@ -19,7 +19,7 @@ from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
 
 @pytest.fixture(scope="module")
 def fitter() -> PaintFitter:
-    return PaintFitter(time_limit_s=1.0)
+    return PaintFitter(time_limit_s=60.0)  # exact, however busy the machine is
 
 
 @pytest.mark.parametrize("name", paint_names())
@@ -68,7 +68,7 @@ def test_an_unreachable_gloss_is_refused_by_name(fitter: PaintFitter) -> None:
 def test_what_is_achieved_under_two_lights_is_told_apart() -> None:
     silver = load_shipped_paint("fine_silver")
     paint = replace(silver, measurements=(*silver.measurements, Measurement(15.0, 15.0, (40.0, 3.0, 4.0))))
-    fit = PaintFitter().fit(paint)
+    fit = PaintFitter(time_limit_s=60.0).fit(paint)
     assert (
         fit.achieved_at(15.0) == fit.achieved_at(15.0, 45.0) == fit.achieved_lab[15.0] == fit.angles[0].fitted
     )

@@ -24,7 +24,7 @@ print("\\n".join(sys.modules))
 def loaded() -> set[str]:
     """The modules of a fresh process that imported every module of the rooms and built a paint."""
     result = subprocess.run(
-        [sys.executable, "-W", "error", "-c", SCRIPT], capture_output=True, text=True, timeout=60, check=True
+        [sys.executable, "-W", "error", "-c", SCRIPT], capture_output=True, text=True, timeout=240, check=True
     )
     return set(result.stdout.split())
 

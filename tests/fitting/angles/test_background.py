@@ -20,7 +20,7 @@ from brdf_suite.reflectance.build import build_paint, build_reflectance
 from brdf_suite.reflectance.layers import layered
 from brdf_suite.reflectance.protocol import Layered
 
-SECONDS = 20.0
+SECONDS = 120.0
 
 
 @pytest.fixture

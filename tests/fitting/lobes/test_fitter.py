@@ -75,7 +75,7 @@ def test_weights_say_how_they_came_about(fitter: LobeFitter, make_paint: MakePai
 
 
 def test_the_last_basis_is_the_next_start(make_paint: MakePaint) -> None:
-    fitter = LobeFitter(time_limit_s=5.0)
+    fitter = LobeFitter(time_limit_s=60.0)
     far = fitter.fit(make_paint(exponent=20.0, roughness=0.05)).iterations
     assert far > 0
     assert fitter.fit(make_paint(exponent=20.0, roughness=0.05)).iterations == 0
@@ -148,14 +148,14 @@ def test_wrong_shapes_are_refused(fitter: LobeFitter) -> None:
 
 
 def test_more_lobes_than_samples_still_fit() -> None:
-    fitter = LobeFitter(log_spaced(40, 1.0, 50_000.0), time_limit_s=5.0)
+    fitter = LobeFitter(log_spaced(40, 1.0, 50_000.0), time_limit_s=60.0)
     base, coat = targets(fitter)
     fit = fitter.fit_samples(base, coat, ior=1.5)
     assert (fit.base_error.relative < 0.01).all()
 
 
 def test_one_lobe_is_enough_to_answer() -> None:
-    fitter = LobeFitter(LobeBasis((6.0,)), time_limit_s=5.0)
+    fitter = LobeFitter(LobeBasis((6.0,)), time_limit_s=60.0)
     base, coat = targets(fitter)
     assert np.isfinite(fitter.fit_samples(base, coat, ior=1.5).weights.kg).all()
 
@@ -220,7 +220,7 @@ def test_a_fitter_that_is_lost_takes_its_thread_along() -> None:
     assert fit.exact is not None
     assert threads() > 0
     del hurried
-    for _ in range(600):
+    for _ in range(2400):
         gc.collect()
         if fit.exact.done() and threads() <= before:
             break
@@ -231,13 +231,14 @@ def test_a_fitter_that_is_lost_takes_its_thread_along() -> None:
 
 def test_the_limit_is_that_of_one_fit_and_not_of_all_together() -> None:
     """The solver itself counts the time of all its runs; a drag of minutes must not run out of it."""
-    fitter = LobeFitter(time_limit_s=0.02)
+    fitter = LobeFitter(time_limit_s=0.2)
     rng = np.random.default_rng(6)
     base, coat = targets(fitter)
-    limited = [
-        fitter.fit_samples(base * rng.uniform(0.5, 1.5, base.shape), coat, ior=1.5).time_limited
-        for _ in range(600)
-    ]
+    limited: list[bool] = []
+    end = time.perf_counter() + 10 * fitter.time_limit_s  # by the clock: how many fits that is, is no matter
+    while len(limited) < 200 or time.perf_counter() < end:
+        target = base * rng.uniform(0.5, 1.5, base.shape)
+        limited.append(fitter.fit_samples(target, coat, ior=1.5).time_limited)
     assert sum(limited[-100:]) < 50  # on a busy machine a single fit may be kept waiting
 
 
