@@ -62,6 +62,14 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
         "rotation_deg": Parameter(
             "Rotation", "°", -3600.0, 3600.0, 0.0, "Turns the light counter-clockwise, seen from above"
         ),
+        "turntable_deg_s": Parameter(
+            "Turntable",
+            "°/s",
+            -360.0,
+            360.0,
+            24.0,
+            "Speed of the turntable, counter-clockwise seen from above",
+        ),
         "exposure_ev": Parameter("Exposure", "EV", -24.0, 24.0, 0.0, "Each step doubles the light"),
     }
 )
@@ -128,6 +136,7 @@ class View:
     relief: Relief = field(default_factory=Relief)
     two_tone: TwoTone = field(default_factory=TwoTone)
     compare: Compare = field(default_factory=Compare)
+    turntable_deg_s: float = 24.0
 
     def __post_init__(self) -> None:
         for name, kind in PARTS.items():
@@ -136,7 +145,7 @@ class View:
                 raise ValueRangeError(name, f"a {words} is wanted, not {describe(getattr(self, name))}")
         for name in ("environment", "surface"):
             _check_name_or_path(getattr(self, name), name)
-        for name in ("rotation_deg", "exposure_ev"):
+        for name in ("rotation_deg", "exposure_ev", "turntable_deg_s"):
             object.__setattr__(self, name, PARAMETERS[name].check(getattr(self, name), name))
         check_choice(self.tone_curve, "tone_curve", TONE_CURVES)
         check_choice(self.background, "background", BACKGROUNDS)

@@ -26,6 +26,8 @@ NormalsMode = Literal["file", "smooth", "flat"]
 NORMALS_MODES: tuple[str, ...] = get_args(NormalsMode)
 CompareMode = Literal["off", "side", "swipe", "blink", "difference"]
 COMPARE_MODES: tuple[str, ...] = get_args(CompareMode)
+CompareBasis = Literal["light", "picture"]
+COMPARE_BASES: tuple[str, ...] = get_args(CompareBasis)
 Material: TypeAlias = Literal[
     "paint", "glass", "rubber", "chrome", "lamp", "tail_lamp", "trim", "cavity", "neutral"
 ]
@@ -76,6 +78,10 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
             "Width", "mm", 0.1, 1e5, 1000.0, "What one tile of the mask covers"
         ),
         "compare.divider": Parameter("Divider", "", 0.0, 1.0, 0.5, "Share of the width that shows the first"),
+        "compare.rate_hz": Parameter("Rate", "/s", 0.2, 10.0, 1.5, "How often a second a blink changes over"),
+        "compare.scale_delta_e": Parameter(
+            "Scale to", "ΔE00", 0.1, 100.0, 5.0, "The colour difference at the end of the colour scale"
+        ),
     }
 )
 
@@ -202,16 +208,25 @@ class TwoTone:
 
 @dataclass(frozen=True)
 class Compare:
-    """A second paint (a shipped name or an absolute path), and how it stands beside the first."""
+    """A second paint (a shipped name or an absolute path), and how it stands beside the first.
+
+    The path may be a picture's (EXR or PNG) instead. ``basis`` says what a difference is taken of: the ``light``
+    that leaves the surface, exposed, where a white of radiance 1 has L* = 100; or the ``picture``, after the tone
+    curve.
+    """
 
     mode: CompareMode = "off"
     paint: str | None = None
     divider: float = PARAMETERS["compare.divider"].default
+    rate_hz: float = PARAMETERS["compare.rate_hz"].default
+    scale_delta_e: float = PARAMETERS["compare.scale_delta_e"].default
+    basis: CompareBasis = "light"
 
     def __post_init__(self) -> None:
         check_choice(self.mode, "mode", COMPARE_MODES)
         _check_paint(self.paint, "paint")
-        _check_numbers(self, "compare", ("divider",))
+        check_choice(self.basis, "basis", COMPARE_BASES)
+        _check_numbers(self, "compare", ("divider", "rate_hz", "scale_delta_e"))
 
 
 def check_path(value: object, place: str) -> None:

@@ -52,6 +52,7 @@ from brdf_suite.documents.view import (
     View,
 )
 from brdf_suite.documents.view_settings import (
+    COMPARE_BASES,
     COMPARE_MODES,
     ILLUMINANTS,
     LAMP_KINDS,
@@ -137,6 +138,7 @@ views = st.builds(
     environment=st.sampled_from(["booth", "/a/ü b.exr"]),
     surface=st.sampled_from(["car", "/x/y.glb"]),
     rotation_deg=numbers(V["rotation_deg"]),
+    turntable_deg_s=numbers(V["turntable_deg_s"]),
     exposure_ev=numbers(V["exposure_ev"]),
     tone_curve=st.sampled_from(TONE_CURVES),
     background=st.sampled_from(BACKGROUNDS),
@@ -190,6 +192,9 @@ views = st.builds(
         mode=st.sampled_from(COMPARE_MODES),
         paint=st.sampled_from([None, "red"]),
         divider=numbers(S["compare.divider"]),
+        rate_hz=numbers(S["compare.rate_hz"]),
+        scale_delta_e=numbers(S["compare.scale_delta_e"]),
+        basis=st.sampled_from(COMPARE_BASES),
     ),
 )
 few = settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
