@@ -13,8 +13,9 @@ the samples, encodes for sRGB, dithers, and writes into the caller's framebuffer
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import moderngl
@@ -49,6 +50,9 @@ LARGEST_TILE = 2048
 
 Size = tuple[int, int]
 Corner = tuple[int, int]
+Region = tuple[int, int, int, int]
+
+_AS_THEY_ARE: Mapping[str, str] = MappingProxyType({})
 
 
 class Renderer:
@@ -96,7 +100,14 @@ class Renderer:
         return matrices(view.camera, self.bounds, checked_size(size))
 
     def render(
-        self, view: View, framebuffer: moderngl.Framebuffer | int, size: Size, samples: int = DEFAULT_SAMPLES
+        self,
+        view: View,
+        framebuffer: moderngl.Framebuffer | int,
+        size: Size,
+        samples: int = DEFAULT_SAMPLES,
+        *,
+        materials: Mapping[str, str] = _AS_THEY_ARE,
+        region: Region | None = None,
     ) -> None:
         """Draw one frame into ``framebuffer`` (an object of this context or its number, as Qt gives it).
 
@@ -106,6 +117,10 @@ class Renderer:
             Width and height in device pixels; the lower left part of the framebuffer of that size is written.
         samples
             Wanted samples per pixel; the GPU may offer fewer.
+        materials
+            By the name of a part's material, the name of the one that it is drawn with instead.
+        region
+            Left, lower edge, width and height in pixels: nothing outside it is drawn, nor paid for.
 
         Raises
         ------
@@ -116,7 +131,7 @@ class Renderer:
         with graphics_errors(self.context, "drawing a frame"):
             if isinstance(framebuffer, int):
                 framebuffer = self.context.detect_framebuffer(framebuffer)
-            self._draw(view, framebuffer, size, samples, size, (0, 0))
+            self._draw(view, framebuffer, size, samples, size, (0, 0), materials, region)
 
     def render_image(
         self, view: View, size: Size, samples: int = DEFAULT_SAMPLES, *, largest_tile: int = LARGEST_TILE
@@ -147,7 +162,15 @@ class Renderer:
         return max(2, int(min(wanted, *limits, *info["GL_MAX_VIEWPORT_DIMS"])) // 2 * 2)
 
     def _draw(
-        self, view: View, target: moderngl.Framebuffer, tile: Size, samples: int, size: Size, corner: Corner
+        self,
+        view: View,
+        target: moderngl.Framebuffer,
+        tile: Size,
+        samples: int,
+        size: Size,
+        corner: Corner,
+        materials: Mapping[str, str] = _AS_THEY_ARE,
+        region: Region | None = None,
     ) -> None:
         if not self._environment.exponents:
             raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
@@ -157,26 +180,33 @@ class Renderer:
         light_framebuffer, light = self._light.prepare(tile, samples)
         light_framebuffer.use()
         self.context.viewport = (0, 0, *tile)
-        self.context.scissor = None
+        self.context.scissor = region
         self.context.enable_only(moderngl.DEPTH_TEST)
         self.context.depth_func = "<="
         self._environment.bind()
         features = surface_features(view)
         self._warm_up(samples, features)
         light_framebuffer.clear(depth=1.0)
-        self._draw_mesh(view, features, camera, crop(size, corner, tile))
+        self._draw_mesh(view, features, camera, crop(size, corner, tile), materials)
         self._draw_background(view, camera, size, corner)
 
         target.use()
         self.context.viewport = (0, 0, *tile)
+        self.context.scissor = region
         self.context.enable_only(moderngl.NOTHING)
         finish, screen = self._programs.finish(samples)
         assign(finish, {"light": 0, "frame": (*corner, 0.0, 0.0)})
         light.use(0)
         screen.render(moderngl.TRIANGLES, vertices=3)
+        self.context.scissor = None
 
     def _draw_mesh(
-        self, view: View, features: Features, camera: CameraMatrices, cropping: NDArray[np.float64]
+        self,
+        view: View,
+        features: Features,
+        camera: CameraMatrices,
+        cropping: NDArray[np.float64],
+        materials: Mapping[str, str],
     ) -> None:
         common = (
             self._environment.uniforms()
@@ -188,7 +218,7 @@ class Renderer:
         )
         ready: set[int] = set()
         for part, material in enumerate(self._mesh.materials):
-            buffer, lobes = self._materials.find(material)
+            buffer, lobes = self._materials.find(materials.get(material, material))
             look_ups = next(count for count in self._look_up_counts if count >= len(lobes))
             program = self._programs.surface(look_ups, features)
             if look_ups not in ready:

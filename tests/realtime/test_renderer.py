@@ -249,3 +249,32 @@ def test_values_are_checked(scenes):
         scenes.weights(kd=-0.1)
     with pytest.raises(ValueRangeError, match="ior"):
         scenes.weights(ior=0.9)
+
+
+def test_a_region_is_drawn_and_nothing_beside_it(renderer, scenes, context):
+    renderer.set_environment(scenes.constant(1.0))
+    renderer.set_mesh([scenes.sphere()])
+    renderer.set_material("paint", scenes.weights(kd=0.8))
+    renderer.set_material("paint_b", scenes.weights(kd=0.2))
+    size = (60, 40)
+    first = renderer.render_image(View(), size)
+    target = context.simple_framebuffer(size, 4)
+
+    def drawn() -> np.ndarray:
+        return np.frombuffer(target.read(components=3, alignment=1), np.uint8).reshape(40, 60, 3)[::-1]
+
+    renderer.render(View(), target, size, materials={"paint": "paint_b"})
+    second = drawn().copy()
+    target.clear(0.0, 0.0, 0.0)
+    renderer.render(View(), target, size, region=(0, 0, 25, 40))
+    left = drawn()
+    assert (left[:, :25] == first[:, :25]).all()
+    assert (left[:, 25:] == 0).all()
+    renderer.render(View(), target, size, materials={"paint": "paint_b"}, region=(25, 0, 35, 40))
+    both = drawn()
+    assert (both[:, :25] == first[:, :25]).all()
+    assert (both[:, 25:] == second[:, 25:]).all()
+    assert np.abs(first.astype(int) - second).max() > 60
+    renderer.render(View(), target, size)
+    assert (drawn() == first).all()
+    target.release()
