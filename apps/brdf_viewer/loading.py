@@ -1,19 +1,34 @@
-"""Environments and surfaces are read on background threads; the picture stays as it was until they are there."""
+"""Environments and surfaces are read on background threads; the picture stays as it was until they are there.
+
+An environment comes in steps: as soon as its broad lobes are there it is handed out as it is then, and sharpens as
+its maps are filtered.
+"""
 
 from __future__ import annotations
 
-from brdf_qt.tasks import TaskRunner
-from PySide6.QtCore import QObject, Signal
+from dataclasses import dataclass
+
+from brdf_qt.tasks import TaskRunner, Work
+from PySide6.QtCore import QObject, Qt, Signal
 
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.statistics import EnvironmentStatistics, environment_statistics
-from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment, load_surface
+from brdf_suite.pipeline.scene import Partial, PreparedEnvironment, load_environment, load_surface
 from brdf_suite.progress import Progress
 from brdf_suite.surface.mesh import Mesh
 
 ENVIRONMENT = "environment"
 SURFACE = "surface"
 _STATISTICS = "statistics"
+
+
+@dataclass(frozen=True)
+class EnvironmentRequest:
+    """What a worker is to read, and whom it tells as soon as there is something to show."""
+
+    key: str
+    layout: str
+    partial: Partial
 
 
 class SceneLoader(QObject):
@@ -23,6 +38,8 @@ class SceneLoader(QObject):
     -------
     loaded(kind, key, value)
         A :class:`PreparedEnvironment` or a :class:`Mesh`.
+    partly_loaded(key, environment)
+        A :class:`PreparedEnvironment` that can be shown, of which sharp maps are missing; the whole one follows.
     failed(kind, key, error)
         It could not be read.
     moved(kind, fraction, what)
@@ -34,25 +51,41 @@ class SceneLoader(QObject):
     """
 
     loaded = Signal(str, str, object)
+    partly_loaded = Signal(str, object)
     failed = Signal(str, str, object)
     moved = Signal(str, float, str)
     ended = Signal(str)
     counted = Signal(str, object)
+    _partial = Signal(int, str, object)
 
     def __init__(self, runner: TaskRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._runner = runner
         self._stopped = False
+        self._generation = 0
+        self._partial.connect(self._on_partial, Qt.ConnectionType.QueuedConnection)
 
     def load(self, kind: str, key: str, layout: str = "auto") -> None:
         """Begin to load ``key``; an older request of the kind is dropped. ``layout`` is of an environment's image."""
         if self._stopped:
             return
+        if kind == ENVIRONMENT:
+            self._generation += 1
+            generation = self._generation
+
+            def partial(value: PreparedEnvironment) -> None:
+                self._partial.emit(generation, key, value)  # from the worker's thread to this one
+
+            self._submit(kind, key, _environment, EnvironmentRequest(key, layout, partial))
+        else:
+            self._submit(kind, key, _surface, key)
+
+    def _submit(self, kind: str, key: str, work: Work, request: object) -> None:
         self.moved.emit(kind, 0.0, "waiting")
         self._runner.submit(
             kind,
-            _environment if kind == ENVIRONMENT else _surface,
-            (key, layout) if kind == ENVIRONMENT else key,
+            work,
+            request,
             done=lambda value: self._done(kind, key, value),
             failed=lambda error: self._failed(kind, key, error),
             progress=lambda fraction, what: self.moved.emit(kind, fraction, what),
@@ -70,14 +103,21 @@ class SceneLoader(QObject):
             )
 
     def cancel(self, kind: str) -> None:
-        """Drop the request of the kind."""
+        """Drop the request of the kind, and what it has handed out but is not yet taken."""
+        if kind == ENVIRONMENT:
+            self._generation += 1
         self._runner.cancel(kind)
         self.ended.emit(kind)
 
     def stop(self) -> None:
         """End all that runs, and begin no more."""
         self._stopped = True
+        self._generation += 1
         self._runner.stop()
+
+    def _on_partial(self, generation: int, key: str, value: PreparedEnvironment) -> None:
+        if generation == self._generation:
+            self.partly_loaded.emit(key, value)
 
     def _done(self, kind: str, key: str, value: object) -> None:
         self.ended.emit(kind)
@@ -88,9 +128,8 @@ class SceneLoader(QObject):
         self.failed.emit(kind, key, error)
 
 
-def _environment(request: tuple[str, str], progress: Progress) -> PreparedEnvironment:
-    key, layout = request
-    return load_environment(key, progress, layout=layout)
+def _environment(request: EnvironmentRequest, progress: Progress) -> PreparedEnvironment:
+    return load_environment(request.key, progress, layout=request.layout, partial=request.partial)
 
 
 def _statistics(environment: Environment, _progress: Progress) -> EnvironmentStatistics:

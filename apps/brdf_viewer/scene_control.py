@@ -15,6 +15,7 @@ from brdf_suite.pipeline.environments import AUTOMATIC
 from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environment_names, surface_names
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
+from brdf_viewer.environment_facts import environment_facts
 from brdf_viewer.file_watch import FileWatch
 from brdf_viewer.loading import ENVIRONMENT, SURFACE, SceneLoader
 from brdf_viewer.recent_files import RecentFiles
@@ -64,6 +65,7 @@ class SceneControl(QObject):
             self._list(kind)
             self._show(kind)
         loader.loaded.connect(self._loaded)
+        loader.partly_loaded.connect(self._partly_loaded)
         loader.failed.connect(self._not_loaded)
         loader.moved.connect(self._moved)
         loader.ended.connect(self._ended)
@@ -112,11 +114,15 @@ class SceneControl(QObject):
         self._loader.load(kind, key, self._layout)
 
     def cancel(self, kind: str) -> None:
-        """Stop loading; what is shown stays."""
+        """Stop loading. A whole picture that was shown comes back; where there was none, what is there stays."""
         self._loader.cancel(kind)
+        if kind == ENVIRONMENT:
+            self._take_partial_back()
 
     def refused(self, kind: str, error: Exception) -> None:
         """The graphics card did not take what was loaded; the view goes back to what is drawn."""
+        if kind in self._loading:
+            self.cancel(kind)  # the rest of it would be refused as well
         drawn = self._drawn_key(kind)
         if drawn:
             self._stage.change_view(**{kind: drawn})
@@ -126,7 +132,7 @@ class SceneControl(QObject):
         if kind == ENVIRONMENT:
             self._stage.set_environment(key, value)
             self._stage.change_view(environment=key, environment_layout=self._layout)
-            set_note(self._window.environment.facts, _environment_facts(value))
+            self._show_facts()
             self._window.environment.figures.set_statistics(None)
             self._loader.count(key, value.environment)
         else:
@@ -141,11 +147,29 @@ class SceneControl(QObject):
             self._list(kind)
         self._show(kind)
 
+    def _partly_loaded(self, key: str, prepared: PreparedEnvironment) -> None:
+        """Show what there is of an environment that is on its way; the view names it when it is whole."""
+        self._stage.set_environment(key, prepared)
+        self._show_facts()
+        self._show_environment_cell()
+
+    def _take_partial_back(self) -> None:
+        self._stage.take_partial_back()
+        self._show_facts()
+        self._show(ENVIRONMENT)
+
+    def _show_facts(self) -> None:
+        present = self._stage.environment
+        text = "" if present is None else environment_facts(present.value, ENVIRONMENT in self._loading)
+        set_note(self._window.environment.facts, text)
+
     def _counted(self, key: str, statistics: EnvironmentStatistics) -> None:
         if key == self._drawn_key(ENVIRONMENT):
             self._window.environment.figures.set_statistics(statistics)
 
     def _not_loaded(self, kind: str, key: str, error: Exception) -> None:
+        if kind == ENVIRONMENT:
+            self._take_partial_back()
         self._tell(kind, error)
         self._show(kind)
         default = getattr(default_view(), kind)
@@ -212,13 +236,14 @@ class SceneControl(QObject):
     def _show_environment_cell(self) -> None:
         loading = self._loading.get(ENVIRONMENT)
         title = title_of(loading or self._stage.view.environment, SHIPPED_TITLES)
-        cell = self._window.status.cell("environment")
-        cell.set(title, "Being loaded" if loading else "The light", "stale" if loading else "fresh")
-
-
-def _environment_facts(prepared: PreparedEnvironment) -> str:
-    rows, columns = prepared.environment.radiance.shape[:2]
-    return "\n".join([f"{columns} × {rows} pixels", *prepared.environment.notes])
+        cell, present = self._window.status.cell("environment"), self._stage.environment
+        if present is None or present.value.is_final:
+            cell.set(title, "Being loaded" if loading else "The light", "stale" if loading else "fresh")
+            return
+        title = title_of(present.key, SHIPPED_TITLES)
+        counts = f"maps {present.value.wanted - present.value.missing} of {present.value.wanted}"
+        tip = "Sharp reflections follow" if loading else "Stopped; choose the light again to finish it"
+        cell.set(f"{title}, {counts}", tip, "stale")
 
 
 def _surface_facts(mesh: Mesh) -> str:

@@ -45,14 +45,27 @@ class Stage(QObject):
         super().__init__(parent)
         self.view = view
         self.fit: PaintFit | AnyFit | None = None
-        self.environment: Prop[PreparedEnvironment] | None = None
+        self._environment: Prop[PreparedEnvironment] | None = None
+        self._whole_environment: Prop[PreparedEnvironment] | None = None
         self._surface: Prop[Mesh] | None = None
         self._bounds = Bounds.of([])
 
     @property
     def is_complete(self) -> bool:
-        """Whether there is all that a picture needs."""
-        return None not in (self.fit, self.environment, self.surface)
+        """Whether there is all that a picture needs, with every map of the environment."""
+        whole = self.environment is not None and self.environment.value.is_final
+        return whole and None not in (self.fit, self.surface)
+
+    @property
+    def environment(self) -> Prop[PreparedEnvironment] | None:
+        """The light, maybe one of which sharp maps are still missing."""
+        return self._environment
+
+    @environment.setter
+    def environment(self, environment: Prop[PreparedEnvironment] | None) -> None:
+        self._environment = environment
+        if environment is None or environment.value.is_final:
+            self._whole_environment = environment
 
     @property
     def surface(self) -> Prop[Mesh] | None:
@@ -89,9 +102,18 @@ class Stage(QObject):
         self.contents_changed.emit()
 
     def set_environment(self, key: str, environment: PreparedEnvironment) -> None:
-        """Light with this environment from the next frame on."""
+        """Light with this environment from the next frame on; one of which maps are missing may be taken back."""
         self.environment = Prop(key, environment)
         self.contents_changed.emit()
+
+    def take_partial_back(self) -> bool:
+        """Light again with the last whole environment; False where there is none, and what is shown stays."""
+        if self._whole_environment is None:
+            return False
+        if self.environment is not self._whole_environment:
+            self.environment = self._whole_environment
+            self.contents_changed.emit()
+        return True
 
     def set_surface(self, key: str, surface: Mesh) -> None:
         """Draw this surface from the next frame on."""
