@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pytestqt.qtbot import QtBot
 
 # A shell that starts the tests in the background lets them ignore Ctrl-C, and all processes that they start too.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -24,6 +25,29 @@ def shared_data() -> Path:
     if not (root / "data").is_dir():
         pytest.skip("no real files: set BRDF_SUITE_SHARED to the folder that holds data/")
     return root / "data"
+
+
+PATIENCE_MS = 120_000
+"""A wait ends a test that hangs; how fast this machine is, and what else runs on it, is no matter of a test."""
+
+
+class PatientBot(QtBot):
+    """Waits as long as it takes, whatever limit the call gives."""
+
+    def waitUntil(self, callback, *, timeout=PATIENCE_MS):  # noqa: N802 - the name is Qt's
+        return super().waitUntil(callback, timeout=max(timeout, PATIENCE_MS))
+
+    def waitSignal(self, signal, *, timeout=PATIENCE_MS, **more):  # noqa: N802 - the name is Qt's
+        return super().waitSignal(signal, timeout=max(timeout, PATIENCE_MS), **more)
+
+    def waitSignals(self, signals, *, timeout=PATIENCE_MS, **more):  # noqa: N802 - the name is Qt's
+        return super().waitSignals(signals, timeout=max(timeout, PATIENCE_MS), **more)
+
+
+@pytest.fixture
+def qtbot(qapp, request: pytest.FixtureRequest) -> QtBot:
+    """Drives widgets, with patience."""
+    return PatientBot(request)
 
 
 @pytest.fixture(autouse=True)

@@ -13,6 +13,8 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 from brdf_designer.assembly import Designer
 from brdf_qt.dialogs import Answer, Overwrite
 
+from brdf_suite.pipeline.paint import PaintFitter
+
 
 class ScriptedDialogs:
     """Answers as told, and notes what was asked."""
@@ -46,6 +48,12 @@ def own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path / "settings"
 
 
+@pytest.fixture(autouse=True)
+def exact_fits(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Fits are exact at once, however busy the machine is; the tests of the time limit set one of their own."""
+    monkeypatch.setitem(PaintFitter.__init__.__kwdefaults__, "time_limit_s", 60.0)
+
+
 @pytest.fixture
 def dialogs() -> ScriptedDialogs:
     return ScriptedDialogs()
@@ -57,6 +65,6 @@ def designer(qtbot, dialogs) -> Designer:
     designer = Designer(dialogs=lambda _window: dialogs)
     qtbot.addWidget(designer.window)
     designer.window.show()
-    qtbot.waitUntil(lambda: designer.window.plot.is_built, timeout=10_000)
+    qtbot.waitUntil(lambda: designer.window.plot.is_built)
     yield designer
     designer.close()

@@ -24,7 +24,7 @@ from brdf_suite.pipeline.paint import PaintFitter
 
 @pytest.fixture(scope="module")
 def fitter() -> PaintFitter:
-    return PaintFitter()
+    return PaintFitter(time_limit_s=60.0)  # exact, however busy the machine is
 
 
 class Desk:
@@ -130,7 +130,7 @@ def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
     desk.controller.edit(("lab", 1, 0), 30.0)
     limited = desk.view.show_fit.call_args.args[0]
     assert limited.time_limited
-    qtbot.waitUntil(lambda: desk.view.show_fit.call_count == 2, timeout=20_000)
+    qtbot.waitUntil(lambda: desk.view.show_fit.call_count == 2)
     exact = desk.view.show_fit.call_args.args[0]
     assert not exact.time_limited
     assert exact.worst_delta_e < min(0.5, limited.worst_delta_e)
@@ -149,7 +149,7 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
         desk.controller.edit(("lab", 1, 0), 30.0)
         before = desk.view.show_fit.call_args.args[0]
         assert (before.time_limited, before.exact_follows) == (True, True)
-    qtbot.waitUntil(lambda: desk.view.show_fit.call_count == 2, timeout=20_000)
+    qtbot.waitUntil(lambda: desk.view.show_fit.call_count == 2)
     after = desk.view.show_fit.call_args.args[0]
     assert (after.time_limited, after.exact_follows) == (True, False)
     assert after.delta_e == before.delta_e

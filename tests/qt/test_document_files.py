@@ -301,10 +301,10 @@ def test_unsaved_work_is_written_within_a_second_and_goes_when_saved(files, qtbo
     def written() -> list[Path]:
         return list(folder.rglob("*.recovery.json"))
 
-    qtbot.waitUntil(lambda: bool(written()), timeout=2000)
+    qtbot.waitUntil(lambda: bool(written()))
     assert json.loads(written()[0].read_text())["document"] == {"text": "edited"}
     files.store.mark_clean(tmp_path / "a.note")
-    qtbot.waitUntil(lambda: not written(), timeout=2000)
+    qtbot.waitUntil(lambda: not written())
     recovery.close(keep=False)
 
 

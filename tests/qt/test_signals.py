@@ -16,5 +16,5 @@ sys.exit(run(app, QWidget()))
 
 
 def test_a_signal_before_the_event_loop_is_not_lost():
-    done = subprocess.run([sys.executable, "-c", _PROGRAM], timeout=60, check=False)
+    done = subprocess.run([sys.executable, "-c", _PROGRAM], timeout=240, check=False)
     assert done.returncode == 0
