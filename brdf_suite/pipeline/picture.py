@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 Size = tuple[int, int]
 PAINT_MATERIAL = "paint"
+SECOND_MATERIAL = "paint_b"
+"""The paint that the first is compared with."""
 
 
 class SceneRenderer:
@@ -58,9 +60,12 @@ class SceneRenderer:
         """The renderer below, for camera matrices and picking."""
         return self._renderer
 
-    def set_paint_fit(self, fit: PaintFit | AnyFit) -> None:
-        """Show this paint or measured reflectance from the next frame on; no allocation, no file, no texture."""
-        self._renderer.set_material(PAINT_MATERIAL, _material(fit.weights))
+    def set_paint_fit(self, fit: PaintFit | AnyFit, material: str = PAINT_MATERIAL) -> None:
+        """Show this paint or measured reflectance from the next frame on; no allocation, no file, no texture.
+
+        ``material`` is the one that is given it: the surface's paint, or the one that it is compared with.
+        """
+        self._renderer.set_material(material, _material(fit.weights))
 
     def set_environment(self, prepared: PreparedEnvironment) -> None:
         """Show this environment; its maps must have been made for the exponents of the paint's fit."""

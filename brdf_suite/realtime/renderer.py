@@ -78,6 +78,11 @@ class Renderer:
         return self._objects.counters
 
     @property
+    def objects(self) -> GpuObjects:
+        """Where the objects of this context are made; :meth:`release` gives back those of others too."""
+        return self._objects
+
+    @property
     def bounds(self) -> Bounds:
         """The box around the mesh, metres."""
         return self._mesh.bounds
