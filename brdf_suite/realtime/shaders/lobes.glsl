@@ -1,5 +1,5 @@
-// Provides: vec3 reflected_radiance(vec3 n, vec3 v), equations 7 to 9 of the paper
-// Needs:    LOBES, FOR_EACH_LOBE(BODY) = BODY(0) BODY(1) ... (both written by shader_source.py)
+// Provides: vec3 reflected_radiance(SurfacePoint p), equations 7 to 9 of the paper
+// Needs:    surface_point.glsl; LOBES, FOR_EACH_LOBE(BODY) = BODY(0) BODY(1) ... (both written by shader_source.py)
 //
 // With P_i the unit-gain map of lobe i, R the mirror direction of the view about N:
 //     Lo =  pi KD P_1(N)                                   equation 9: the diffuse map looked up at N
@@ -23,8 +23,9 @@ float finest_cosine(vec3 n)
     return min(0.5 * sqrt(max(dot(across, across), dot(down, down))), 0.7);
 }
 
-vec3 reflected_radiance(vec3 n, vec3 v)
+vec3 reflected_radiance(SurfacePoint p)
 {
+    vec3 n = p.normal, v = p.view;
     float cos_theta = dot(n, v);
     vec3 r = to_environment(2.0 * cos_theta * n - v);
     vec3 base_gain, gloss_gain;

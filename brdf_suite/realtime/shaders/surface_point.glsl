@@ -1,0 +1,38 @@
+// Provides: struct SurfacePoint, SurfacePoint surface_point(vec3 eye)
+// Needs:    world_position, world_normal, surface_uv of mesh.vert.glsl; a fragment shader (derivatives)
+//
+// Everything that shading asks of the place that a pixel shows. What a feature does not provide has the value of a
+// plain surface: an open place, and a coat that lies flat on the base.
+#include "facing.glsl"
+
+in vec3 world_position;
+in vec3 world_normal;
+in vec2 surface_uv;
+
+struct SurfacePoint
+{
+    vec3 position;       // world, metres
+    vec3 view;           // unit, to the eye
+    vec3 normal;         // unit, on the side that is seen: of the base
+    vec3 coat_normal;    // unit: of the coat, which is another than the base's where it has orange peel
+    vec2 uv;             // millimetres on the surface
+    vec3 bent;           // unit: the middle of the light that arrives; the normal at an open place
+    float occlusion;     // share of a uniform light's irradiance that arrives, 0 to 1
+    float base_spread;   // root mean square slope of relief too fine for this pixel, of the base
+    float coat_spread;   // and of the coat
+};
+
+SurfacePoint surface_point(vec3 eye)
+{
+    SurfacePoint p;
+    p.position = world_position;
+    p.view = normalize(eye - world_position);
+    p.normal = facing_normal(world_normal, world_position, p.view);
+    p.coat_normal = p.normal;
+    p.uv = surface_uv;
+    p.bent = p.normal;
+    p.occlusion = 1.0;
+    p.base_spread = 0.0;
+    p.coat_spread = 0.0;
+    return p;
+}
