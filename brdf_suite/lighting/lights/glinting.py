@@ -1,0 +1,146 @@
+"""The lights of an environment in which single flakes glint: few, bright, and as small as they are.
+
+A flake mirrors a small part of the surroundings. Where that part holds a small bright light, the flake lights up; a
+broad light is met by so many flakes that only their mean is seen. So what counts is the brightest *small* lights,
+each with its own extent. Structured strata (Agarwal et al. 2003) follow bright regions by their edges, so a sun gets
+strata of its own, without the sky around it; those that lie side by side and are small together are joined again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.lights.cells import Cells, cells_of
+from brdf_suite.lighting.lights.structured import structured
+
+Float64 = NDArray[np.float64]
+
+MOST_LIGHTS = 16
+_STRATA = 96
+# Radians: strata nearer than this are one light, about what a flake's own spread makes of them.
+_NEAR = 0.02
+# Radians: the spread at which a light counts half as much as a small one of the same strength.
+_SMALL = 0.03
+_BLACK = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class GlintLights:
+    """Directional lights with an extent; the one that glints most comes first.
+
+    Attributes
+    ----------
+    directions
+        (l, 3) unit vectors towards the lights, world space.
+    strengths
+        (l, 3), ∫L dω: the irradiance on a surface that faces the light, working space, never negative.
+    spreads
+        (l,) standard deviation of the light's directions along one axis, radians.
+    """
+
+    directions: Float64
+    strengths: Float64
+    spreads: Float64
+
+    def __post_init__(self) -> None:
+        count = len(self.spreads)
+        for name, shape in (("directions", (count, 3)), ("strengths", (count, 3)), ("spreads", (count,))):
+            values = np.ascontiguousarray(getattr(self, name), dtype=np.float64)
+            if values.shape != shape:
+                raise ValueRangeError(name, f"must have the shape {shape}, not {values.shape}")
+            if not np.isfinite(values).all() or (name != "directions" and values.min(initial=0.0) < 0.0):
+                raise ValueRangeError(name, "must be finite, and never negative")
+            object.__setattr__(self, name, values)
+
+    def __len__(self) -> int:
+        return len(self.spreads)
+
+    def turned(self, angle: float) -> GlintLights:
+        """Return the lights turned by ``angle`` (radians) about +y, counter-clockwise seen from above."""
+        cosine, sine = np.cos(angle), np.sin(angle)
+        turn = np.array([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]])
+        return GlintLights(self.directions @ turn.T, self.strengths, self.spreads)
+
+
+def glint_lights(environment: Environment, count: int = MOST_LIGHTS) -> GlintLights:
+    """Return at most ``count`` lights (1…16) of the environment, by how much single flakes can glint in them.
+
+    A light's rank is its luminance over the square of its extent, as a flake sees it. A black map has none.
+
+    >>> sky = Environment("white", np.ones((16, 32, 3), np.float32))
+    >>> bool(glint_lights(sky, 1).spreads[0] > 0.05)  # nothing small in an even sky
+    True
+    """
+    if not 1 <= count <= MOST_LIGHTS:
+        raise ValueRangeError("count", f"must be 1 to {MOST_LIGHTS} lights, not {count}")
+    cells = cells_of(environment.radiance)
+    found = _joined(*_strata(cells))
+    energy, moments, spread2 = found
+    luminous = energy @ LUMINANCE
+    lit = luminous > _BLACK * max(float(luminous.sum()), _BLACK)
+    energy, moments, spread2, luminous = energy[lit], moments[lit], spread2[lit], luminous[lit]
+    directions = moments / np.maximum(np.linalg.norm(moments, axis=1, keepdims=True), 1e-300)
+    order = np.argsort(-luminous / (_SMALL**2 + spread2), kind="stable")[:count]
+    return GlintLights(directions[order], energy[order], np.sqrt(spread2[order])).turned(cells.turn)
+
+
+def _strata(cells: Cells) -> tuple[Float64, Float64, Float64]:
+    """Light (k, 3), moments (k, 3) and squared spread along an axis (k,) of the strata."""
+    labels = structured(cells, _STRATA).ravel()
+    number = int(labels.max()) + 1
+
+    def summed(values: Float64) -> Float64:
+        flat = values.reshape(labels.size, -1)
+        return np.stack([np.bincount(labels, flat[:, k], number) for k in range(flat.shape[1])], axis=1)
+
+    energy, moments = summed(cells.energy), summed(cells.moments)
+    luminous = np.maximum(energy @ LUMINANCE, 1e-300)
+    # 1 - |mean direction| is half the mean square of the angle from it, so its square along one of two axes. What lies
+    # within a texel is not told: it is taken for an even disc, of the variance Ω / 4π along an axis.
+    texel = summed(cells.luminous * cells.areas())[:, 0] / luminous / (4.0 * np.pi)
+    apart = np.maximum(1.0 - np.linalg.norm(moments, axis=1) / luminous, 0.0)
+    return energy, moments, apart + texel
+
+
+def _joined(energy: Float64, moments: Float64, spread2: Float64) -> tuple[Float64, Float64, Float64]:
+    """Join strata that lie within the reach of a brighter one, as long as what they make stays small."""
+    luminous = energy @ LUMINANCE
+    rest = np.argsort(-luminous, kind="stable").tolist()
+    out: list[tuple[Float64, Float64, float]] = []
+    while rest:
+        first = rest.pop(0)
+        if luminous[first] <= 0.0:
+            break
+        light, moment = energy[first].copy(), moments[first].copy()
+        square = float(luminous[first] * spread2[first])
+        for other in list(rest):
+            if luminous[other] <= 0.0:
+                continue
+            own, its = moment / np.linalg.norm(moment), moments[other] / np.linalg.norm(moments[other])
+            if float(np.linalg.norm(own - its)) > _NEAR + float(np.sqrt(spread2[other])):
+                continue
+            both = float(light @ LUMINANCE + luminous[other])
+            between = max(1.0 - float(np.linalg.norm(moment + moments[other])) / both, 0.0)
+            # Both moments are shortened by their own spread already, so this holds all of it but the texels'.
+            if between > _NEAR * _NEAR:
+                continue
+            light += energy[other]
+            moment += moments[other]
+            square += float(luminous[other] * spread2[other])
+            rest.remove(other)
+        whole = float(light @ LUMINANCE)
+        own_spread = max(1.0 - float(np.linalg.norm(moment)) / whole, square / whole)
+        out.append((light, moment, own_spread))
+    if not out:
+        return np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)
+    return (
+        np.stack([item[0] for item in out]),
+        np.stack([item[1] for item in out]),
+        np.array([item[2] for item in out]),
+    )
