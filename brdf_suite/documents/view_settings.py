@@ -14,7 +14,7 @@ from typing import Literal, TypeAlias, get_args
 from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
 from brdf_suite.errors import ValueRangeError
 
-Illuminant = Literal["environment", "D65", "D50", "A", "TL84", "LED"]
+Illuminant = Literal["environment", "D65", "D50", "A", "TL84", "CWF", "LED"]
 ILLUMINANTS: tuple[str, ...] = get_args(Illuminant)
 LampKind = Literal["point", "directional"]
 LAMP_KINDS: tuple[str, ...] = get_args(LampKind)
@@ -90,9 +90,9 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 class LightColour:
     """The colour that the environment's white is taken for, and whether the eye has adapted to it.
 
-    ``environment`` leaves the light as it is; ``TL84`` is CIE F11. Not adapted, the light's tint is seen;
-    adapted, white stays white, and colours shift by the adaptation alone: a paint without a spectrum can show no
-    metamerism.
+    ``environment`` leaves the light as it is; ``TL84`` is CIE F11, ``CWF`` F2, ``LED`` LED-B3. Not adapted, the
+    light's tint is seen; adapted, white stays white, and a paint without a spectrum looks as it does under D65, for
+    it can show no metamerism.
     """
 
     illuminant: Illuminant = "environment"

@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colorimetry import WORKING_TO_SRGB
+from brdf_suite.appearance.light_matrix import light_matrix
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
@@ -274,6 +275,7 @@ def _view_uniforms(view: View) -> dict[str, object]:
     turn = np.radians(view.rotation_deg)
     return {
         "light_turn": (float(np.cos(turn)), float(np.sin(turn))),
+        "light_colour": _columns(light_matrix(view.light_colour.illuminant, view.light_colour.adapted)),
         "exposure": 2.0**view.exposure_ev,
         "tone_curve_kind": TONE_CURVE_NUMBERS[view.tone_curve],
         "working_to_display": _columns(WORKING_TO_SRGB),

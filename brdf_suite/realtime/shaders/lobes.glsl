@@ -41,5 +41,5 @@ vec3 reflected_radiance(SurfacePoint p)
     radiance += (lobes[2 * k].rgb * directional_gain + lobes[2 * k + 1].rgb * gloss_gain) \
         * (textureLod(lobe_maps[k], r, turn + lobe_levels[k]).rgb * lobe_scales[k]);
     FOR_EACH_LOBE(ADD_LOBE)
-    return radiance;
+    return light_colour * radiance;
 }
