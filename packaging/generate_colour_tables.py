@@ -6,7 +6,7 @@ Run in a development environment (it needs colour-science, which the suite itsel
 
 One row for each nanometre from 360 to 780. The observers are tabulated at 1 nm by the CIE (ISO/CIE 11664-1). The
 illuminants are tabulated at 5 nm and joined by straight lines, as the CIE does for D65 (ISO/CIE 11664-2);
-outside of its table (F11 ends at 380 nm) an illuminant is 0.
+outside of its table (those of lamps begin at 380 nm) an illuminant is 0.
 """
 
 from __future__ import annotations
@@ -22,16 +22,24 @@ OBSERVERS = (
     ("2", "CIE 1931 2 Degree Standard Observer"),
     ("10", "CIE 1964 10 Degree Standard Observer"),
 )
-ILLUMINANTS = (("D65", "D65"), ("A", "A"), ("F11", "FL11"))
+ILLUMINANTS = (
+    ("D65", "D65"),
+    ("A", "A"),
+    ("F11", "FL11"),
+    ("D50", "D50"),
+    ("F2", "FL2"),
+    ("LED-B3", "LED-B3"),
+)
 
 HEAD = """\
-# CIE standard observers 1931 (2 degrees) and 1964 (10 degrees): x, y, z; relative power of illuminants D65, A, F11.
+# CIE standard observers 1931 (2 degrees) and 1964 (10 degrees): x, y, z; relative power of illuminants D65, A, F11,
+# D50, F2, LED-B3.
 # Written by packaging/generate_colour_tables.py from the tables of colour-science {version}.
 """
 
 
 def table() -> tuple[list[str], np.ndarray, str]:
-    """Return the names of the columns, their numbers (421, 10), and the version of the source."""
+    """Return the names of the columns, their numbers (421, 13), and the version of the source."""
     with warnings.catch_warnings():
         # It says that it will not plot without Matplotlib; nothing is plotted here.
         warnings.filterwarnings("ignore", message='"Matplotlib" related API features are not available')

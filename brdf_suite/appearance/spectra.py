@@ -28,10 +28,11 @@ from brdf_suite.geometry.directions import Floats
 from brdf_suite.resources import resource
 
 Observer = Literal[2, 10]
-Illuminant = Literal["D65", "A", "F11"]
+Illuminant = Literal["D65", "A", "F11", "D50", "F2", "LED-B3"]
 OBSERVERS: tuple[int, ...] = get_args(Observer)
 ILLUMINANTS: tuple[str, ...] = get_args(Illuminant)
-"""D65: daylight. A: incandescent. F11: a three-band fluorescent lamp, close to the TL84 of light booths."""
+"""Of the CIE. D65, D50: daylight. A: incandescent. F11: a three-band fluorescent lamp, close to the TL84 of light
+booths. F2: a cool white fluorescent lamp. LED-B3: white of a blue LED with phosphor, 4,100 K."""
 
 DEFAULT_WAVELENGTHS_NM: Floats = np.linspace(400.0, 700.0, 31)
 """The bands of a spectrum whose file does not say otherwise: 400 to 700 nm at 10 nm."""
@@ -61,7 +62,7 @@ def colour_matching(observer_deg: int = 10) -> Floats:
 
 
 def illuminant_power(illuminant: str = "D65") -> Floats:
-    """Return the relative spectral power (421,) of D65, A or F11, 360 to 780 nm at 1 nm."""
+    """Return the relative spectral power (421,) of one of :data:`ILLUMINANTS`, 360 to 780 nm at 1 nm."""
     if illuminant not in ILLUMINANTS:
         raise ValueRangeError("illuminant", f"one of {', '.join(ILLUMINANTS)} is wanted, not {illuminant!r}")
     return _tables()[illuminant]

@@ -1,0 +1,44 @@
+"""The picture under another light, where only colours and no spectra are known: one matrix on the radiance.
+
+A neutral environment is taken for one of another white. Of a paint of which only L*a*b* is known, an observer who has
+adapted to that light is assumed to see the same colour (CAT16); so
+
+- to an adapted eye the picture stays as it is under D65,
+- to an eye that stays adapted to D65 every stimulus goes through the same adaptation backwards, from D65 to the
+  light's white, which tints it as the light is tinted.
+
+Neither says anything about how the paint's spectrum meets the light's: there is no metamerism in it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from brdf_suite.appearance.colorimetry import LUMINANCE, WHITE_D65_10, WORKING_TO_XYZ, adaptation
+from brdf_suite.appearance.spectra import white_xyz
+from brdf_suite.geometry.directions import Floats
+
+ILLUMINANT_OF: dict[str, str] = {
+    "D65": "D65",
+    "D50": "D50",
+    "A": "A",
+    "TL84": "F11",
+    "CWF": "F2",
+    "LED": "LED-B3",
+}
+"""Lamps of a light booth, by the illuminant of the CIE that stands for them."""
+
+
+def light_matrix(lamp: str, adapted: bool) -> Floats:
+    """Return the matrix (3, 3) on radiance of the working space under ``lamp``, for the observer of 10°.
+
+    ``environment`` leaves the light as it is. Greys keep their luminance.
+
+    >>> (light_matrix("A", adapted=False) @ [1.0, 1.0, 1.0]).round(2).tolist()
+    [1.46, 0.88, 0.31]
+    """
+    if adapted or lamp in ("environment", "D65"):
+        return np.eye(3)
+    tint = adaptation(WHITE_D65_10, white_xyz(ILLUMINANT_OF[lamp], 10))
+    matrix = np.linalg.solve(WORKING_TO_XYZ, tint @ WORKING_TO_XYZ)
+    return np.asarray(matrix / (LUMINANCE @ matrix.sum(axis=1)))
