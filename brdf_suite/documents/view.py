@@ -23,8 +23,10 @@ from brdf_suite.documents.view_settings import (
 )
 from brdf_suite.errors import ValueRangeError
 
-ToneCurve = Literal["faithful", "neutral", "characteristic", "linear"]
+ToneCurve = Literal["faithful", "neutral", "characteristic", "aces", "agx", "linear"]
 TONE_CURVES: tuple[str, ...] = get_args(ToneCurve)
+MarkStyle = Literal["zebra", "colour"]
+MARK_STYLES: tuple[str, ...] = get_args(MarkStyle)
 Background = Literal["environment", "blurred", "grey", "colour"]
 BACKGROUNDS: tuple[str, ...] = get_args(Background)
 FresnelMode = Literal["off", "raised", "multi_angle"]
@@ -112,7 +114,8 @@ class View:
     ``fresnel``: the weights as fitted, sharp lobes raised by F(θ)/F(θ_fit), or weights fitted at several incidences.
     ``look_up``: lobes looked up along the mirror direction as in the paper, or shifted towards the normal.
     ``exposure_ev`` counts from the automatic exposure where ``exposure_mode`` is ``automatic``. ``background_colour``
-    is encoded sRGB. ``clipping_marks`` and ``gamut_marks`` mark what the screen cannot show.
+    is encoded sRGB. ``clipping_marks`` and ``gamut_marks`` mark what the screen cannot show, too bright
+    or too colourful, by ``zebra`` stripes or each in a ``colour``.
     """
 
     camera: Camera = field(default_factory=Camera)
@@ -129,6 +132,7 @@ class View:
     background_colour: tuple[float, float, float] = (0.46, 0.46, 0.46)
     clipping_marks: bool = False
     gamut_marks: bool = False
+    mark_style: MarkStyle = "zebra"
     light_colour: LightColour = field(default_factory=LightColour)
     lamps: tuple[Lamp, ...] = ()
     sparkle: Sparkle = field(default_factory=Sparkle)
@@ -152,6 +156,7 @@ class View:
         check_choice(self.environment_layout, "environment_layout", ENVIRONMENT_LAYOUTS)
         check_choice(self.fresnel, "fresnel", FRESNEL_MODES)
         check_choice(self.look_up, "look_up", LOOK_UPS)
+        check_choice(self.mark_style, "mark_style", MARK_STYLES)
         check_choice(self.exposure_mode, "exposure_mode", EXPOSURE_MODES)
         for name in ("clipping_marks", "gamut_marks"):
             if not isinstance(getattr(self, name), bool):

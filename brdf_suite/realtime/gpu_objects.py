@@ -56,8 +56,24 @@ class GpuObjects:
         with graphics_errors(self.context, f"making a cube map of {size} texels"):
             return self._keep("texture", self.context.texture_cube((size, size), 3, dtype="f2"))
 
+    def texture_3d(self, size: tuple[int, int, int]) -> moderngl.Texture3D:
+        """Make an empty 3-D texture of half floats, RGBA, filtered linearly and held at its edges."""
+        with graphics_errors(self.context, f"making a stack of {size[2]} maps of {size[0]} texels"):
+            made = self._keep("texture", self.context.texture3d(size, 4, dtype="f2"))
+            made.repeat_x = made.repeat_y = made.repeat_z = False
+            made.filter = (moderngl.LINEAR, moderngl.LINEAR)
+            return made
+
+    def ramp(self, size: tuple[int, int]) -> moderngl.Texture:
+        """Make an empty RGBA texture of 32-bit floats, filtered linearly and held at its edges."""
+        with graphics_errors(self.context, f"making a table of {size[0]}x{size[1]} numbers"):
+            made = self._keep("texture", self.context.texture(size, 4, dtype="f4"))
+            made.repeat_x = made.repeat_y = False
+            made.filter = (moderngl.LINEAR, moderngl.LINEAR)
+            return made
+
     def texture(self, size: tuple[int, int], dtype: str, samples: int = 0) -> moderngl.Texture:
-        """Make an empty RGBA texture (``f1`` or ``f2``), multisampled where ``samples`` > 1."""
+        """Make an empty RGBA texture (``f1``, ``f2`` or ``f4``), multisampled where ``samples`` > 1."""
         with graphics_errors(self.context, f"making an image of {size[0]}x{size[1]} pixels"):
             return self._keep("texture", self.context.texture(size, 4, samples=samples, dtype=dtype))
 
@@ -72,6 +88,11 @@ class GpuObjects:
         """Make a framebuffer of one colour texture."""
         with graphics_errors(self.context, "making a framebuffer"):
             return self._keep("framebuffer", self.context.framebuffer([colour], depth))
+
+    def query(self) -> Any:
+        """Make a query that counts samples; it goes with the context."""
+        with graphics_errors(self.context, "making a query"):
+            return self.context.query(samples=True)
 
     def program(self, vertex: ShaderSource, fragment: ShaderSource) -> moderngl.Program:
         """Compile and link a program."""

@@ -69,8 +69,12 @@ class Programs:
         return self._full_screen("background.frag.glsl", 0)
 
     def finish(self, samples: int) -> ScreenProgram:
-        """Return the program that averages ``samples`` and encodes, and its vertex array."""
+        """Return the program that takes ``samples`` to the screen, and its vertex array."""
         return self._full_screen("finish.frag.glsl", samples)
+
+    def count(self, samples: int) -> ScreenProgram:
+        """Return the program whose fragments are counted, and its vertex array."""
+        return self._full_screen("count.frag.glsl", samples)
 
     def _full_screen(self, fragment: str, samples: int) -> ScreenProgram:
         key = (fragment, samples)

@@ -1,8 +1,9 @@
 """Draws parts with lobe weights in prefiltered light: the picture of the Viewer and of the command line.
 
-One frame is two passes. The first draws surface and background into half floats, multisampled: linear display
-light after exposure and tone curve, so that a bright highlight's edge is smooth too. The second pass averages
-the samples, encodes for sRGB, dithers, and writes into the caller's framebuffer, a widget's or its own.
+One frame is two passes. The first draws surface and background into half floats, multisampled: radiance of the
+working space times the exposure. The second takes each sample through the tone curve to the light of the screen, so
+that a bright highlight's edge is smooth too, averages them, encodes, dithers, and writes into the caller's
+framebuffer, a widget's or its own.
 
     renderer = Renderer(create_context())
     renderer.set_environment(maps)
@@ -13,7 +14,7 @@ the samples, encodes for sRGB, dithers, and writes into the caller's framebuffer
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -22,14 +23,14 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import WORKING_TO_SRGB
-from brdf_suite.appearance.light_matrix import light_matrix
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
 from brdf_suite.realtime.context import graphics_errors
+from brdf_suite.realtime.display import LINEAR, SRGB, Display, Unshowable
 from brdf_suite.realtime.environment_textures import EnvironmentTextures
 from brdf_suite.realtime.features import surface_features
+from brdf_suite.realtime.finish import FinishPass
 from brdf_suite.realtime.gpu_objects import Counters, GpuObjects
 from brdf_suite.realtime.material_set import MaterialSet
 from brdf_suite.realtime.mesh_buffers import MeshBuffers
@@ -40,14 +41,11 @@ from brdf_suite.realtime.programs import (
     assign,
     look_up_counts,
 )
+from brdf_suite.realtime.strips import LARGEST_TILE, draw_strips, tile_limit
 from brdf_suite.realtime.target import LightTarget, PictureTarget
-from brdf_suite.realtime.tone_curves import TONE_CURVE_NUMBERS
 from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights, MeshPart
 
 DEFAULT_SAMPLES = 4
-
-LARGEST_TILE = 2048
-"""Pixels along an edge; 4 samples of colour and depth are then 200 MB, at any size of the picture."""
 
 Size = tuple[int, int]
 Corner = tuple[int, int]
@@ -70,7 +68,9 @@ class Renderer:
         self._mesh = MeshBuffers(self._objects)
         self._materials = MaterialSet(self._objects)
         self._light = LightTarget(self._objects)
+        self._tile = LightTarget(self._objects)
         self._picture = PictureTarget(self._objects)
+        self._finish = FinishPass(self._objects, self._programs)
         self._warm: tuple[tuple[int, ...], int, int, Features] | None = None
 
     @property
@@ -114,6 +114,7 @@ class Renderer:
         *,
         materials: Mapping[str, str] = _AS_THEY_ARE,
         region: Region | None = None,
+        display: Display = SRGB,
     ) -> None:
         """Draw one frame into ``framebuffer`` (an object of this context or its number, as Qt gives it).
 
@@ -127,6 +128,8 @@ class Renderer:
             By the name of a part's material, the name of the one that it is drawn with instead.
         region
             Left, lower edge, width and height in pixels: nothing outside it is drawn, nor paid for.
+        display
+            What is written: codes of a screen, or (``LINEAR``) radiance.
 
         Raises
         ------
@@ -137,54 +140,127 @@ class Renderer:
         with graphics_errors(self.context, "drawing a frame"):
             if isinstance(framebuffer, int):
                 framebuffer = self.context.detect_framebuffer(framebuffer)
-            self._draw(view, framebuffer, size, samples, size, (0, 0), materials, region)
+            light = self._draw_light(
+                view, self._light, size, samples, size, materials=materials, region=region
+            )
+            self._bind(framebuffer, size, region)
+            self._finish.draw(light, view, display)
+            self.context.scissor = None
+
+    def finish(
+        self,
+        view: View,
+        light: moderngl.Texture,
+        framebuffer: moderngl.Framebuffer,
+        size: Size,
+        *,
+        region: Region | None = None,
+        display: Display = SRGB,
+    ) -> None:
+        """Finish ``light``, exposed radiance of any number of samples, as :meth:`render` does with what it drew."""
+        with graphics_errors(self.context, "finishing a picture"):
+            self._bind(framebuffer, checked_size(size), region)
+            self._finish.draw(light, view, display)
+            self.context.scissor = None
+
+    def count_unshowable(self, view: View, size: Size, display: Display = SRGB) -> Unshowable:
+        """Count the object's pixels that a screen cannot show, in a picture of ``size``, one sample a pixel.
+
+        A size beyond the GPU's limits is counted in a picture that is as much smaller.
+        """
+        width, height = checked_size(size)
+        scale = min(1.0, tile_limit(self.context, LARGEST_TILE) / max(width, height))
+        size = (max(1, int(width * scale)), max(1, int(height * scale)))
+        with graphics_errors(self.context, "counting pixels"):
+            light = self._draw_light(view, self._tile, size, 1, size)
+            self._bind(self._picture.prepare(size), size)
+            return self._finish.count(light, view, display)
 
     def render_image(
-        self, view: View, size: Size, samples: int = DEFAULT_SAMPLES, *, largest_tile: int = LARGEST_TILE
+        self,
+        view: View,
+        size: Size,
+        samples: int = DEFAULT_SAMPLES,
+        *,
+        display: Display = SRGB,
+        transparent: bool = False,
+        largest_tile: int = LARGEST_TILE,
     ) -> NDArray[Any]:
-        """Return the picture (h, w, 3) uint8 sRGB, top row first, of any size; large ones in tiles."""
+        """Return a picture of any size, top row first, as :meth:`strips` gives it: (h, w, 3) uint8 sRGB by default."""
+        strips = self.strips(
+            view, size, samples, display=display, transparent=transparent, largest_tile=largest_tile
+        )
+        return np.concatenate(list(strips))
+
+    def linear_image(self, view: View, size: Size, samples: int = DEFAULT_SAMPLES) -> NDArray[Any]:
+        """Return radiance of the working space and the object's share of each pixel, (h, w, 4) float32."""
+        return self.render_image(view, size, samples, display=LINEAR)
+
+    def strips(
+        self,
+        view: View,
+        size: Size,
+        samples: int = DEFAULT_SAMPLES,
+        *,
+        display: Display = SRGB,
+        transparent: bool = False,
+        largest_tile: int = LARGEST_TILE,
+    ) -> Iterator[NDArray[Any]]:
+        """Draw a picture of any size in tiles and yield it in strips, from the top: memory is that of one strip.
+
+        The scene must not change in between. A strip is (rows, w, channels): uint8 where ``display`` is dithered,
+        otherwise uint16; three channels, or four with ``transparent``, which leaves the background out and gives
+        the object's share of the pixel as alpha, not multiplied in. ``LINEAR`` gives float32 and always four: with
+        ``transparent`` the radiance of the object alone, multiplied by its share.
+        """
         size = checked_size(size)
-        limit = self._tile_limit(largest_tile)
-        picture = np.empty((size[1], size[0], 3), np.uint8)
-        for y in range(0, size[1], limit):
-            for x in range(0, size[0], limit):
-                tile = (min(limit, size[0] - x), min(limit, size[1] - y))
-                with graphics_errors(self.context, "drawing a picture"):
-                    target = self._picture.prepare(tile)
-                    self._draw(view, target, tile, samples, size, (x, y))
-                    pixels = np.frombuffer(target.read(components=3, alignment=1), np.uint8)
-                rows = pixels.reshape(tile[1], tile[0], 3)[::-1]
-                picture[size[1] - y - tile[1] : size[1] - y, x : x + tile[0]] = rows
-        return picture
+        dtype = "f4" if display.linear else "f2"
+
+        def draw(framebuffer: moderngl.Framebuffer, tile: Size, corner: Corner) -> None:
+            with graphics_errors(self.context, "drawing a picture"):
+                light = self._draw_light(
+                    view, self._tile, tile, samples, size, corner, dtype=dtype, transparent=transparent
+                )
+                self._bind(framebuffer, tile)
+                self._finish.draw(light, view, display, corner, transparent=transparent)
+
+        channels = 4 if transparent or display.linear else 3
+        limit = tile_limit(self.context, largest_tile)
+        return draw_strips(draw, self._picture, size, limit, display, channels)
 
     def release(self) -> None:
         """Give every OpenGL object back; the renderer cannot be used after."""
         self._objects.release_all()
 
-    def _tile_limit(self, wanted: int) -> int:
-        info = self.context.info
-        limits = [info[key] for key in ("GL_MAX_RENDERBUFFER_SIZE", "GL_MAX_TEXTURE_SIZE")]
-        # Even tiles keep the 2x2 blocks, in which derivatives are taken, where they are in the whole picture.
-        return max(2, int(min(wanted, *limits, *info["GL_MAX_VIEWPORT_DIMS"])) // 2 * 2)
+    def _bind(self, target: moderngl.Framebuffer, size: Size, region: Region | None = None) -> None:
+        """Make ``target`` the one that the second pass writes into."""
+        target.use()
+        self.context.viewport = (0, 0, *size)
+        self.context.scissor = region
+        self.context.enable_only(moderngl.NOTHING)
 
-    def _draw(
+    def _draw_light(
         self,
         view: View,
-        target: moderngl.Framebuffer,
+        target: LightTarget,
         tile: Size,
         samples: int,
         size: Size,
-        corner: Corner,
+        corner: Corner = (0, 0),
+        *,
         materials: Mapping[str, str] = _AS_THEY_ARE,
         region: Region | None = None,
-    ) -> None:
+        dtype: str = "f2",
+        transparent: bool = False,
+    ) -> moderngl.Texture:
+        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance."""
         if not self._environment.exponents:
             raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
         samples = min(samples, self.context.max_samples)
         samples = samples if samples > 1 else 0
         camera = matrices(view.camera, self.bounds, size)
-        light_framebuffer, light = self._light.prepare(tile, samples)
-        light_framebuffer.use()
+        framebuffer, light = target.prepare(tile, samples, dtype)
+        framebuffer.use()
         self.context.viewport = (0, 0, *tile)
         self.context.scissor = region
         self.context.enable_only(moderngl.DEPTH_TEST)
@@ -192,19 +268,11 @@ class Renderer:
         self._environment.bind()
         features = surface_features(view)
         self._warm_up(samples, features)
-        light_framebuffer.clear(depth=1.0)
+        framebuffer.clear(depth=1.0)
         self._draw_mesh(view, features, camera, crop(size, corner, tile), materials)
-        self._draw_background(view, camera, size, corner)
-
-        target.use()
-        self.context.viewport = (0, 0, *tile)
-        self.context.scissor = region
-        self.context.enable_only(moderngl.NOTHING)
-        finish, screen = self._programs.finish(samples)
-        assign(finish, {"light": 0, "frame": (*corner, 0.0, 0.0)})
-        light.use(0)
-        screen.render(moderngl.TRIANGLES, vertices=3)
-        self.context.scissor = None
+        if not transparent:
+            self._draw_background(view, camera, size, corner)
+        return light
 
     def _draw_mesh(
         self,
@@ -275,10 +343,7 @@ def _view_uniforms(view: View) -> dict[str, object]:
     turn = np.radians(view.rotation_deg)
     return {
         "light_turn": (float(np.cos(turn)), float(np.sin(turn))),
-        "light_colour": _columns(light_matrix(view.light_colour.illuminant, view.light_colour.adapted)),
         "exposure": 2.0**view.exposure_ev,
-        "tone_curve_kind": TONE_CURVE_NUMBERS[view.tone_curve],
-        "working_to_display": _columns(WORKING_TO_SRGB),
     }
 
 

@@ -1,7 +1,7 @@
 // Provides: the yardstick of frame times: one reflection look-up and one diffuse look-up
 // Needs:    world_position, world_normal of mesh.vert.glsl; LOBES
 #include "environment.glsl"
-#include "display.glsl"
+#include "exposed.glsl"
 
 uniform vec3 eye;
 uniform samplerCube lobe_maps[LOBES];
@@ -18,5 +18,5 @@ void main()
     vec3 r = to_environment(reflect(-v, n));
     vec3 radiance = 0.3 * texture(diffuse_map, to_environment(n)).rgb * diffuse_scale
         + 0.05 * texture(lobe_maps[LOBES - 1], r).rgb * lobe_scales[LOBES - 1];
-    fragment = vec4(display_light(radiance), 1.0);
+    fragment = vec4(exposed_light(radiance), 1.0);
 }

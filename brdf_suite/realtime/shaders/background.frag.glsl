@@ -1,7 +1,7 @@
-// Provides: the display light of what is seen past the surface: the environment, or a neutral grey
+// Provides: the exposed light of what is seen past the surface: the environment, or a neutral grey
 // Needs:    screen.vert.glsl
 #include "environment.glsl"
-#include "display.glsl"
+#include "exposed.glsl"
 
 uniform mat3 view_to_world;
 uniform vec2 half_tangents;      // tangents of half the horizontal and vertical field of view
@@ -16,5 +16,5 @@ void main()
     vec3 direction = view_to_world * vec3(ndc * half_tangents, -1.0);
     // The grey is a backdrop of 18 % at any exposure, so it does not change when the light is dimmed.
     vec3 radiance = grey_background ? vec3(0.18 / exposure) : background_radiance(direction);
-    fragment = vec4(display_light(radiance), 1.0);
+    fragment = vec4(exposed_light(radiance), 0.0);
 }

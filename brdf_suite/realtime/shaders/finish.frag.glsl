@@ -1,25 +1,54 @@
-// Provides: the finished picture: samples averaged in linear light, sRGB transfer curve, dither, 8 bits
-// Needs:    screen.vert.glsl; SAMPLES (0 or 1: a plain texture)
+// Provides: the finished picture: each sample through tone curve and primaries, averaged in the screen's linear
+//           light, encoded, marked, dithered to 8 bits; or the averaged radiance itself
+// Needs:    screen.vert.glsl; SAMPLES
+#include "samples.glsl"
+#include "display.glsl"
 #include "transfer.glsl"
 
-#if SAMPLES > 1
-uniform sampler2DMS light;
-#else
-uniform sampler2D light;
-#endif
 uniform vec4 frame;              // xy: this tile's corner in the whole picture
+uniform float exposure;
+uniform bool as_radiance;        // radiance of the working space and the object's share of the pixel, no more
+uniform bool dithered;           // to 8 bits; otherwise exact
+uniform bool transparent;        // the object's share of the pixel as alpha, the colour that of the object alone
 out vec4 fragment;
 
 void main()
 {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-#if SAMPLES > 1
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < SAMPLES; ++i)
-        sum += texelFetch(light, pixel, i).rgb;
-    vec3 mean = sum / float(SAMPLES);
-#else
-    vec3 mean = texelFetch(light, pixel, 0).rgb;
-#endif
-    fragment = vec4(quantize(srgb_encode(mean), gl_FragCoord.xy + frame.xy), 1.0);
+    vec4 first = light_sample(0);
+    vec4 sum = first;
+    bool even = true;
+    for (int i = 1; i < SAMPLE_COUNT; ++i)
+    {
+        vec4 other = light_sample(i);
+        even = even && other == first;
+        sum += other;
+    }
+    if (as_radiance)
+    {
+        fragment = vec4(sum.rgb / exposure, sum.a) / float(SAMPLE_COUNT);
+        return;
+    }
+    // Where all samples are one, inside a triangle, the curve is taken once.
+    vec3 device = device_light(first.rgb);
+    vec2 beyond = beyond_device(device);
+    vec3 shown = clamp(device, 0.0, 1.0);
+    if (!even)
+    {
+        for (int i = 1; i < SAMPLE_COUNT; ++i)
+        {
+            device = device_light(light_sample(i).rgb);
+            beyond = max(beyond, beyond_device(device));
+            shown += clamp(device, 0.0, 1.0);
+        }
+        shown /= float(SAMPLE_COUNT);
+    }
+    float alpha = 1.0;
+    if (transparent)
+    {
+        alpha = sum.a / float(SAMPLE_COUNT);
+        shown = clamp(shown / max(alpha, 1e-4), 0.0, 1.0);
+    }
+    vec2 pixel = gl_FragCoord.xy + frame.xy;
+    vec3 encoded = marked(device_encode(shown), beyond, pixel);
+    fragment = vec4(dithered ? quantize(encoded, pixel) : encoded, alpha);
 }

@@ -1,15 +1,15 @@
-// Provides: the display light of a surface with lobe weights, in the light of the prefiltered maps
+// Provides: the exposed light of a surface with lobe weights, in the light of the prefiltered maps
 // Needs:    what mesh.vert.glsl hands on; LOBES, FOR_EACH_LOBE
 uniform vec3 eye;
 
 #include "surface_point.glsl"
 #include "lobes.glsl"
-#include "display.glsl"
+#include "exposed.glsl"
 
 out vec4 fragment;
 
 void main()
 {
     SurfacePoint p = surface_point(eye);
-    fragment = vec4(display_light(reflected_radiance(p)), 1.0);
+    fragment = vec4(exposed_light(reflected_radiance(p)), 1.0);
 }
