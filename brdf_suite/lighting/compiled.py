@@ -112,7 +112,7 @@ def _stamp(module: ModuleType) -> Path:
     )
     for source in sorted(Path(__file__).parent.glob("compiled_*.py")):
         digest.update(f"{source.name} {source.stat().st_mtime_ns}".encode())
-    folder: str = module.compiled_cube.side_columns.stats.cache_path
+    folder: str = module.compiled_cube.side_band.stats.cache_path
     return Path(folder) / f"brdf_suite-{digest.hexdigest()[:16]}.compiled"
 
 

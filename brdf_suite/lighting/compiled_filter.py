@@ -16,16 +16,18 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.lighting import compiled_cube, compiled_legendre
+from brdf_suite.lighting import compiled_cube, compiled_legendre, compiled_resample
+from brdf_suite.lighting.compiled_cube import MARGIN
 from brdf_suite.lighting.harmonics import legendre_starts, worker_count
 from brdf_suite.lighting.latlong import column_angles, ring_angles
 from brdf_suite.lighting.ring_to_cube import WIDTH, fast_even, kernel, kernel_transform, rings_for
 from brdf_suite.progress import Progress, part, report
 
-_BLOCK_VALUES = 1 << 18  # pixels of one block of ring pairs: 50 MB with their spectrum
+_RING_PAIRS = 128  # read at once: 50 MB with their spectrum where the map is 8,192 wide
 _BLOCK_RINGS = 192  # ring pairs at once in a synthesis: what stays in the nearest cache
-_ORDERS = 8  # orders of one piece of work: neighbours share lines of memory
-_COLUMNS = 16  # of a face at once: their rings stay in the second cache
+_ORDERS = 16  # orders of one piece of work, an even number: neighbours share lines of memory
+_BAND = 24  # rings of the fine grid at once, and their mirror images: they stay in the last cache
+_ROWS = 16  # of a face's upper half at once
 _DEGREE = 12  # of the polynomials in place of the interpolating kernel: 1e-9
 
 Floats = NDArray[np.float64]
@@ -42,7 +44,7 @@ def analyse(
     theta = ring_angles(rings)
     result = np.zeros((bandlimit + 1, bandlimit + 1, 6))
     starts = legendre_starts(bandlimit)
-    size = int(np.clip(_BLOCK_VALUES // columns, 32, 256))
+    size = _RING_PAIRS
     first_angle = float(column_angles(columns)[0])
     with ThreadPoolExecutor(worker_count()) as pool:
         for begin in range(0, half, size):
@@ -80,9 +82,8 @@ def cube(
     The error is 2e-7 of the largest value: what is interpolated is float32.
     """
     with ThreadPoolExecutor(worker_count()) as pool:
-        orders = _synthesise(pool, coefficients, gains, part(progress, 0.0, 0.4))
-        grid = _fine_grid(pool, orders, part(progress, 0.4, 0.7))
-        return _faces(pool, grid, size, part(progress, 0.7, 1.0))
+        orders = _fine_rings(pool, coefficients, gains, part(progress, 0.0, 0.5))
+        return _faces(pool, orders, size, part(progress, 0.5, 1.0))
 
 
 def resampled(pixels: NDArray[np.float32], size: int) -> NDArray[np.float32]:
@@ -92,118 +93,86 @@ def resampled(pixels: NDArray[np.float32], size: int) -> NDArray[np.float32]:
     readable.flags.writeable = False  # kernels are compiled for each kind of array: one will do
 
     def work(first: int) -> None:
-        compiled_cube.resample_rows(readable, first, min(first + _COLUMNS, size), faces)
+        compiled_resample.resample_rows(readable, first, min(first + _ROWS, size // 2), faces)
 
     with ThreadPoolExecutor(worker_count()) as pool:
-        _all(pool, work, range(0, size, _COLUMNS))
+        _all(pool, work, range(0, size // 2, _ROWS))
     return faces
 
 
-def _synthesise(
+def _fine_rings(
     pool: ThreadPoolExecutor, coefficients: NDArray[np.complex128], gains: Floats, progress: Progress | None
-) -> Floats:
-    """Return F_m (3, rings, bandlimit+1, 2) on the rings that :func:`_fine_grid` wants."""
-    bandlimit = gains.size - 1
-    rings = rings_for(bandlimit)
-    half = rings // 2
-    cosines = np.cos(ring_angles(rings))[half - 1 :: -1]
-    starts = legendre_starts(bandlimit)
-    pairs = coefficients.view(np.float64)
-    orders = np.empty((3, rings, bandlimit + 1, 2))
-    bounds = np.linspace(0, half, -(-half // _BLOCK_RINGS) + 1).astype(int)
+) -> NDArray[np.complex64]:
+    """Return F_m (M, 3, bandlimit+1) on the M rings θ = (i+½)π/M of the fine grid, its kernel divided out.
 
-    def work(item: tuple[int, tuple[int, int]]) -> None:
-        first, (begin, end) = item
-        compiled_legendre.synthesise_rings(
-            pairs, gains, cosines[begin:end].copy(), begin, starts, first, first + _ORDERS, orders
-        )
-
-    _all(
-        pool,
-        work,
-        [(first, block) for first in range(0, bandlimit + 1, _ORDERS) for block in pairwise(bounds.tolist())],
-        progress,
-        "filtering",
-    )
-    return orders
-
-
-def _fine_grid(pool: ThreadPoolExecutor, orders: Floats, progress: Progress | None) -> Singles:
-    """Return the function (3, M, P), float32, at θ = (i+½)π/M, φ = 2πi/P, the interpolating kernel divided out.
-
-    On a ring, order m is a cosine series in θ where m is even and a sine series where it is odd, so that
-    cosine and sine transforms bring it from its rings to finer ones.
+    On a ring, order m is a cosine series in θ where m is even and a sine series where it is odd, so that cosine and
+    sine transforms bring it from as many rings as the Legendre sums need to the finer ones.
     """
     from scipy.fft import dct, dst  # here, because only prefiltering needs scipy
 
-    _, rings, count, _ = orders.shape
+    bandlimit = gains.size - 1
+    rings = rings_for(bandlimit)
+    half = rings // 2
     fine = fast_even(2 * rings)
-    period = 2 * fine
-    frequency = np.arange(rings + 1)
+    cosines = np.cos(ring_angles(rings))[half - 1 :: -1]
+    starts = legendre_starts(bandlimit)
+    pairs = coefficients.view(np.float64)
+    bounds = np.linspace(0, half, -(-half // _BLOCK_RINGS) + 1).astype(int).tolist()
     divided = np.zeros(rings + 1)
-    divided[:count] = 1.0 / kernel_transform(frequency[:count].astype(np.float64), period)
-    grid = np.empty((3, fine, period), dtype=np.float32)
-    finer = np.empty((fine, count, 2))
-    turning = finer.view(np.complex128)[:, :, 0]
-    along = divided[:count]
-    bounds = np.linspace(0, count, 2 * worker_count() + 1).astype(int) // 2 * 2
-    bounds[-1] = count
+    frequencies = np.arange(bandlimit + 1, dtype=np.float64)
+    divided[: bandlimit + 1] = 1.0 / kernel_transform(frequencies, 2 * fine)
+    result = np.empty((fine, 3, bandlimit + 1), dtype=np.complex64)
 
-    def refine(item: tuple[int, int, int]) -> None:
-        channel, first, end = item
+    def work(first: int) -> None:
+        end = min(first + _ORDERS, bandlimit + 1)
+        orders = np.empty((2, rings, 3, (end - first + 1) // 2, 2))
+        for begin, stop in pairwise(bounds):
+            compiled_legendre.synthesise_rings(
+                pairs, gains, cosines[begin:stop].copy(), begin, starts, first, end, orders
+            )
         for odd, (there, back) in enumerate(((dct, dct), (dst, dst))):
-            if first + odd >= end:
+            along = divided[first + odd : end : 2, None]
+            if not along.size:
                 continue
-            series = there(orders[channel, :, first + odd : end : 2], type=2, axis=0) / (2.0 * rings)
+            series = there(orders[odd, :, :, : along.size], type=2, axis=0, overwrite_x=True)
             # Row i of a cosine series is frequency i, of a sine series frequency i + 1.
-            series *= divided[odd : rings + odd, None, None]
-            padded = np.zeros((fine, *series.shape[1:]))
-            padded[:rings] = series
-            finer[:, first + odd : end : 2] = back(padded, type=3, axis=0, overwrite_x=True)
+            series *= divided[odd : rings + odd, None, None, None] * along / (2.0 * rings)
+            finer = back(series, type=3, n=fine, axis=0)
+            result[:, :, first + odd : end : 2] = finer.view(np.complex128)[..., 0]
 
-    for channel in range(3):
-        _all(pool, refine, [(channel, first, end) for first, end in pairwise(bounds.tolist())])
-
-        def round_rings(first: int, target: Singles = grid[channel]) -> None:
-            rows = slice(first, first + 64)
-            target[rows] = np.fft.irfft(turning[rows] * along, period, axis=1, norm="forward")
-
-        _all(pool, round_rings, range(0, fine, 64))
-        report(progress, (channel + 1) / 3, "filtering")
-    return grid
+    _all(pool, work, range(0, bandlimit + 1, _ORDERS), progress, "filtering")
+    return result
 
 
 def _faces(
-    pool: ThreadPoolExecutor, grid: Singles, size: int, progress: Progress | None
+    pool: ThreadPoolExecutor, orders: NDArray[np.complex64], size: int, progress: Progress | None
 ) -> NDArray[np.float32]:
-    """Return the cube map (6, size, size, 3) of a fine grid (3, M, P)."""
-    _, rings, period = grid.shape
-    half = size // 2
+    """Return the cube map (6, size, size, 3) of a function given by F_m (M, 3, m) on the rings of a fine grid."""
+    rings = orders.shape[0]
+    period = 2 * rings
     table = _polynomials()
     faces = np.empty((6, size, size, 3), dtype=np.float32)
+    # The eight rings of a texel north of the equator begin at -5 … M/2 - 4; those below zero lie beyond the pole.
+    sections = np.linspace(-5, rings // 2, min(4 * worker_count(), -(-rings // (4 * _BAND))) + 1)
 
-    def side(first: int) -> None:
-        compiled_cube.side_columns(grid, table, first, min(first + _COLUMNS, half), faces)
+    def fill(bounds: tuple[int, int]) -> None:
+        folded = np.empty((2, _BAND + WIDTH - 1, period // 8 + 2 * MARGIN + 1, 24), dtype=np.float32)
+        held = 0
+        for first in range(*bounds, _BAND):
+            end = min(first + _BAND, bounds[1])
+            wanted = np.arange(first + held, end + WIDTH - 1)
+            north = np.where(wanted < 0, -1 - wanted, wanted)
+            for side, chosen in enumerate((north, rings - 1 - north)):
+                values = np.fft.irfft(orders[chosen].astype(np.complex128), period, axis=-1, norm="forward")
+                for place, ring in enumerate(wanted.tolist()):
+                    compiled_cube.fold_ring(values[place], 2 if ring < 0 else 0, folded[side, held + place])
+            band = (folded[0], folded[1], first, end, rings, period, table, faces)
+            compiled_cube.side_band(*band)
+            compiled_cube.polar_band(*band)
+            held = WIDTH - 1
+            folded[:, :held] = folded[:, end - first : end - first + held]
 
-    _all(pool, side, range(0, half, _COLUMNS), part(progress, 0.0, 0.6), "filling the cube")
-    margin = WIDTH
-    reach = int(np.ceil(np.arctan(np.sqrt(2.0)) / np.pi * rings)) + 2 * margin + 1
-    cap = np.empty((reach, period // 8 + 2 * margin + 1, 24), dtype=np.float32)
-    rows = np.linspace(0, reach, 8 * worker_count() + 1).astype(int).tolist()
-    # Equal shares of the octant's triangle.
-    shares = np.sqrt(np.linspace(0.0, 1.0, 8 * worker_count() + 1))
-    outers = np.unique(np.rint(half * shares).astype(int)).tolist()
-    for south in (False, True):
-
-        def lay(bounds: tuple[int, int], south: bool = south) -> None:
-            compiled_cube.polar_rings(grid, south, margin, *bounds, cap)
-
-        def fill(bounds: tuple[int, int], south: bool = south) -> None:
-            compiled_cube.polar_points(cap, rings, period, margin, south, table, *bounds, faces)
-
-        _all(pool, lay, pairwise(rows))
-        _all(pool, fill, pairwise(outers))
-        report(progress, 0.8 + 0.2 * south, "filling the cube")
+    _all(pool, fill, pairwise(sections.astype(int).tolist()), progress, "filling the cube")
     return faces
 
 

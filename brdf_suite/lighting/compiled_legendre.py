@@ -228,7 +228,8 @@ def synthesise_rings(
     cosine
         (block,) cosθ from the equator outwards; ``from_equator`` rings lie between the equator and the first.
     orders
-        (3, rings, bandlimit+1, 2) in the usual order from north to south, an even number of rings.
+        (2, rings, 3, ≥ (end - first)/2, 2) in the usual order from north to south, an even number of rings; [0]
+        are the orders first, first + 2, … and [1] those between.
     """
     limit = gains.size - 1
     rings = cosine.size
@@ -257,6 +258,8 @@ def synthesise_rings(
                             terms[step, i] = coefficients[m, k + step, i] * gains[degree] * factors[k + step]
                 _spread(count, p, 0, sums, terms)
                 _spread(count, p, 1, sums, terms)
+        parity = (m - first) % 2
+        place = (m - first) // 2
         for c in range(3):
             for r in range(rings):
                 north = half - 1 - from_equator - r
@@ -264,5 +267,5 @@ def synthesise_rings(
                 for i in range(2):
                     even = sums[2 * c + i, r]
                     odd = sums[6 + 2 * c + i, r]
-                    orders[c, north, m, i] = even + odd
-                    orders[c, south, m, i] = even - odd
+                    orders[parity, north, c, place, i] = even + odd
+                    orders[parity, south, c, place, i] = even - odd
