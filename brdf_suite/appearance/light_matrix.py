@@ -12,6 +12,8 @@ Neither says anything about how the paint's spectrum meets the light's: there is
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 from brdf_suite.appearance.colorimetry import LUMINANCE, WHITE_D65_10, WORKING_TO_XYZ, adaptation
@@ -29,6 +31,7 @@ ILLUMINANT_OF: dict[str, str] = {
 """Lamps of a light booth, by the illuminant of the CIE that stands for them."""
 
 
+@cache
 def light_matrix(lamp: str, adapted: bool) -> Floats:
     """Return the matrix (3, 3) on radiance of the working space under ``lamp``, for the observer of 10°.
 
@@ -37,8 +40,10 @@ def light_matrix(lamp: str, adapted: bool) -> Floats:
     >>> (light_matrix("A", adapted=False) @ [1.0, 1.0, 1.0]).round(2).tolist()
     [1.46, 0.88, 0.31]
     """
-    if adapted or lamp in ("environment", "D65"):
-        return np.eye(3)
-    tint = adaptation(WHITE_D65_10, white_xyz(ILLUMINANT_OF[lamp], 10))
-    matrix = np.linalg.solve(WORKING_TO_XYZ, tint @ WORKING_TO_XYZ)
-    return np.asarray(matrix / (LUMINANCE @ matrix.sum(axis=1)))
+    matrix: Floats = np.eye(3)
+    if not adapted and lamp not in ("environment", "D65"):
+        tint = adaptation(WHITE_D65_10, white_xyz(ILLUMINANT_OF[lamp], 10))
+        matrix = np.asarray(np.linalg.solve(WORKING_TO_XYZ, tint @ WORKING_TO_XYZ))
+        matrix = matrix / (LUMINANCE @ matrix.sum(axis=1))
+    matrix.flags.writeable = False  # one for all who ask
+    return matrix
