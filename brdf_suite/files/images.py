@@ -17,12 +17,20 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError
 from brdf_suite.files.exr import read_exr, write_exr
-from brdf_suite.files.png import write_png
+from brdf_suite.files.exr_writer import write_exr_strips
+from brdf_suite.files.png import write_png, write_png_strips
 from brdf_suite.files.primaries import REC2020, rgb_to_working
 from brdf_suite.files.radiance import read_radiance
 from brdf_suite.files.radiance_repair import clip_negative, note_darkness, repair_non_finite
 
-__all__ = ["ImageData", "read_environment_image", "write_exr", "write_png"]
+__all__ = [
+    "ImageData",
+    "read_environment_image",
+    "write_exr",
+    "write_exr_strips",
+    "write_png",
+    "write_png_strips",
+]
 
 MIN_SIDE = 2
 

@@ -21,7 +21,7 @@ def test_names_and_absolute_paths_are_kept(name: str) -> None:
         (lambda: View(surface=""), "surface", "empty"),
         (lambda: View(environment=None), "environment", "null"),
         (lambda: View(exposure_ev=float("nan")), "exposure_ev", "finite"),
-        (lambda: View(tone_curve="filmic"), "tone_curve", "neutral, characteristic, linear"),
+        (lambda: View(tone_curve="filmic"), "tone_curve", "neutral, characteristic, aces, agx, linear"),
         (lambda: View(fresnel=1), "fresnel", "off, raised, multi_angle"),
         (lambda: View(camera={}), "camera", "a camera is wanted"),
         (lambda: Camera(elevation_deg=91.0), "elevation_deg", "-90 to 90"),
