@@ -117,6 +117,10 @@ class DocumentStore(QObject, Generic[T]):
         self.stack.push(command)
         return True
 
+    def amend(self, value: T) -> None:
+        """Make ``value`` the document without a step of its own; Undo goes to where the last step began."""
+        self._take(value)
+
     def begin_gesture(self, name: str) -> None:
         """Merge the edits that follow into one step called ``name``; a gesture that runs is ended first."""
         self.end_gesture()

@@ -130,6 +130,8 @@ class NumberField(QDoubleSpinBox):
 
     def _within(self, number: float) -> float:
         """Return the number, or the end of the range that it lies beyond; which is told once editing is over."""
+        if self.wrapping():
+            return self.minimum() + (number - self.minimum()) % (self.maximum() - self.minimum())
         kept = min(self.maximum(), max(self.minimum(), number))
         # What is shown has fewer decimals than the ends of a range may have.
         beyond = abs(kept - number) > 0.5 * 10.0 ** -self.decimals()

@@ -26,6 +26,7 @@ class CameraControl(QObject):
         self._turntable = Turntable(self)
         self._turntable.turned.connect(self._turn)
         self._turntable.running_changed.connect(window.commands.turntable.setChecked)
+        self._turntable.running_changed.connect(self._turning)
         window.picture.canvas_changed.connect(self._listen)
         self._listen(window.picture.canvas)
         commands, section = window.commands, window.camera
@@ -36,16 +37,27 @@ class CameraControl(QObject):
         section.azimuth_edited.connect(lambda value: self._aim(azimuth_deg=value % 360.0))
         section.elevation_edited.connect(lambda value: self._aim(elevation_deg=value))
         section.focal_length_edited.connect(self._set_focal_length)
+        section.turntable_edited.connect(lambda value: stage.change_view(turntable_deg_s=value))
         stage.view_changed.connect(self._show)
         self._show(None, stage.view)
 
     def frame(self) -> None:
         """Fill the picture with the surface, from the same side."""
-        self._stage.set_camera(frame(self._camera))
+        self._step(frame(self._camera))
 
     def look_from(self, preset: str) -> None:
         """Look from a named side."""
-        self._stage.set_camera(look_from(self._camera, preset))
+        self._step(look_from(self._camera, preset))
+
+    def stop_turntable(self) -> None:
+        """Stop the turntable, where it runs."""
+        self._turntable.set_running(False)
+
+    def _step(self, camera: Camera) -> None:
+        """Move the camera at once: a step of its own, also close after another."""
+        self._stage.history.end()
+        self._stage.set_camera(camera)
+        self._stage.history.end()
 
     @property
     def _camera(self) -> Camera:
@@ -62,6 +74,8 @@ class CameraControl(QObject):
         gestures.zoomed.connect(self._zoom)
         gestures.light_turned.connect(self._turn_light)
         gestures.framed.connect(self.frame)
+        gestures.started.connect(self._stage.history.begin)
+        gestures.finished.connect(self._stage.history.end)
 
     def _orbit(self, azimuth_deg: float, elevation_deg: float) -> None:
         self._stage.set_camera(orbit(self._settled(), azimuth_deg, elevation_deg))
@@ -80,7 +94,14 @@ class CameraControl(QObject):
 
     def _turn(self, degrees: float) -> None:
         settled = dataclasses.replace(self._stage.view, camera=self._settled())
-        self._stage.set_view(turn(settled, degrees, self._stage.bounds.centre))
+        self._stage.history.amend(turn(settled, degrees, self._stage.bounds.centre))
+
+    def _turning(self, running: bool) -> None:
+        """The turntable's whole run is one step."""
+        if running:
+            self._stage.history.begin_running("Turntable")
+        else:
+            self._stage.history.end_running()
 
     def _aim(self, **angles: float) -> None:
         self._stage.set_camera(dataclasses.replace(self._settled(), **angles))
@@ -100,9 +121,12 @@ class CameraControl(QObject):
         return resolve(self._camera, self._stage.bounds, self._size)
 
     def _show(self, old: View | None, new: View) -> None:
+        section = self._window.camera
+        if old is None or old.turntable_deg_s != new.turntable_deg_s:
+            self._turntable.deg_per_second = new.turntable_deg_s
+            section.turntable.set_value(new.turntable_deg_s)
         if old is not None and old.camera == new.camera:
             return
-        section = self._window.camera
         section.azimuth.set_value(signed_deg(new.camera.azimuth_deg))
         section.elevation.set_value(new.camera.elevation_deg)
         section.focal_length.set_value(new.camera.focal_length_mm)

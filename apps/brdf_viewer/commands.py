@@ -32,6 +32,8 @@ class ViewerCommands(QObject):
         The picture goes to the clipboard, or to a file.
     source_wanted(kind, key)
         A shipped environment or surface.
+    undo_wanted(), redo_wanted()
+        A step of the view.
     """
 
     open_wanted = Signal(str)
@@ -48,6 +50,8 @@ class ViewerCommands(QObject):
     copy_wanted = Signal()
     picture_wanted = Signal()
     source_wanted = Signal(str, str)
+    undo_wanted = Signal()
+    redo_wanted = Signal()
 
     def __init__(self, window: SuiteWindow) -> None:
         super().__init__(window)
@@ -55,6 +59,14 @@ class ViewerCommands(QObject):
         self._add_file()
         self._add_view()
         self._add_paint()
+        self.undo = window.add_action(
+            window.edit_menu, "&Undo", self.undo_wanted.emit, QKeySequence.StandardKey.Undo
+        )
+        self.redo = window.add_action(
+            window.edit_menu, "&Redo", self.redo_wanted.emit, QKeySequence.StandardKey.Redo
+        )
+        self.show_history("", "")
+        window.edit_menu.addSeparator()
         window.add_action(
             window.edit_menu,
             "&Copy Picture",
@@ -96,6 +108,12 @@ class ViewerCommands(QObject):
             action.setCheckable(True)
             action.setData(source.key)
             self._source_groups[kind].addAction(action)
+
+    def show_history(self, undo: str, redo: str) -> None:
+        """Say what Undo and Redo would do; empty where there is nothing to be done."""
+        for action, word, step in ((self.undo, "&Undo", undo), (self.redo, "&Redo", redo)):
+            action.setText(f"{word} {step}".strip())
+            action.setEnabled(bool(step))
 
     def show_source(self, kind: str, key: str) -> None:
         """Tick the shipped environment or surface that is chosen; none where it is a file."""

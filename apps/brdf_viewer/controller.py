@@ -125,6 +125,9 @@ class ViewerController(QObject):
         commands.recent_wanted.connect(lambda _kind, path: self.open_file(path))
         commands.copy_wanted.connect(self._copy_picture)
         commands.designer_wanted.connect(self._open_designer)
+        commands.undo_wanted.connect(self._undo)
+        commands.redo_wanted.connect(self._redo)
+        stage.history.steps_changed.connect(self._show_history)
 
     def _make_drawer(self, context: Context) -> StageDrawer:
         self.drawer = StageDrawer(context, self.stage, self.window.surround, self._refused)
@@ -186,6 +189,18 @@ class ViewerController(QObject):
         image = self.window.picture.grab_image()
         if not image.isNull():
             QGuiApplication.clipboard().setImage(image)
+
+    def _undo(self) -> None:
+        self.camera.stop_turntable()
+        self.stage.history.undo()
+
+    def _redo(self) -> None:
+        self.camera.stop_turntable()
+        self.stage.history.redo()
+
+    def _show_history(self) -> None:
+        history = self.stage.history
+        self.window.commands.show_history(history.undo_text, history.redo_text)
 
     def _open_designer(self) -> None:
         started, _ = QProcess.startDetached(sys.executable, ["-m", "brdf_designer"])

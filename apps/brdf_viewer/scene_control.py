@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from pathlib import Path
 
 from brdf_qt.message_bar import Message, message_of
@@ -130,17 +129,20 @@ class SceneControl(QObject):
 
     def _loaded(self, kind: str, key: str, value: PreparedEnvironment | Mesh) -> None:
         if kind == ENVIRONMENT:
+            first = not self._drawn_key(ENVIRONMENT)
             self._stage.set_environment(key, value)
-            self._stage.change_view(environment=key, environment_layout=self._layout)
+            change = self._stage.follow_view if first else self._stage.change_view
+            change(environment=key, environment_layout=self._layout)
             self._show_facts()
             self._window.environment.figures.set_statistics(None)
             self._loader.count(key, value.environment)
         else:
-            known = self._stage.surface is not None
+            first = self._stage.surface is None
             self._stage.set_surface(key, value)
-            camera = self._stage.view.camera
-            view = dataclasses.replace(self._stage.view, surface=key)
-            self._stage.set_view(dataclasses.replace(view, camera=frame(camera)) if known else view)
+            if first:
+                self._stage.follow_view(surface=key)
+            elif key != self._stage.view.surface:  # otherwise a view brought its own camera with it
+                self._stage.change_view(surface=key, camera=frame(self._stage.view.camera))
             set_note(self._window.surface.facts, _surface_facts(value))
         if key not in self._names[kind]:
             self._recent[kind].add(key)
@@ -171,11 +173,18 @@ class SceneControl(QObject):
         if kind == ENVIRONMENT:
             self._take_partial_back()
         self._tell(kind, error)
+        self._keep_drawn(kind, key)
         self._show(kind)
         default = getattr(default_view(), kind)
         if not self._drawn_key(kind) and key != default:
             self._layout = AUTOMATIC
             self._begin(kind, default)  # a picture with a message beats a message alone
+
+    def _keep_drawn(self, kind: str, key: str) -> None:
+        """A view names what cannot be had: it names again what is drawn."""
+        drawn = self._drawn_key(kind)
+        if drawn and getattr(self._stage.view, kind) == key:
+            self._stage.follow_view(**{kind: drawn})
 
     def _tell(self, kind: str, error: Exception) -> None:
         shown = title_of(self._drawn_key(kind) or getattr(default_view(), kind), SHIPPED_TITLES)
@@ -232,6 +241,22 @@ class SceneControl(QObject):
         for kind in self._choosers:
             if getattr(old, kind) != getattr(new, kind):
                 self._show(kind)
+        if (old.environment, old.environment_layout) != (new.environment, new.environment_layout):
+            self._bring(ENVIRONMENT, new.environment, new.environment_layout)
+        if old.surface != new.surface:
+            self._bring(SURFACE, new.surface, new.environment_layout)
+
+    def _bring(self, kind: str, key: str, layout: str) -> None:
+        """Load what a view names that was undone or opened, unless it is drawn or on its way."""
+        is_environment = kind == ENVIRONMENT
+        drawn = self._drawn_key(kind) == key and kind not in self._loading
+        coming = self._loading.get(kind) == key
+        if (drawn or coming) and not (is_environment and layout != self._layout):
+            return
+        if is_environment:
+            self._open_environment(key, layout)
+        else:
+            self.open(kind, key)
 
     def _show_environment_cell(self) -> None:
         loading = self._loading.get(ENVIRONMENT)

@@ -12,6 +12,7 @@ from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.surface.mesh import Mesh
+from brdf_viewer.view_history import ViewHistory
 
 if TYPE_CHECKING:
     from brdf_suite.pipeline.any_fit import AnyFit
@@ -43,12 +44,18 @@ class Stage(QObject):
 
     def __init__(self, view: View, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.view = view
+        self.history = ViewHistory(view, self)
+        self.history.changed.connect(self.view_changed)
         self.fit: PaintFit | AnyFit | None = None
         self._environment: Prop[PreparedEnvironment] | None = None
         self._whole_environment: Prop[PreparedEnvironment] | None = None
         self._surface: Prop[Mesh] | None = None
         self._bounds = Bounds.of([])
+
+    @property
+    def view(self) -> View:
+        """How it is looked at."""
+        return self.history.value
 
     @property
     def is_complete(self) -> bool:
@@ -83,14 +90,16 @@ class Stage(QObject):
         return self._bounds
 
     def set_view(self, view: View) -> None:
-        """Take ``view``; nothing is told where it is equal."""
-        if view != self.view:
-            old, self.view = self.view, view
-            self.view_changed.emit(old, view)
+        """Take ``view``, as a step that can be undone; nothing is told where it is equal."""
+        self.history.set(view)
 
     def change_view(self, **fields: Any) -> None:
         """Replace fields of the view."""
         self.set_view(dataclasses.replace(self.view, **fields))
+
+    def follow_view(self, **fields: Any) -> None:
+        """Replace fields of the view, to be undone with the step before: what follows from it, or goes on by itself."""
+        self.history.amend(dataclasses.replace(self.view, **fields))
 
     def set_camera(self, camera: Camera) -> None:
         """Replace the camera."""

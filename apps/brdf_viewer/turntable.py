@@ -13,18 +13,21 @@ from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal
 from brdf_suite.documents.view import View
 from brdf_viewer.camera_presets import signed_deg
 
-DEG_PER_SECOND = 24.0
 _LONGEST_STEP_S = 0.1
 
 
 class Turntable(QObject):
-    """Emits ``turned(degrees)`` as time passes while it runs, and ``running_changed(bool)``."""
+    """Emits ``turned(degrees)`` as time passes while it runs, and ``running_changed(bool)``.
+
+    ``deg_per_second`` is its speed, counter-clockwise seen from above; negative turns the other way.
+    """
 
     turned = Signal(float)
     running_changed = Signal(bool)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self.deg_per_second = 24.0
         self._clock = QElapsedTimer()
         self._timer = QTimer(self, interval=16, timeout=self._step)
 
@@ -47,7 +50,7 @@ class Turntable(QObject):
     def _step(self) -> None:
         """One step for the time that has passed; a slow frame makes it slower, not jerky."""
         seconds = min(self._clock.restart() / 1000.0, _LONGEST_STEP_S)
-        self.turned.emit(DEG_PER_SECOND * seconds)
+        self.turned.emit(self.deg_per_second * seconds)
 
 
 def turn(view: View, degrees: float, centre: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> View:

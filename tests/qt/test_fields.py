@@ -91,6 +91,18 @@ def test_a_pasted_value_beyond_the_range_says_so_too(field):
     QToolTip.hideText()
 
 
+def test_an_angle_that_is_typed_beyond_its_range_is_the_same_angle_within(qtbot):
+    field = NumberField("Azimuth", "°", -180.0, 180.0, 1.0, 1, 0.0)
+    field.setWrapping(True)
+    qtbot.addWidget(field)
+    field.show()
+    qtbot.waitExposed(field)
+    heard = []
+    field.limited.connect(heard.append)
+    type_in(field, "270")
+    assert (field.value(), heard) == (-90.0, [])
+
+
 def test_a_double_click_goes_back_to_what_the_document_had_when_it_was_opened(field):
     field.set_default(62.5)
     field.set_value(12.0)

@@ -12,12 +12,13 @@ from brdf_suite.documents.view import PARAMETERS, Camera
 
 
 class CameraSection(Section):
-    """From where the surface is seen, by preset or by number, and through which lens."""
+    """From where the surface is seen, by preset or by number, through which lens, and how fast it turns."""
 
     preset_chosen = Signal(str)
     azimuth_edited = Signal(float)
     elevation_edited = Signal(float)
     focal_length_edited = Signal(float)
+    turntable_edited = Signal(float)
 
     def __init__(self, presets: dict[str, str], parent: QWidget | None = None) -> None:
         super().__init__("Camera", "camera", parent)
@@ -45,9 +46,14 @@ class CameraSection(Section):
         focal_length = start.focal_length_mm
         self.focal_length = NumberField("Focal length", "mm", 12.0, 400.0, 1.0, 0, focal_length)
         self.focal_length.edited.connect(self.focal_length_edited)
+        speed = PARAMETERS["turntable_deg_s"]
+        self.turntable = NumberField("Turntable", speed.unit, speed.low, speed.high, 1.0, 1, speed.default)
+        self.turntable.edited.connect(self.turntable_edited)
         form = Form()
         form.add_wide(buttons)
         form.add_row("Azimuth", self.azimuth, PARAMETERS["camera.azimuth_deg"].meaning)
         form.add_row("Elevation", self.elevation, PARAMETERS["camera.elevation_deg"].meaning)
         form.add_row("Focal length", self.focal_length, PARAMETERS["camera.focal_length_mm"].meaning)
+        tip = f"{speed.meaning}; below 0 the other way round. Space on the picture starts and stops it"
+        form.add_row("Turntable", self.turntable, tip)
         self.add(form)
