@@ -16,6 +16,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.face_array import FaceArray
+from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment, load_surface
 from brdf_suite.progress import Progress, part, report
@@ -91,7 +92,7 @@ class SceneRenderer:
 
     def image(self, view: View, size: Size) -> NDArray[np.uint8]:
         """Return a picture ``(height, width, 3)`` uint8 sRGB, top row first."""
-        return self._renderer.render_image(view, size)
+        return self._renderer.render_image(metered(self._renderer, view, size), size)
 
     def release(self) -> None:
         """Give every OpenGL object back."""
