@@ -23,6 +23,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.appearance.light_matrix import light_matrix
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
@@ -344,6 +345,7 @@ def _view_uniforms(view: View) -> dict[str, object]:
     return {
         "light_turn": (float(np.cos(turn)), float(np.sin(turn))),
         "exposure": 2.0**view.exposure_ev,
+        "light_colour": _columns(light_matrix(view.light_colour.illuminant, view.light_colour.adapted)),
     }
 
 
