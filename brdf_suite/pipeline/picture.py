@@ -26,6 +26,7 @@ from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
 from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.occlusion.baked import BakedMesh
 
 if TYPE_CHECKING:
     from brdf_suite.pipeline.any_fit import AnyFit
@@ -80,11 +81,9 @@ class SceneRenderer:
             )
         )
 
-    def set_surface(self, mesh: Mesh) -> None:
-        """Show this surface."""
-        self._renderer.set_mesh(
-            [MeshPart(p.name, p.material, p.positions, p.normals, p.triangles, p.uvs) for p in mesh.parts]
-        )
+    def set_surface(self, mesh: Mesh, baked: BakedMesh | None = None) -> None:
+        """Show this surface, with what was baked for it where that is at hand."""
+        self._renderer.set_mesh(mesh_parts(mesh, baked))
 
     def draw(self, view: View, framebuffer: Any, size: Size) -> None:
         """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels."""
@@ -97,6 +96,16 @@ class SceneRenderer:
     def release(self) -> None:
         """Give every OpenGL object back."""
         self._renderer.release()
+
+
+def mesh_parts(mesh: Mesh, baked: BakedMesh | None = None) -> list[MeshPart]:
+    """Return the parts of a mesh as the renderer takes them, with the light that arrives where it was baked."""
+    if baked is None:
+        return [MeshPart(p.name, p.material, p.positions, p.normals, p.triangles, p.uvs) for p in mesh.parts]
+    return [
+        MeshPart(p.name, p.material, b.positions, b.normals, b.triangles, b.uvs, b.light)
+        for p, b in zip(mesh.parts, baked.parts, strict=True)
+    ]
 
 
 class OffscreenScene(SceneRenderer):

@@ -68,6 +68,7 @@ class EnvironmentTextures:
         places = [2 + lobe for lobe in lobes] + [2] * (look_ups - len(lobes))
         return {
             "lobe_maps": tuple(self._units[place] for place in places),
+            "lobe_exponents": tuple(self.exponents[place - 2] for place in places),
             "lobe_scales": tuple(self._scales[place] for place in places),
             # A face of F texels is 2 wide at distance 1: F / 2 texels per radian in its middle.
             "lobe_levels": tuple(

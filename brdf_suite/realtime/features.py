@@ -6,8 +6,10 @@ from brdf_suite.documents.view import View
 from brdf_suite.realtime.programs import Features
 
 
-def surface_features(view: View) -> Features:
+def surface_features(view: View, *, knows_light: bool = False) -> Features:
     """Return the words that the shader files test with ``#ifdef``, for one frame.
+
+    ``knows_light`` says whether the mesh holds the light that arrives at it.
 
     A word costs a program of its own, compiled at its first frame, so each stands for what a user switches on
     or off, never for a number that is dragged.
@@ -18,4 +20,6 @@ def surface_features(view: View) -> Features:
     words: set[str] = set()
     if view.fresnel != "off":
         words.add("FRESNEL_RAISED")
+    if knows_light and view.surface_look.occlusion:
+        words.add("OCCLUSION")
     return frozenset(words)

@@ -267,7 +267,7 @@ class Renderer:
         self.context.enable_only(moderngl.DEPTH_TEST)
         self.context.depth_func = "<="
         self._environment.bind()
-        features = surface_features(view)
+        features = surface_features(view, knows_light=self._mesh.knows_light)
         self._warm_up(samples, features)
         framebuffer.clear(depth=1.0)
         self._draw_mesh(view, features, camera, crop(size, corner, tile), materials)
@@ -289,6 +289,7 @@ class Renderer:
             | {
                 "world_to_clip": _columns(cropping @ camera.world_to_clip),
                 "eye": tuple(camera.eye),
+                "grounded": view.surface_look.ground,
             }
         )
         ready: set[int] = set()

@@ -36,6 +36,9 @@ class MeshPart:
         (k, 3) uint32, k ≥ 1, indices below n.
     uvs
         (n, 2) float32, lengths on the surface in millimetres; None where the mesh has none.
+    light
+        (n, 8): mean direction x, y, z of the light that arrives and the share, 0 to 1, of a uniform light's
+        irradiance that does, without and with a floor under the mesh; None where that is not known.
     """
 
     name: str
@@ -44,6 +47,7 @@ class MeshPart:
     normals: NDArray[Any]
     triangles: NDArray[Any]
     uvs: NDArray[Any] | None = None
+    light: NDArray[Any] | None = None
 
     def __post_init__(self) -> None:
         positions = _finite(self.positions, np.float32, (-1, 3), f"part {self.name!r}: positions")
@@ -61,6 +65,9 @@ class MeshPart:
         if self.uvs is not None:
             uvs = _finite(self.uvs, np.float32, (len(positions), 2), f"part {self.name!r}: uvs")
             object.__setattr__(self, "uvs", uvs)
+        if self.light is not None:
+            light = _finite(self.light, np.float16, (len(positions), 8), f"part {self.name!r}: light")
+            object.__setattr__(self, "light", light)
 
 
 _HALF_INFINITY = 0x7C00

@@ -8,6 +8,9 @@
 in vec3 world_position;
 in vec3 world_normal;
 in vec2 surface_uv;
+#ifdef OCCLUSION
+in vec4 arriving_light;
+#endif
 
 struct SurfacePoint
 {
@@ -32,6 +35,13 @@ SurfacePoint surface_point(vec3 eye)
     p.uv = surface_uv;
     p.bent = p.normal;
     p.occlusion = 1.0;
+#ifdef OCCLUSION
+    // Baked for the side that the mesh's normal looks to; the back of a thin sheet is taken to see as much.
+    vec3 arriving = arriving_light.xyz;
+    arriving -= min(2.0 * dot(arriving, p.normal), 0.0) * p.normal;
+    p.bent = normalize(arriving + 1e-3 * p.normal);
+    p.occlusion = clamp(arriving_light.w, 0.0, 1.0);
+#endif
     p.base_spread = 0.0;
     p.coat_spread = 0.0;
     return p;

@@ -1,0 +1,186 @@
+"""Bake the occlusion of a mesh: rays from places on its triangles, fitted by values at its vertices.
+
+1. A tree of boxes over all triangles.
+2. The floor under the mesh (:mod:`.floor`).
+3. Places spread over the triangles (:mod:`.places`), 32 rays each. A ray that leaves counts as light; with the
+   floor, one that meets it counts by the light that the floor sees there.
+4. Values at the vertices by least squares (:mod:`.fit`); triangles that they fit badly are cut (:mod:`.refine`)
+   and looked at again, up to eight times.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.progress import Progress, part, report
+from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
+from brdf_suite.surface.occlusion.fit import shared_places, vertex_values
+from brdf_suite.surface.occlusion.floor import bake_floor
+from brdf_suite.surface.occlusion.places import Places, spread
+from brdf_suite.surface.occlusion.refine import cut
+from brdf_suite.surface.occlusion.tree import Ground, TriangleTree
+
+Float32 = NDArray[np.float32]
+Int64 = NDArray[np.int64]
+Look: TypeAlias = Callable[[Places, Progress | None], Float32]
+
+ALGORITHM_VERSION = 1
+"""Part of the key of what is kept: to be raised with every change of what baking gives."""
+
+RAYS = 32
+_FEWEST_PLACES, _MOST_PLACES = 40_000, 400_000
+_PLACES_A_TRIANGLE = 1.5
+_ROUNDS = 8
+_MISFIT = 0.07
+"""Triangles that miss what is seen on them by more than this share of the light, in root mean square, are cut."""
+_PATCH = 0.02
+"""... on a patch of this share of the mesh's size: a small shadow in the middle of a large triangle counts."""
+_NOISE = 0.002
+"""Variance of what 32 rays see."""
+_SHORTEST = 0.004
+"""... unless their longest edge is less than this share of the mesh's size: 2 cm on a car."""
+_PLACES_A_PIECE = 4
+_ADDED_SHARE, _ADDED_FEWEST = 0.5, 40_000
+
+
+@dataclass(frozen=True, eq=False)
+class _Surface:
+    """All parts in one: vertices, triangles, and the part of each triangle."""
+
+    positions: Float32
+    normals: Float32
+    uvs: Float32
+    triangles: Int64
+    part: Int64
+
+
+def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
+    """Return ``mesh`` with occlusion at its vertices. The same mesh gives the same numbers on any machine.
+
+    Raises
+    ------
+    Cancelled
+        ``progress`` asked for it.
+    """
+    surface = _joined(mesh)
+    report(progress, 0.0, "sorting the triangles")
+    tree = TriangleTree.of(surface.positions[surface.triangles])
+    low, high = mesh.bounds()
+    ground = bake_floor(tree, low, high, part(progress, 0.05, 0.3))
+    floor = Ground(ground.height, ground.low, ground.high, ground.share)
+
+    def look(places: Places, progress: Progress | None) -> Float32:
+        return tree.gather(
+            places.points, places.normals, places.planes, RAYS, floor, progress, "occlusion of the surface"
+        )
+
+    count = int(np.clip(_PLACES_A_TRIANGLE * len(surface.triangles), _FEWEST_PLACES, _MOST_PLACES))
+    places = spread(surface.positions, surface.normals, surface.triangles, count)
+    seen = look(places, part(progress, 0.3, 0.85))
+    limit = len(surface.triangles) + max(_ADDED_FEWEST, int(_ADDED_SHARE * mesh.triangle_count))
+    for number in range(_ROUNDS + 1):
+        report(progress, 0.85 + 0.15 * number / (_ROUNDS + 1), "fitting the occlusion")
+        values = _values(surface, places, seen)
+        chosen = _misfits(surface, places, seen, values)
+        if number == _ROUNDS or not chosen.any() or len(surface.triangles) + 3 * chosen.sum() > limit:
+            break
+        surface, places, seen = _refined(surface, places, seen, chosen, look)
+    report(progress, 1.0, "occlusion")
+    return BakedMesh(_separated(mesh, surface, values), ground)
+
+
+def _joined(mesh: Mesh) -> _Surface:
+    starts = np.cumsum([0, *(len(p.positions) for p in mesh.parts)])
+    return _Surface(
+        np.concatenate([p.positions for p in mesh.parts]),
+        np.concatenate([p.normals for p in mesh.parts]),
+        np.concatenate([p.uvs for p in mesh.parts]),
+        np.concatenate([p.triangles.astype(np.int64) + s for p, s in zip(mesh.parts, starts, strict=False)]),
+        np.repeat(np.arange(len(mesh.parts)), [len(p.triangles) for p in mesh.parts]),
+    )
+
+
+def _values(surface: _Surface, places: Places, seen: Float32) -> Float32:
+    """Return (n, 8) at the vertices: direction and share of the light, without and with the floor."""
+    # Columns of what was seen: share, x, y, z, alone and then with the floor.
+    useful = replace(places, area=places.area * (seen[:, 8] > 0.5))
+    shared = shared_places(surface.positions, surface.normals)
+    found = vertex_values(surface.positions, surface.triangles, shared, useful, seen[:, :8])
+    values = found[:, [1, 2, 3, 0, 5, 6, 7, 4]]
+    values[:, [3, 7]] = np.clip(values[:, [3, 7]], 0.0, 1.0)
+    return values.astype(np.float32)
+
+
+def _misfits(surface: _Surface, places: Places, seen: Float32, values: Float32) -> NDArray[np.bool_]:
+    corners = values[surface.triangles[places.triangle]][:, :, [3, 7]]
+    error = np.einsum("nk,nkc->nc", places.weights, corners) - seen[:, [0, 4]]
+    counted = (seen[:, 0] > 0.0) & (seen[:, 8] > 0.5)
+    weight = np.where(counted, places.area, 0.0)
+    count = len(surface.triangles)
+    total = np.bincount(places.triangle, weight, count)
+    excess = np.maximum((error**2).max(axis=1) - _NOISE, 0.0)
+    squared = np.bincount(places.triangle, weight * excess, count)
+    size = float(np.ptp(surface.positions, axis=0).max())
+    patch = np.minimum(total, (_PATCH * size) ** 2)
+    misfit = np.sqrt(np.divide(squared, patch, out=np.zeros(count), where=total > 0.0))
+    edges = surface.positions[surface.triangles]
+    longest = np.linalg.norm(edges - np.roll(edges, 1, axis=1), axis=2).max(axis=1)
+    return np.asarray((misfit > _MISFIT) & (longest > _SHORTEST * size))
+
+
+def _refined(
+    surface: _Surface, places: Places, seen: Float32, chosen: NDArray[np.bool_], look: Look
+) -> tuple[_Surface, Places, Float32]:
+    """Cut the chosen triangles and look at the pieces; places on triangles that stay whole are kept."""
+    made = cut(surface.positions, surface.triangles, chosen)
+    new = _Surface(
+        made.extended(surface.positions),
+        made.extended(surface.normals),
+        made.extended(surface.uvs),
+        made.triangles,
+        surface.part[made.origin],
+    )
+    number = np.full(len(surface.triangles), -1)
+    whole = np.flatnonzero(made.whole)
+    number[made.origin[whole]] = whole
+    kept = number[places.triangle] >= 0
+    pieces = np.flatnonzero(~made.whole)
+    # Large triangles must not be looked at more loosely than before.
+    count = max(_PLACES_A_PIECE * len(pieces), len(kept) - int(kept.sum()))
+    more = spread(new.positions, new.normals, new.triangles[pieces], count)
+    more = replace(more, triangle=pieces[more.triangle])
+    found = look(more, None)
+    old = replace(places, triangle=number[places.triangle])
+    fields = ("triangle", "weights", "area", "points", "normals", "planes")
+    both = (np.concatenate([getattr(old, name)[kept], getattr(more, name)]) for name in fields)
+    return new, Places(*both), np.concatenate([seen[kept], found])
+
+
+def _separated(mesh: Mesh, surface: _Surface, values: Float32) -> tuple[BakedPart, ...]:
+    """Take the parts apart again: each keeps its vertices in their order, with those made on its edges after."""
+    starts = np.cumsum([0, *(len(p.positions) for p in mesh.parts)])
+    parts = []
+    for number in range(len(mesh.parts)):
+        triangles = surface.triangles[surface.part == number]
+        new = np.unique(triangles[triangles >= starts[-1]])
+        kept = np.concatenate([np.arange(starts[number], starts[number + 1]), new])
+        own = len(mesh.parts[number].positions)
+        local = np.where(
+            triangles < starts[-1], triangles - starts[number], own + np.searchsorted(new, triangles)
+        )
+        parts.append(
+            BakedPart(
+                surface.positions[kept],
+                surface.normals[kept],
+                surface.uvs[kept],
+                local.astype(np.uint32),
+                values[kept].astype(np.float16),
+            )
+        )
+    return tuple(parts)
