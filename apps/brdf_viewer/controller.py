@@ -20,6 +20,7 @@ from brdf_viewer.camera_control import CameraControl
 from brdf_viewer.drawing import StageDrawer
 from brdf_viewer.file_kinds import AskFile, AskPicture, all_endings, ask_file, ask_picture, kind_of
 from brdf_viewer.frame_meter import FrameMeter
+from brdf_viewer.lighting_control import LightingControl
 from brdf_viewer.loading import SceneLoader
 from brdf_viewer.paint_control import PaintControl
 from brdf_viewer.picture_export import PictureExport
@@ -82,6 +83,7 @@ class ViewerController(QObject):
         self.export = PictureExport(self.stage, self.window, ask_picture, self)
         self._connect()
         self._show_view(None, view)
+        self.lighting = LightingControl(self.stage, self.window, lambda: self.drawer, self)
         self.window.picture.set_view(view)
         self.paint.start_with(paint, follow=follow)
         self.scene.load_first()
@@ -146,7 +148,6 @@ class ViewerController(QObject):
         window.fresnel.set_mode(new.fresnel)
         window.tone.set_curve(new.tone_curve)
         window.commands.show_state(tone_curve=new.tone_curve, background=new.background, fresnel=new.fresnel)
-        window.status.cell("exposure").set(f"{new.exposure_ev:+.1f} EV", "Exposure")
         if not self._publish.isActive():
             self._publish.start()
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.exposure import automatic_ev, exposed
 from brdf_suite.pipeline.picture import SceneRenderer
 from brdf_suite.realtime.context import Context
 from brdf_suite.realtime.gpu_objects import Counters
@@ -68,8 +69,15 @@ class StageDrawer:
         if fit is not self._fit:
             self._renderer.set_paint_fit(fit)
             self._fit = fit
-        self._renderer.draw(view, framebuffer, size)
+        if view.exposure_mode == "automatic" and self._stage.metered_ev is None:
+            self.meter(view, size)
+        self._renderer.draw(exposed(view, self._stage.metered_ev), framebuffer, size)
         return not any(uploads)
+
+    def meter(self, view: View, size: tuple[int, int]) -> None:
+        """Measure the exposure of what is drawn, for the stage to show it at; 0 EV where no object is seen."""
+        if self._fit is not None:
+            self._stage.metered_ev = automatic_ev(self._renderer.renderer, view, size) or 0.0
 
     def release(self) -> None:
         """Give every OpenGL object back."""

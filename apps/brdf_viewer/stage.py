@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.documents.view import Camera, View
+from brdf_suite.pipeline.exposure import exposed
 from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.realtime.camera import Bounds
@@ -47,6 +48,7 @@ class Stage(QObject):
         self.history = ViewHistory(view, self)
         self.history.changed.connect(self.view_changed)
         self.fit: PaintFit | AnyFit | None = None
+        self.metered_ev: float | None = None
         self._environment: Prop[PreparedEnvironment] | None = None
         self._whole_environment: Prop[PreparedEnvironment] | None = None
         self._surface: Prop[Mesh] | None = None
@@ -56,6 +58,11 @@ class Stage(QObject):
     def view(self) -> View:
         """How it is looked at."""
         return self.history.value
+
+    @property
+    def exposed_view(self) -> View:
+        """The view at the exposure at which it is shown: what was measured, where it is automatic."""
+        return exposed(self.view, self.metered_ev)
 
     @property
     def is_complete(self) -> bool:

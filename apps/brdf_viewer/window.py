@@ -16,6 +16,7 @@ from brdf_viewer.commands import ViewerCommands
 from brdf_viewer.sections.camera import CameraSection
 from brdf_viewer.sections.environment import EnvironmentSection
 from brdf_viewer.sections.fresnel import FresnelSection
+from brdf_viewer.sections.lighting import LightingSection
 from brdf_viewer.sections.paint import PaintSection
 from brdf_viewer.sections.surface import SurfaceSection
 from brdf_viewer.sections.tone import ToneSection
@@ -43,6 +44,7 @@ class ViewerWindow(SuiteWindow):
         self.picture.setAccessibleName("Picture")
         self.set_centre(self.picture, tab_hides_panels=True)
         self.environment = EnvironmentSection()
+        self.lighting = LightingSection()
         self.surface = SurfaceSection()
         self.paint = PaintSection()
         self.camera = CameraSection({key: title for key, (title, _, _) in PRESETS.items()})
@@ -50,6 +52,7 @@ class ViewerWindow(SuiteWindow):
         self.tone = ToneSection()
         for section in (
             self.environment,
+            self.lighting,
             self.surface,
             self.paint,
             self.camera,

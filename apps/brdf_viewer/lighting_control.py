@@ -1,0 +1,135 @@
+"""The lighting section: presets, the lamps' colour, lamps beside the environment, and the exposure's meter."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, QTimer
+
+from brdf_suite.documents.view import View
+from brdf_suite.pipeline.exposure import exposed
+from brdf_viewer.drawing import StageDrawer
+from brdf_viewer.lighting_presets import preset_of, with_preset
+from brdf_viewer.sections.lamps import placed, polar
+from brdf_viewer.stage import Stage
+from brdf_viewer.turntable import Turntable
+from brdf_viewer.window import ViewerWindow
+
+METER_AFTER_MS = 150
+"""The meter waits for things to come to rest: an exposure that follows every step of a drag would pump."""
+
+_UNMETERED = ("exposure_ev", "tone_curve", "background", "background_colour", "clipping_marks", "gamut_marks")
+
+
+class LightingControl(QObject):
+    """Puts the section's edits into the view, and measures the exposure where it is automatic.
+
+    Parameters
+    ----------
+    drawer
+        Returns what draws at present; None while nothing does.
+    """
+
+    def __init__(
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        drawer: Callable[[], StageDrawer | None],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._stage, self._window, self._drawer = stage, window, drawer
+        self._meter = QTimer(self, singleShot=True, interval=METER_AFTER_MS, timeout=self._measure)
+        self._round = Turntable(self)
+        self._round.deg_per_second = 45.0
+        self._round.turned.connect(self._move_lamp)
+        section = window.lighting
+        self._round.running_changed.connect(section.lamps.set_moving)
+        self._round.running_changed.connect(self._moving)
+        section.preset_chosen.connect(self.choose)
+        section.illuminant_edited.connect(lambda key: self._change_colour(illuminant=key))
+        section.adapted_edited.connect(lambda on: self._change_colour(adapted=on))
+        section.exposure_mode_edited.connect(self.set_exposure_mode)
+        section.lamps.edited.connect(lambda lamps: stage.change_view(lamps=lamps))
+        section.lamps.move_edited.connect(self._round.set_running)
+        stage.view_changed.connect(self._changed)
+        stage.contents_changed.connect(self._contents_changed)
+        self._show(stage.view)
+
+    def choose(self, key: str) -> None:
+        """Take a preset's light."""
+        self._stage.set_view(with_preset(self._stage.view, key))
+
+    def set_exposure_mode(self, mode: str) -> None:
+        """Lock the exposure as it is, or have it measured from now on."""
+        view = self._stage.view
+        if mode == view.exposure_mode:
+            return
+        if mode == "locked":
+            self._stage.set_view(exposed(view, self._stage.metered_ev))  # the picture stays as it is
+        else:
+            self._stage.metered_ev = None
+            self._stage.change_view(exposure_mode="automatic", exposure_ev=0.0)
+
+    def _change_colour(self, **fields: object) -> None:
+        colour = dataclasses.replace(self._stage.view.light_colour, **fields)
+        self._stage.change_view(light_colour=colour)
+
+    def _moving(self, running: bool) -> None:
+        """All that a lamp moves until it stops is one step of the history."""
+        if running:
+            self._stage.history.begin_running("Move Lamp")
+        else:
+            self._stage.history.end_running()
+
+    def _move_lamp(self, degrees: float) -> None:
+        lamps = self._stage.view.lamps
+        if not lamps:
+            self._round.set_running(False)
+            return
+        azimuth, elevation, distance = polar(lamps[0])
+        moved = placed(lamps[0], (azimuth + degrees + 180.0) % 360.0 - 180.0, elevation, distance)
+        self._stage.follow_view(lamps=(moved, *lamps[1:]))
+
+    def _changed(self, old: View, new: View) -> None:
+        self._show(new)
+        if new.exposure_mode == "automatic" and metered_part(old) != metered_part(new):
+            self._meter.start()
+
+    def _contents_changed(self) -> None:
+        if self._stage.view.exposure_mode == "automatic":
+            self._meter.start()
+
+    def _measure(self) -> None:
+        drawer = self._drawer()
+        if drawer is not None and self._stage.view.exposure_mode == "automatic":
+            picture = self._window.picture
+            picture.with_context(lambda: drawer.meter(self._stage.view, picture.device_size))
+            self._show_exposure(self._stage.view)
+
+    def _show(self, view: View) -> None:
+        section = self._window.lighting
+        section.show_preset(preset_of(view))
+        section.show_colour(view.light_colour, False)
+        section.show_exposure_mode(view.exposure_mode)
+        section.lamps.set_lamps(view.lamps)
+        self._show_exposure(view)
+
+    def _show_exposure(self, view: View) -> None:
+        cell = self._window.status.cell("exposure")
+        if view.exposure_mode == "locked":
+            cell.set(f"{view.exposure_ev:+.1f} EV", "Exposure, locked")
+        else:
+            total = exposed(view, self._stage.metered_ev).exposure_ev
+            cell.set(
+                f"{total:+.1f} EV automatic", f"Exposure: measured, and {view.exposure_ev:+.1f} EV to it"
+            )
+
+
+def metered_part(view: View) -> View:
+    """Return the view without what the meter does not look at."""
+    return dataclasses.replace(view, **{name: getattr(_PLAIN, name) for name in _UNMETERED})
+
+
+_PLAIN = View()

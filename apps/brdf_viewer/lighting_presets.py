@@ -1,0 +1,82 @@
+"""Light as a light booth has it at the push of a button: an environment, its lamps' colour, and a point source."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Illuminant, Lamp, LightColour
+
+
+@dataclass(frozen=True)
+class LightingPreset:
+    """What a button sets: the environment, the colour of its lamps, and lamps beside it; ``tip`` explains it."""
+
+    title: str
+    environment: str
+    illuminant: Illuminant
+    tip: str
+    lamps: tuple[Lamp, ...] = ()
+
+
+POINT = Lamp(kind="point", position=(0.9, 1.6, 1.1), strength=6.0, temperature_k=6500.0)
+
+PRESETS: Mapping[str, LightingPreset] = MappingProxyType(
+    {
+        "d65": LightingPreset("D65", "booth", "D65", "Light booth, average daylight"),
+        "d50": LightingPreset("D50", "booth", "D50", "Light booth, warm daylight, as printers judge"),
+        "a": LightingPreset("A", "booth", "A", "Light booth, incandescent lamps of 2,856 K"),
+        "tl84": LightingPreset(
+            "TL84", "booth", "TL84", "Light booth, three-band fluorescent lamps (CIE F11)"
+        ),
+        "cwf": LightingPreset("CWF", "booth", "CWF", "Light booth, cool white fluorescent lamps (CIE F2)"),
+        "led": LightingPreset("LED", "booth", "LED", "Light booth, white LEDs of 4,100 K (CIE LED-B3)"),
+        "sun": LightingPreset("Sun and sky", "sunny", "environment", "Clear sky with the sun"),
+        "overcast": LightingPreset("Overcast", "overcast", "environment", "Even, cloudy sky, no sun"),
+        "point": LightingPreset(
+            "Point source",
+            "booth",
+            "D65",
+            "Light booth with one small lamp that can be moved, in which flakes sparkle",
+            (POINT,),
+        ),
+    }
+)
+
+
+def with_preset(view: View, key: str) -> View:
+    """Return the view in a preset's light; adaptation, exposure and rotation stay.
+
+    The environment is named; who shows the view loads it.
+    """
+    preset = PRESETS[key]
+    return replace(
+        view,
+        environment=preset.environment,
+        environment_layout="auto",
+        light_colour=replace(view.light_colour, illuminant=preset.illuminant),
+        lamps=preset.lamps,
+    )
+
+
+def preset_of(view: View) -> str:
+    """Return the preset that the view's light is, wherever its lamps stand; empty where it is another.
+
+    >>> preset_of(View())
+    'd65'
+    """
+    illuminant = view.light_colour.illuminant
+    if illuminant == "environment" and view.environment == "booth":
+        illuminant = "D65"  # the booth's own lamps are neutral
+    for key, preset in PRESETS.items():
+        same_light = (view.environment, illuminant) == (preset.environment, preset.illuminant)
+        if same_light and [lamp.kind for lamp in view.lamps] == [lamp.kind for lamp in preset.lamps]:
+            return key
+    return ""
+
+
+def is_tinted(colour: LightColour) -> bool:
+    """Whether the picture takes the lamp's colour on, or would to an eye that has not adapted."""
+    return colour.illuminant not in ("environment", "D65")

@@ -1,0 +1,130 @@
+"""The light booth's buttons, the colour of its lamps, how the eye takes it, and how the exposure is found."""
+
+from __future__ import annotations
+
+from brdf_qt.form import Form
+from brdf_qt.section import Section
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QToolButton, QWidget
+
+from brdf_suite.documents.view_settings import LightColour
+from brdf_viewer.lighting_presets import PRESETS, is_tinted
+from brdf_viewer.sections.lamps import LampFields
+from brdf_viewer.sections.note import note, set_note
+
+ILLUMINANT_TITLES = {
+    "environment": "As the environment has it",
+    "D65": "D65, daylight",
+    "D50": "D50, warm daylight",
+    "A": "A, incandescent",
+    "TL84": "TL84 (CIE F11)",
+    "CWF": "Cool white (CIE F2)",
+    "LED": "LED (CIE LED-B3)",
+}
+EXPOSURE_TITLES = {"locked": "Locked", "automatic": "Automatic"}
+_COLUMNS = 3
+
+
+class LightingSection(Section):
+    """Presets of a light booth; light colour; exposure locked or automatic; lamps beside the environment.
+
+    Signals: ``preset_chosen(key)``, ``illuminant_edited(key)``, ``adapted_edited(bool)``,
+    ``exposure_mode_edited(key)``; those of the lamps are of ``lamps``.
+    """
+
+    preset_chosen = Signal(str)
+    illuminant_edited = Signal(str)
+    adapted_edited = Signal(bool)
+    exposure_mode_edited = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("Lighting", "lighting", parent)
+        self.presets = QButtonGroup(self)
+        # None is pressed where the light is another.
+        self.presets.setExclusive(False)
+        self._buttons: dict[str, QToolButton] = {}
+        self.illuminant = _choices(ILLUMINANT_TITLES)
+        self.illuminant.activated.connect(
+            lambda index: self.illuminant_edited.emit(self.illuminant.itemData(index))
+        )
+        self.adapted = QCheckBox("Eye adapted to it")
+        self.adapted.setToolTip(
+            "On: white looks white, as to someone who has been in this light for minutes. "
+            "Off: the tint that an eye used to daylight sees at first"
+        )
+        self.adapted.clicked.connect(self.adapted_edited)
+        self.metamerism = note()
+        self.exposure_mode = _choices(EXPOSURE_TITLES)
+        self.exposure_mode.activated.connect(
+            lambda index: self.exposure_mode_edited.emit(self.exposure_mode.itemData(index))
+        )
+        self.lamps = LampFields()
+        form = Form()
+        form.add_wide(self._preset_buttons())
+        form.add_row("Light colour", self.illuminant, "The lamp that the environment's white is taken for")
+        form.add_row("", self.adapted)
+        form.add_wide(self.metamerism)
+        form.add_row(
+            "Exposure mode",
+            self.exposure_mode,
+            "Locked: the exposure stays as it is in every light. Automatic: the object's median luminance becomes "
+            "18 %, and the exposure counts from there",
+        )
+        self.add(form)
+        self.add(self.lamps)
+
+    def _preset_buttons(self) -> QWidget:
+        inside = QWidget()
+        grid = QGridLayout(inside)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(4)
+        for index, (key, preset) in enumerate(PRESETS.items()):
+            button = QToolButton()
+            button.setText(preset.title)
+            button.setToolTip(preset.tip)
+            button.setCheckable(True)
+            button.setObjectName(f"lighting_{key}")
+            button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)
+            button.clicked.connect(lambda _=False, key=key: self._pressed(key))
+            self.presets.addButton(button)
+            self._buttons[key] = button
+            grid.addWidget(button, index // _COLUMNS, index % _COLUMNS)
+        return inside
+
+    def _pressed(self, key: str) -> None:
+        self._buttons[key].setChecked(True)  # a second press leaves it pressed
+        self.preset_chosen.emit(key)
+
+    def show_preset(self, key: str) -> None:
+        """Press the button of the present light; none where the key is empty."""
+        for name, button in self._buttons.items():
+            button.setChecked(name == key)
+
+    def show_colour(self, colour: LightColour, has_spectra: bool) -> None:
+        """Show the light's colour, and what it can say about the paint."""
+        self.illuminant.setCurrentIndex(self.illuminant.findData(colour.illuminant))
+        self.adapted.setChecked(colour.adapted)
+        self.adapted.setEnabled(is_tinted(colour))
+        set_note(self.metamerism, colour_note(colour, has_spectra))
+
+    def show_exposure_mode(self, key: str) -> None:
+        """Show whether the exposure is locked."""
+        self.exposure_mode.setCurrentIndex(self.exposure_mode.findData(key))
+
+
+def colour_note(colour: LightColour, has_spectra: bool) -> str:
+    """Return what is to be known about a paint's colour in the light; empty where nothing is assumed."""
+    if not is_tinted(colour):
+        return ""
+    if has_spectra:
+        return "Colours are computed from the paint's spectra."
+    if colour.adapted:
+        return "No metamerism: the paint's spectrum is not known. To an adapted eye it is taken to look as in D65."
+    return "No metamerism: the paint's spectrum is not known. Its colours take on the light's tint (CAT16)."
+
+
+def _choices(titles: dict[str, str]) -> QComboBox:
+    box = QComboBox()
+    for key, title in titles.items():
+        box.addItem(title, key)
+    return box
