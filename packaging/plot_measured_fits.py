@@ -28,7 +28,7 @@ from brdf_suite.fitting.lobes.undivided import fit_undivided
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.any_fit import AnyFit, fit_any
 from brdf_suite.pipeline.fit_errors import HeldOut, held_out_errors
-from brdf_suite.pipeline.picture import render_to_file
+from brdf_suite.pipeline.still import render_to_file
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 

@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QImage
 
 from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.pipeline.picture import picture_metadata
+from brdf_suite.pipeline.picture_file import picture_metadata
 from brdf_viewer.file_kinds import PICTURE_ENDING, AskPicture
 from brdf_viewer.stage import Stage
 from brdf_viewer.window import ViewerWindow

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.appearance.colorimetry import (
     REC709_PRIMARIES,
+    REC2020_PRIMARIES,
     WHITE_XY,
     WORKING_TO_SRGB,
     srgb_decode,
@@ -55,6 +56,11 @@ class DisplaySpace:
         ):
             raise ValueRangeError("codes", f"a table of n by 3 is wanted, not {self.codes.shape}")
 
+    @property
+    def white_xy(self) -> tuple[float, float]:
+        """White of a space that is defined by primaries: D65."""
+        return WHITE_XY
+
     def encode(self, linear: ArrayLike) -> Floats:
         """Return codes (..., 3), 0…1, of linear light of the device, clipped to 0…1."""
         encoded = srgb_encode(np.clip(np.asarray(linear, float), 0.0, 1.0))
@@ -75,8 +81,8 @@ DISPLAY_P3_SPACE = DisplaySpace("Display P3", WORKING_TO_P3, P3_PRIMARIES)
 SPACES = {"srgb": SRGB_SPACE, "display-p3": DISPLAY_P3_SPACE}
 """The spaces that pictures are written in, by the words of the command line."""
 
-SPACE_WHITE_XY = WHITE_XY
-"""White of both: D65."""
+WORKING_SPACE = DisplaySpace("Rec. 2020", np.eye(3), REC2020_PRIMARIES)
+"""The working space itself, for pictures of radiance."""
 
 
 def inverse_codes(curves: ArrayLike, steps: int = 1024) -> NDArray[np.float32]:

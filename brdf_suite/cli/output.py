@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from brdf_suite.progress import Progress
 
 _SIZE = re.compile(r"([1-9]\d{0,4})[x×X]([1-9]\d{0,4})")
-_LARGEST = 16_384
+_LARGEST = 65_536
 
 
 @contextmanager
@@ -35,7 +35,7 @@ def print_json(value: Mapping[str, object]) -> None:
 
 
 def size(text: str) -> tuple[int, int]:
-    """Parse ``WIDTHxHEIGHT`` in pixels, each 1 to 16,384 (an argparse type)."""
+    """Parse ``WIDTHxHEIGHT`` in pixels, each 1 to 65,536 (an argparse type)."""
     match = _SIZE.fullmatch(text)
     if match is None:
         raise argparse.ArgumentTypeError(

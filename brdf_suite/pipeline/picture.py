@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import os
-from dataclasses import dataclass, replace
-from pathlib import Path
-from time import perf_counter
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
@@ -13,20 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
-from brdf_suite.errors import FileError
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.paint import PaintFit
-from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment, load_surface
-from brdf_suite.progress import Progress, part, report
-from brdf_suite.realtime.camera import Bounds, compose
+from brdf_suite.pipeline.scene import PreparedEnvironment
+from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.context import Context, create_context
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.surface.occlusion.baked import BakedMesh
 
 if TYPE_CHECKING:
     from brdf_suite.pipeline.any_fit import AnyFit
@@ -81,9 +74,11 @@ class SceneRenderer:
             )
         )
 
-    def set_surface(self, mesh: Mesh, baked: BakedMesh | None = None) -> None:
-        """Show this surface, with what was baked for it where that is at hand."""
-        self._renderer.set_mesh(mesh_parts(mesh, baked))
+    def set_surface(self, mesh: Mesh) -> None:
+        """Show this surface."""
+        self._renderer.set_mesh(
+            [MeshPart(p.name, p.material, p.positions, p.normals, p.triangles, p.uvs) for p in mesh.parts]
+        )
 
     def draw(self, view: View, framebuffer: Any, size: Size) -> None:
         """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels."""
@@ -96,16 +91,6 @@ class SceneRenderer:
     def release(self) -> None:
         """Give every OpenGL object back."""
         self._renderer.release()
-
-
-def mesh_parts(mesh: Mesh, baked: BakedMesh | None = None) -> list[MeshPart]:
-    """Return the parts of a mesh as the renderer takes them, with the light that arrives where it was baked."""
-    if baked is None:
-        return [MeshPart(p.name, p.material, p.positions, p.normals, p.triangles, p.uvs) for p in mesh.parts]
-    return [
-        MeshPart(p.name, p.material, b.positions, b.normals, b.triangles, b.uvs, b.light)
-        for p, b in zip(mesh.parts, baked.parts, strict=True)
-    ]
 
 
 class OffscreenScene(SceneRenderer):
@@ -151,101 +136,6 @@ def gl_renderer_name() -> str:
         context.release()
 
 
-@dataclass(frozen=True)
-class Picture:
-    """A picture that was written, and what it shows. Times: fit and draw in ms, environment maps in s.
-
-    ``delta_e_2000_worst`` is over a designed paint's own readings, over the usual aspecular angles of anything
-    else that the fit looked at, and None where there is no such angle.
-    """
-
-    path: Path
-    width: int
-    height: int
-    paint: str
-    environment: str
-    surface: str
-    renderer: str
-    fit_ms: float
-    maps_s: float
-    draw_ms: float
-    time_limited: bool
-    delta_e_2000_worst: float | None
-    notices: tuple[str, ...]
-
-
-def render_to_file(
-    paint: str | os.PathLike[str],
-    view: View,
-    size: Size,
-    path: Path,
-    *,
-    progress: Progress | None = None,
-) -> Picture:
-    """Render a paint (by name or file) or a measured file in a view and write it as PNG, atomically.
-
-    Raises
-    ------
-    FileError
-        The paint, environment or mesh cannot be read, or the picture not written.
-    UnreachableError
-        No such paint can have the gloss or colour that the document asks for.
-    FittingError
-        No lobes can be fitted to what was measured.
-    GraphicsError
-        There is no OpenGL 3.3.
-    Cancelled
-        The progress callback asked for it.
-    """
-    from brdf_suite.files.images import write_png
-
-    # The programs draw without it, and measured data are much to import.
-    from brdf_suite.pipeline.any_fit import fit_any
-
-    if path.suffix.lower() != ".png":
-        raise FileError(path, "pictures are written as PNG; give a name that ends in .png")
-    try:
-        folder_exists = path.absolute().parent.is_dir()
-    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
-        raise FileError(path, f"its folder cannot be used: {error.strerror or error}") from error
-    if not folder_exists:
-        raise FileError(path, "its folder does not exist")
-    fit = fit_any(paint, errors=False)
-    mesh = load_surface(view.surface)
-    with OffscreenScene((1, 1)) as scene:  # before the maps: without OpenGL they would be made for nothing
-        start = perf_counter()
-        prepared = load_environment(
-            view.environment, part(progress, 0.0, 0.9), layout=view.environment_layout
-        )
-        maps_s = perf_counter() - start
-        report(progress, 0.9, "drawing")
-        scene.set_environment(prepared)
-        scene.set_surface(mesh)
-        scene.set_paint_fit(fit)
-        start = perf_counter()
-        pixels = scene.image(replace(view, camera=compose(view.camera, scene.bounds, size)), size)
-        draw_ms = (perf_counter() - start) * 1e3
-        renderer = scene.renderer_name
-    report(progress, 0.98, "writing")
-    write_png(path, pixels, picture_metadata(fit, view))
-    notices = (*fit.notices, *prepared.environment.notes, *mesh.notes)
-    return Picture(
-        path=path,
-        width=size[0],
-        height=size[1],
-        paint=fit.name,
-        environment=prepared.environment.name,
-        surface=mesh.name,
-        renderer=renderer,
-        fit_ms=fit.fit_seconds * 1e3,
-        maps_s=maps_s,
-        draw_ms=draw_ms,
-        time_limited=fit.time_limited,
-        delta_e_2000_worst=fit.worst_delta_e,
-        notices=notices,
-    )
-
-
 def _material(weights: LobeWeights) -> MaterialWeights:
     return MaterialWeights(
         exponents=tuple(weights.exponents.tolist()),
@@ -260,16 +150,3 @@ def _material(weights: LobeWeights) -> MaterialWeights:
 
 def _faces(array: FaceArray) -> CubeFaces:
     return CubeFaces(array.faces, array.scale)
-
-
-def picture_metadata(fit: PaintFit | AnyFit, view: View) -> dict[str, str]:
-    """Return the text entries of a picture of ``fit`` in ``view``: program, title, what it shows."""
-    return {
-        "Software": "BRDF Suite",
-        "Title": fit.name,
-        "Description": (
-            f"{fit.name} on {Path(view.surface).stem} in {Path(view.environment).stem}, "
-            f"{view.exposure_ev:+g} EV, light turned {view.rotation_deg:g}°, tone curve {view.tone_curve}, "
-            f"fresnel {view.fresnel.replace('_', ' ')}"
-        ),
-    }

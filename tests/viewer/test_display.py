@@ -11,7 +11,7 @@ from PIL import Image
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from brdf_suite.pipeline.picture import picture_metadata
+from brdf_suite.pipeline.picture_file import picture_metadata
 
 
 def run(viewer, command: str) -> None:

@@ -1,0 +1,48 @@
+"""What a picture file holds, on the command line."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.picture_file import PictureSettings
+
+_COLOUR_SPACES = ("srgb", "display-p3", "rec2020")
+
+
+def add_picture(command: argparse.ArgumentParser, *, radiance: bool = True) -> None:
+    """Declare what :func:`settings_of` reads; ``radiance``: EXR is offered beside PNG."""
+    spaces = _COLOUR_SPACES if radiance else _COLOUR_SPACES[:2]
+    exr = "; 16 or 32 of an EXR (default: 32)" if radiance else ""
+    command.add_argument(
+        "--bits",
+        type=int,
+        choices=(8, 16, 32) if radiance else (8, 16),
+        default=None,
+        help=f"bits a channel: 8 or 16 of a PNG (default: 8){exr}",
+    )
+    rest = ", linear; rec2020 for EXR" if radiance else ""
+    command.add_argument(
+        "--colour-space",
+        choices=spaces,
+        default=None,
+        help=f"colours of the file, its ICC profile within (default: srgb{rest})",
+    )
+    command.add_argument(
+        "--samples",
+        type=int,
+        default=4,
+        metavar="N",
+        help="samples per pixel, where the GPU has them (default: 4)",
+    )
+    command.add_argument(
+        "--transparent", action="store_true", help="the object alone, with its share of each pixel as alpha"
+    )
+
+
+def settings_of(options: argparse.Namespace) -> PictureSettings:
+    """Return the settings that the options ask for."""
+    from brdf_suite.pipeline.picture_file import PictureSettings
+
+    return PictureSettings(options.bits, options.colour_space, options.samples, options.transparent)

@@ -1,0 +1,118 @@
+"""The scene of a picture on the command line: light, surface, camera and tone, over a view document or the default."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import replace
+from pathlib import Path
+
+from brdf_suite.cli.layout import add_layout
+from brdf_suite.cli.output import size
+from brdf_suite.documents.view import FRESNEL_MODES, TONE_CURVES, View
+
+
+def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = (1280, 720)) -> None:
+    """Declare what :func:`view_of` reads, and ``--size``."""
+    command.add_argument(
+        "--view", type=Path, default=None, metavar="FILE", help="a .brdfview file; other options change it"
+    )
+    command.add_argument(
+        "--environment",
+        default=None,
+        metavar="FILE|NAME",
+        help="an .exr or .hdr map, a .brdfstudio file, or booth, sunny, overcast (default: booth)",
+    )
+    add_layout(command)
+    command.add_argument(
+        "--mesh",
+        default=None,
+        metavar="FILE|NAME",
+        help="a .glb, .gltf, .obj, .stl or .ply mesh in metres, or speed_form, sphere, panel, car "
+        "(default: speed_form)",
+    )
+    width, height = default_size
+    command.add_argument(
+        "--size", type=size, default=default_size, metavar="WxH", help=f"pixels (default: {width}x{height})"
+    )
+    command.add_argument(
+        "--exposure",
+        type=float,
+        default=None,
+        metavar="EV",
+        help="exposure in EV; +1 doubles the light (default: 0)",
+    )
+    command.add_argument(
+        "--rotation",
+        type=float,
+        default=None,
+        metavar="DEG",
+        help="turn the light by degrees about the vertical, counter-clockwise seen from above",
+    )
+    command.add_argument(
+        "--azimuth", type=float, default=None, metavar="DEG", help="camera azimuth in degrees"
+    )
+    command.add_argument(
+        "--elevation", type=float, default=None, metavar="DEG", help="camera elevation in degrees, -89 to 89"
+    )
+    command.add_argument(
+        "--tone",
+        choices=TONE_CURVES,
+        default=None,
+        help="tone curve: faithful (one to one up to 0.8, then a shoulder; the default), "
+        "neutral (Khronos PBR Neutral), characteristic (film), aces, agx, linear (clipped)",
+    )
+    command.add_argument(
+        "--fresnel",
+        choices=FRESNEL_MODES,
+        default=None,
+        help=f"the coat's rise towards grazing (default: {View().fresnel})",
+    )
+    command.add_argument(
+        "--no-fresnel", action="store_const", const="off", dest="fresnel", help="the same as --fresnel off"
+    )
+
+
+def view_of(options: argparse.Namespace) -> View:
+    """Return the view that the options ask for.
+
+    Raises
+    ------
+    SuiteError
+        The view, the environment or the mesh is not there, or a number out of its range.
+    """
+    from brdf_suite.documents.store import load_view
+    from brdf_suite.pipeline.scene import (
+        check_environment,
+        check_surface,
+        default_view,
+        environment_names,
+        name_in_view,
+        surface_names,
+    )
+
+    view = default_view() if options.view is None else load_view(options.view)
+    camera = {
+        name: value
+        for name, value in (("azimuth_deg", options.azimuth), ("elevation_deg", options.elevation))
+        if value is not None
+    }
+    changed: dict[str, object] = {
+        name: value
+        for name, value in (
+            ("rotation_deg", options.rotation),
+            ("exposure_ev", options.exposure),
+            ("tone_curve", options.tone),
+            ("fresnel", options.fresnel),
+        )
+        if value is not None
+    }
+    if options.environment is not None:
+        changed["environment"] = name_in_view(options.environment, environment_names())
+        changed["environment_layout"] = options.layout
+    elif options.layout != "auto":
+        changed["environment_layout"] = options.layout
+    if options.mesh is not None:
+        changed["surface"] = name_in_view(options.mesh, surface_names())
+    check_environment(options.environment or view.environment)
+    check_surface(options.mesh or view.surface)
+    return replace(view, camera=replace(view.camera, **camera), **changed)  # type: ignore[arg-type]  # checked by View
