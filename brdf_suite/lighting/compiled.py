@@ -65,6 +65,11 @@ def kernels(progress: Progress | None = None, *, wait: bool = False) -> ModuleTy
         return _State.kernels
 
 
+def loaded() -> ModuleType | None:
+    """Return what :func:`kernels` returned last; nothing is started."""
+    return _State.kernels
+
+
 def compile_now() -> ModuleType | None:
     """Compile the kernels in this process, where they are not yet, and return as :func:`kernels` does."""
     with _lock:
@@ -75,7 +80,7 @@ def compile_now() -> ModuleType | None:
         if not stamp.exists():
             coefficients = module.analyse(np.ones((8, 16, 3), dtype=np.float32), np.full(8, 0.25), 8)
             module.cube(coefficients, np.ones(9), 8)
-            module.resampled(np.ones((8, 16, 3), dtype=np.float32), 8)
+            module.packed(module.resampled(np.ones((8, 16, 3), dtype=np.float32), 8), 0.0, None)
             stamp.touch()
         _State.kernels = module
         return module

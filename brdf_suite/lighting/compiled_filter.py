@@ -16,8 +16,9 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.lighting import compiled_cube, compiled_legendre, compiled_resample
+from brdf_suite.lighting import compiled_cube, compiled_legendre, compiled_pack, compiled_resample
 from brdf_suite.lighting.compiled_cube import MARGIN
+from brdf_suite.lighting.face_array import FaceArray, scale_of
 from brdf_suite.lighting.harmonics import legendre_starts, worker_count
 from brdf_suite.lighting.latlong import column_angles, ring_angles
 from brdf_suite.lighting.ring_to_cube import WIDTH, fast_even, kernel, kernel_transform, rings_for
@@ -28,6 +29,7 @@ _BLOCK_RINGS = 192  # ring pairs at once in a synthesis: what stays in the neare
 _ORDERS = 16  # orders of one piece of work, an even number: neighbours share lines of memory
 _BAND = 24  # rings of the fine grid at once, and their mirror images: they stay in the last cache
 _ROWS = 16  # of a face's upper half at once
+_PACKED_ROWS = 64
 _DEGREE = 12  # of the polynomials in place of the interpolating kernel: 1e-9
 
 Floats = NDArray[np.float64]
@@ -75,20 +77,25 @@ def analyse(
 
 
 def cube(
-    coefficients: NDArray[np.complex128], gains: Floats, size: int, progress: Progress | None = None
-) -> NDArray[np.float32]:
+    coefficients: NDArray[np.complex128],
+    gains: Floats,
+    size: int,
+    progress: Progress | None = None,
+    room: Singles | None = None,
+) -> Singles:
     """Return the cube map (6, size, size, 3) of coefficients (m, k, 3) times a gain for each degree.
 
-    The error is 2e-7 of the largest value: what is interpolated is float32.
+    The error is 2e-7 of the largest value: what is interpolated is float32. ``room`` (≥ 18·size²,) is memory for the
+    result: what is used again need not be fetched from the system for every map.
     """
     with ThreadPoolExecutor(worker_count()) as pool:
         orders = _fine_rings(pool, coefficients, gains, part(progress, 0.0, 0.5))
-        return _faces(pool, orders, size, part(progress, 0.5, 1.0))
+        return _faces(pool, orders, _within(room, size), part(progress, 0.5, 1.0))
 
 
-def resampled(pixels: NDArray[np.float32], size: int) -> NDArray[np.float32]:
-    """Return a map (h, w, 3) itself as a cube map (6, size, size, 3), looked up bilinearly."""
-    faces = np.empty((6, size, size, 3), dtype=np.float32)
+def resampled(pixels: Singles, size: int, room: Singles | None = None) -> Singles:
+    """Return a map (h, w, 3) itself as a cube map (6, size, size, 3), looked up bilinearly; ``room`` as above."""
+    faces = _within(room, size)
     readable = pixels.view()
     readable.flags.writeable = False  # kernels are compiled for each kind of array: one will do
 
@@ -98,6 +105,35 @@ def resampled(pixels: NDArray[np.float32], size: int) -> NDArray[np.float32]:
     with ThreadPoolExecutor(worker_count()) as pool:
         _all(pool, work, range(0, size // 2, _ROWS))
     return faces
+
+
+def packed(faces: Singles, bend_share: float, changes: Singles | None) -> FaceArray:
+    """Return faces (6, F, F, 3) as half floats, less a share of their second differences and less ``changes``.
+
+    ``changes``: see :func:`.cube_edges.edge_changes`.
+    """
+    size = faces.shape[1]
+    halves = np.empty(faces.shape, dtype=np.float16)
+    bits = halves.view(np.uint16).reshape(6, size, 3 * size)
+    if changes is None:
+        changes = np.zeros((6, 4, size, 3), dtype=np.float32)
+    with ThreadPoolExecutor(worker_count()) as pool:
+        scale = scale_of(max(pool.map(lambda face: float(face.max()), faces)))
+
+        def work(first: int, less: Singles = changes) -> None:
+            compiled_pack.pack_rows(
+                faces, bend_share, less, scale, first, min(first + _PACKED_ROWS, 6 * size), bits
+            )
+
+        _all(pool, work, range(0, 6 * size, _PACKED_ROWS))
+    return FaceArray(halves, scale)
+
+
+def _within(room: Singles | None, size: int) -> Singles:
+    """Return memory for faces (6, size, size, 3)."""
+    if room is None:
+        return np.empty((6, size, size, 3), dtype=np.float32)
+    return room[: 18 * size * size].reshape(6, size, size, 3)
 
 
 def _fine_rings(
@@ -145,26 +181,30 @@ def _fine_rings(
 
 
 def _faces(
-    pool: ThreadPoolExecutor, orders: NDArray[np.complex64], size: int, progress: Progress | None
-) -> NDArray[np.float32]:
-    """Return the cube map (6, size, size, 3) of a function given by F_m (M, 3, m) on the rings of a fine grid."""
-    rings = orders.shape[0]
+    pool: ThreadPoolExecutor, orders: NDArray[np.complex64], faces: Singles, progress: Progress | None
+) -> Singles:
+    """Fill the cube map (6, F, F, 3) of a function given by F_m (M, 3, m) on the rings of a fine grid."""
+    rings, _, count = orders.shape
     period = 2 * rings
     table = _polynomials()
-    faces = np.empty((6, size, size, 3), dtype=np.float32)
     # The eight rings of a texel north of the equator begin at -5 … M/2 - 4; those below zero lie beyond the pole.
     sections = np.linspace(-5, rings // 2, min(4 * worker_count(), -(-rings // (4 * _BAND))) + 1)
 
     def fill(bounds: tuple[int, int]) -> None:
         folded = np.empty((2, _BAND + WIDTH - 1, period // 8 + 2 * MARGIN + 1, 24), dtype=np.float32)
+        spectrum = np.empty((_BAND + WIDTH - 1, 3, count), dtype=np.complex128)
+        values = np.empty((_BAND + WIDTH - 1, 3, period))
         held = 0
         for first in range(*bounds, _BAND):
             end = min(first + _BAND, bounds[1])
-            wanted = np.arange(first + held, end + WIDTH - 1)
-            north = np.where(wanted < 0, -1 - wanted, wanted)
-            for side, chosen in enumerate((north, rings - 1 - north)):
-                values = np.fft.irfft(orders[chosen].astype(np.complex128), period, axis=-1, norm="forward")
-                for place, ring in enumerate(wanted.tolist()):
+            wanted = range(first + held, end + WIDTH - 1)
+            for side in (0, 1):
+                for place, ring in enumerate(wanted):
+                    north = ring if ring >= 0 else -1 - ring
+                    spectrum[place] = orders[rings - 1 - north if side else north]
+                new = slice(0, len(wanted))
+                np.fft.irfft(spectrum[new], period, axis=-1, norm="forward", out=values[new])
+                for place, ring in enumerate(wanted):
                     compiled_cube.fold_ring(values[place], 2 if ring < 0 else 0, folded[side, held + place])
             band = (folded[0], folded[1], first, end, rings, period, table, faces)
             compiled_cube.side_band(*band)

@@ -15,28 +15,40 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.lighting.cubemap import face_coordinates
-from brdf_suite.lighting.face_array import FaceArray, pack_faces
+
+Faces = NDArray[np.float32] | NDArray[np.float64]
 
 _SHARE = 1.2 / 16.0  # of t times the difference of the two neighbours, which are 4h apart: 0.3·h
 _CORNER_SHARE = 1.15 * _SHARE  # a corner's look-ups take the mean of three texels
 
 
-def pack_lobe(faces: NDArray[np.float32] | NDArray[np.float64]) -> FaceArray:
-    """Pack the map (6, F, F, 3) of a lobe, which is smooth, for look-ups: ``faces`` is changed by this."""
-    balance_edges(faces)
-    return pack_faces(faces)
+def edge_changes(faces: Faces) -> Faces:
+    """Return what the texels along the edges of a smooth map (6, F, F, 3), F ≥ 3, have too much.
 
-
-def balance_edges(faces: NDArray[np.float32] | NDArray[np.float64]) -> None:
-    """Move the light of the texels along all edges of a smooth map (6, F, F, 3), F ≥ 3, in place."""
+    (6, 4, F, 3): of the columns 0 and F-1 and the rows 0 and F-1 of every face. A corner's texel lies on two of them.
+    """
     position = face_coordinates(faces.shape[1])
     share = _SHARE * position
     share[[0, -1]] = _CORNER_SHARE * position[[0, -1]]
-    for face in faces:
-        lines = (face[:, 0], face[:, -1], face[0], face[-1])
-        # A corner's texel lies on two edges: both differences come from the map as it was.
-        for line, change in [(line, share[:, None] * _neighbours(line)) for line in lines]:
-            line -= change
+    changes = np.empty((6, 4, faces.shape[1], 3), dtype=faces.dtype)
+    for face, target in zip(faces, changes, strict=True):
+        for place, line in enumerate(_lines(face)):
+            target[place] = share[:, None] * _neighbours(line)
+    return changes
+
+
+def balance_edges(faces: Faces, changes: Faces | None = None) -> None:
+    """Move the light of the texels along all edges of a smooth map (6, F, F, 3), F ≥ 3, in place.
+
+    ``changes``: see :func:`edge_changes`; None takes those of ``faces``.
+    """
+    for face, change in zip(faces, edge_changes(faces) if changes is None else changes, strict=True):
+        for line, less in zip(_lines(face), change, strict=True):
+            line -= less
+
+
+def _lines(face: Faces) -> tuple[Faces, Faces, Faces, Faces]:
+    return face[:, 0], face[:, -1], face[0], face[-1]
 
 
 def _neighbours(line: NDArray[np.floating]) -> NDArray[np.floating]:

@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 
 from brdf_suite.lighting.harmonics import worker_count
 
-_HALF_CEILING = 60000.0  # below 65504, so that rounding up never reaches infinity
+_HALF_CEILING = (
+    50000.0  # below 65504, also where texels are raised by a few per cent for the sake of look-ups
+)
 _ROWS = 32
 
 
@@ -40,10 +42,16 @@ class FaceArray:
         return self.faces.astype(np.float32) * np.float32(self.scale)
 
 
+def scale_of(largest: float) -> float:
+    """Return the scale for a map whose largest value is this: a power of two."""
+    exponent = np.ceil(np.log2(largest / _HALF_CEILING)) if largest > 0.0 else 0.0
+    return float(2.0 ** max(exponent, -100.0))
+
+
 def pack_faces(radiance: NDArray[np.floating]) -> FaceArray:
     """Pack radiance (6, F, F, 3); negative values become 0.
 
-    The scale puts the largest value between 30,000 and 60,000, so that a value 10⁹ times smaller still
+    The scale puts the largest value between 25,000 and 50,000, so that a value 10⁹ times smaller still
     counts.
     """
     values = np.asarray(radiance)
@@ -51,8 +59,7 @@ def pack_faces(radiance: NDArray[np.floating]) -> FaceArray:
         raise ValueError(f"radiance must have the shape (6, F, F, 3), not {values.shape}")
     with ThreadPoolExecutor(worker_count()) as pool:
         largest = max(pool.map(lambda face: float(face.max()), values))
-        exponent = np.ceil(np.log2(largest / _HALF_CEILING)) if largest > 0.0 else 0.0
-        scale = float(2.0 ** max(exponent, -100.0))
+        scale = scale_of(largest)
         faces = np.empty(values.shape, dtype=np.float16)
 
         def pack(face: int) -> None:

@@ -78,9 +78,16 @@ class LobeFilter:
             self._coefficients = analyse(orders, self._weights, np.cos(self._theta), bandlimit, progress)
 
     def lobe(
-        self, exponent: float, size: int, progress: Progress | None = None
+        self,
+        exponent: float,
+        size: int,
+        progress: Progress | None = None,
+        room: NDArray[np.float32] | None = None,
     ) -> NDArray[np.float32] | NDArray[np.float64]:
-        """Return the lobe map (6, size, size, 3), not clipped; compiled kernels give float32."""
+        """Return the lobe map (6, size, size, 3), not clipped; compiled kernels give float32.
+
+        They put it into ``room`` (≥ 18·size²,) where that is given.
+        """
         if not 0.0 <= exponent <= self.largest_exponent:
             limit = self.largest_exponent
             raise ValueError(f"the exponent must be 0…{limit:.0f} for {self.rings} rings, not {exponent}")
@@ -90,7 +97,7 @@ class LobeFilter:
         gains = lobe_coefficients(exponent, bandlimit)
         faces: NDArray[np.float32] | NDArray[np.float64]
         if self._kernels is not None:
-            faces = self._kernels.cube(self._coefficients, gains, size, part(progress, 0.5, 1.0))
+            faces = self._kernels.cube(self._coefficients, gains, size, part(progress, 0.5, 1.0), room)
         else:
             degree = np.arange(bandlimit + 1)
             total = degree[:, None] + degree[None, :]
@@ -102,10 +109,10 @@ class LobeFilter:
             faces += self._bright_tail(exponent, bandlimit, size)
         return faces
 
-    def background(self, size: int) -> NDArray[np.float32]:
-        """Return the environment itself as a cube map (6, size, size, 3)."""
+    def background(self, size: int, room: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
+        """Return the environment itself as a cube map (6, size, size, 3); ``room`` as for :meth:`lobe`."""
         if self._kernels is not None:
-            faces: NDArray[np.float32] = self._kernels.resampled(self._radiance, size)
+            faces: NDArray[np.float32] = self._kernels.resampled(self._radiance, size, room)
             return faces
         return sample(self._radiance, texel_directions(size))
 

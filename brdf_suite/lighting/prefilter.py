@@ -12,14 +12,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.lighting.cube_edges import pack_lobe
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.face_array import FaceArray, pack_faces
+from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.lighting.lobe_filter import LobeFilter, ring_count
+from brdf_suite.lighting.texel_values import pack_background, pack_lobe
 from brdf_suite.lighting.zonal import BROAD_BANDLIMIT, largest_exponent, lobe_bandlimit
 from brdf_suite.progress import Progress, part, report
 
-ALGORITHM_VERSION = 3
+ALGORITHM_VERSION = 4
 """Raised with every change of the numbers; part of the cache's key."""
 
 DIFFUSE_EXPONENT = 1.0
@@ -116,15 +116,18 @@ def prefilter(
     # In plain numpy two analyses: one for all broad lobes, so that they come soon, one for the rest.
     first = max(limits) if lobe_filter.compiled else max(n for n in limits if n <= BROAD_BANDLIMIT)
     last_broad = max(e for e, limit in zip(smooth, limits, strict=True) if limit <= BROAD_BANDLIMIT)
+    largest = max(background_size(environment), *(face_size(e) for e in smooth))
+    room = np.empty(18 * largest * largest, dtype=np.float32) if lobe_filter.compiled else None
     for index, exponent in enumerate(smooth):
         step = part(progress, float(ends[index - 1]) if index else 0.0, float(ends[index]))
         lobe_filter.analyse(first if limits[index] <= first else max(limits), part(step, 0.0, 0.5))
-        maps[exponent] = pack_lobe(lobe_filter.lobe(exponent, face_size(exponent), part(step, 0.5, 1.0)))
+        faces = lobe_filter.lobe(exponent, face_size(exponent), part(step, 0.5, 1.0), room)
+        maps[exponent] = pack_lobe(faces)
         report(step, 1.0, f"lobe {exponent:g} is filtered")
         if ready is not None:
             ready(exponent, maps[exponent])
         if exponent == last_broad:
-            background = pack_faces(lobe_filter.background(background_size(environment)))
+            background = pack_background(lobe_filter.background(background_size(environment), room))
             if ready is not None:
                 ready(None, background)
     report(progress, 1.0, "the environment is filtered")

@@ -10,12 +10,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from brdf_suite.lighting.cube_edges import pack_lobe
 from brdf_suite.lighting.cubemap import texel_directions
 from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.lighting.latlong import angles, column_angles, direction, fejer_weights, ring_angles
 from brdf_suite.lighting.lobe_filter import LobeFilter
 from brdf_suite.lighting.prefilter import face_size
+from brdf_suite.lighting.texel_values import pack_lobe
 
 ERROR_EXPONENTS = (5.0, 20.0, 80.0, 320.0, 1280.0, 5120.0)
 DIRECTIONS = 340  # for each exponent: 2,040 in all

@@ -1,0 +1,52 @@
+"""What the texels of a lobe's map hold, so that a graphics card's bilinear look-ups come out right.
+
+**Between texels.** Where a map bends, the straight line between two texels errs by an eighth of the second
+difference in the middle and by nothing at the texels themselves. Every texel therefore holds the value less a
+sixteenth of its second differences along both sides of the face: the error is shared between the texels and the
+places between them, and halved. Nothing better can be had from straight lines: the best continuous approximation of
+a parabola by lines with these knots errs by a sixteenth of the second difference.
+
+**Across edges.** See :mod:`.cube_edges`.
+
+Only lobes are treated so, which are smooth; the environment itself stays as it is.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from brdf_suite.lighting.compiled import loaded
+from brdf_suite.lighting.cube_edges import Faces, balance_edges, edge_changes
+from brdf_suite.lighting.face_array import FaceArray, pack_faces
+
+BEND_SHARE = 1.0 / 16.0
+"""How much of the second differences a texel lies below its value."""
+
+
+def pack_lobe(faces: Faces) -> FaceArray:
+    """Pack the map (6, F, F, 3) of a lobe, F ≥ 4, for look-ups."""
+    changes = edge_changes(faces)
+    kernels = loaded()
+    if kernels is not None and faces.dtype == np.float32:
+        packed: FaceArray = kernels.packed(faces, BEND_SHARE, changes)
+        return packed
+    values = faces - BEND_SHARE * bends(faces)
+    balance_edges(values, changes)
+    return pack_faces(values)
+
+
+def pack_background(faces: Faces) -> FaceArray:
+    """Pack the environment itself (6, F, F, 3), F ≥ 3, as it is."""
+    kernels = loaded()
+    if kernels is not None and faces.dtype == np.float32:
+        packed: FaceArray = kernels.packed(faces, 0.0, None)
+        return packed
+    return pack_faces(faces)
+
+
+def bends(faces: Faces) -> Faces:
+    """Return the sum (6, F, F, 3) of the second differences along rows and columns; at the rim the next texel's."""
+    size = faces.shape[1]
+    places = np.clip(np.arange(size) - 1, 0, size - 3)
+    total: Faces = np.diff(faces, 2, axis=1)[:, places] + np.diff(faces, 2, axis=2)[:, :, places]
+    return total
