@@ -25,7 +25,7 @@ from brdf_suite.realtime.programs import assign
 from brdf_suite.realtime.renderer import DEFAULT_SAMPLES, Region, Renderer, Size, checked_size
 from brdf_suite.realtime.shader_source import compose
 
-_WORKING_TO_RELATIVE: NDArray[np.float64] = np.linalg.inv(RELATIVE_TO_WORKING.T)
+_WORKING_TO_RELATIVE = np.asarray(np.linalg.inv(RELATIVE_TO_WORKING.T), np.float64)
 _FIRST, _SECOND = "first", "second"
 
 

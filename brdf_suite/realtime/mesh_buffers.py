@@ -27,6 +27,7 @@ class MeshBuffers:
         self._objects = objects
         self._buffers: list[tuple[moderngl.Buffer, moderngl.Buffer, moderngl.Buffer | None]] = []
         self._arrays: dict[moderngl.Program, list[moderngl.VertexArray]] = {}
+        self.names: tuple[str, ...] = ()
         self.materials: tuple[str, ...] = ()
         self.bounds = Bounds.of([])
         self.triangle_count = 0
@@ -44,6 +45,7 @@ class MeshBuffers:
             light = self._objects.buffer(_light(part).tobytes()) if self.knows_light else None
             buffer = self._objects.buffer
             self._buffers.append((buffer(vertices.tobytes()), buffer(part.triangles.tobytes()), light))
+        self.names = tuple(part.name for part in parts)
         self.materials = tuple(part.material for part in parts)
         self.bounds = Bounds.of(part.positions for part in parts)
         self.triangle_count = sum(len(part.triangles) for part in parts)

@@ -85,6 +85,11 @@ class Renderer:
         return self._objects
 
     @property
+    def mesh(self) -> MeshBuffers:
+        """The parts of the surface."""
+        return self._mesh
+
+    @property
     def bounds(self) -> Bounds:
         """The box around the mesh, metres."""
         return self._mesh.bounds
@@ -196,6 +201,28 @@ class Renderer:
     def linear_image(self, view: View, size: Size, samples: int = DEFAULT_SAMPLES) -> NDArray[Any]:
         """Return radiance of the working space and the object's share of each pixel, (h, w, 4) float32."""
         return self.render_image(view, size, samples, display=LINEAR)
+
+    def linear_tile(
+        self,
+        view: View,
+        size: Size,
+        corner: Corner,
+        tile: Size,
+        samples: int = DEFAULT_SAMPLES,
+        *,
+        materials: Mapping[str, str] = _AS_THEY_ARE,
+    ) -> NDArray[np.float32]:
+        """Return a small part of :meth:`linear_image`, with the very samples that :meth:`render` takes there.
+
+        ``corner`` is the part's lower left pixel, counted from the lower left, even for equal derivatives.
+        """
+        with graphics_errors(self.context, "reading a pixel"):
+            light = self._draw_light(view, self._tile, tile, samples, size, corner, materials=materials)
+            framebuffer = self._picture.prepare(tile, "f4")
+            self._bind(framebuffer, tile)
+            self._finish.draw(light, view, LINEAR, corner)
+            read = np.frombuffer(framebuffer.read(components=4, dtype="f4"), np.float32)
+        return read.reshape(tile[1], tile[0], 4)[::-1].copy()
 
     def strips(
         self,
