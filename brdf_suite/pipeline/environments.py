@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from brdf_suite.lighting.procedural import ProceduralEnvironment
 
 AUTOMATIC = "auto"
+DRAFT_ROWS = 256
 
 
 def read_environment(
@@ -85,11 +86,15 @@ def read_environment_file(
         raise FileError(path, error.reason, error.place) from error
 
 
-def draw_light(light: LightDocument, progress: Progress | None = None) -> ProceduralEnvironment:
-    """Return the map, 1,024 × 512, of a studio or a sky."""
+def draw_light(
+    light: LightDocument, progress: Progress | None = None, *, draft: bool = False
+) -> ProceduralEnvironment:
+    """Return the map of a studio or a sky, 1,024 × 512; a ``draft`` has half as many rows and rougher edges."""
     from brdf_suite.lighting.procedural import sky, studio
 
-    return sky(light, progress=progress) if isinstance(light, Sky) else studio(light, progress=progress)
+    if isinstance(light, Sky):
+        return sky(light, DRAFT_ROWS, progress=progress) if draft else sky(light, progress=progress)
+    return studio(light, DRAFT_ROWS, 2, progress) if draft else studio(light, progress=progress)
 
 
 def _drawn(path: str | os.PathLike[str], progress: Progress | None) -> EnvironmentFile:

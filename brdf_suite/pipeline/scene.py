@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from brdf_suite.documents.paint import Paint
@@ -16,7 +16,7 @@ from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.face_array import FaceArray
-from brdf_suite.lighting.prefilter import LobeMaps
+from brdf_suite.lighting.prefilter import LobeMaps, Ready
 from brdf_suite.pipeline.environments import AUTOMATIC, read_environment
 from brdf_suite.pipeline.partial_maps import PartialMaps
 from brdf_suite.progress import Progress, part, report
@@ -194,9 +194,28 @@ def load_environment(
     name, path = find_environment(name_or_path)
     report(progress, 0.0, f"reading {path.name}")
     environment = read_environment(path, layout, part(progress, 0.0, _READING_SHARE))
-    exponents = (basis or default_basis()).exponents
     store = cache or MapCache()
     told = len(store.notices)
+    prepared = prepare_environment(
+        name, environment, store.get_or_compute, part(progress, _READING_SHARE, 1.0), basis, partial
+    )
+    return replace(prepared, notices=tuple(store.notices[told:]))
+
+
+Filter = Callable[[Environment, Sequence[float], Progress | None, Ready | None], LobeMaps]
+"""What makes the maps: :func:`brdf_suite.lighting.prefilter.prefilter`, or a cache before it."""
+
+
+def prepare_environment(
+    name: str,
+    environment: Environment,
+    make: Filter,
+    progress: Progress | None = None,
+    basis: LobeBasis | None = None,
+    partial: Partial | None = None,
+) -> PreparedEnvironment:
+    """Have an environment's maps made for ``basis``; ``partial`` as for :func:`load_environment`."""
+    exponents = (basis or default_basis()).exponents
     so_far = PartialMaps(environment, exponents)
 
     def ready(exponent: float | None, faces: FaceArray) -> None:
@@ -208,15 +227,8 @@ def load_environment(
                 PreparedEnvironment(name, environment, maps, False, missing=missing, wanted=so_far.wanted)
             )
 
-    maps = store.get_or_compute(environment, exponents, part(progress, _READING_SHARE, 1.0), ready)
-    return PreparedEnvironment(
-        name,
-        environment,
-        maps,
-        from_cache=so_far.made == 0,
-        notices=tuple(store.notices[told:]),
-        wanted=so_far.wanted,
-    )
+    maps = make(environment, exponents, progress, ready)
+    return PreparedEnvironment(name, environment, maps, so_far.made == 0, wanted=so_far.wanted)
 
 
 def load_surface(name_or_path: str | os.PathLike[str]) -> Mesh:
