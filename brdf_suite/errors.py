@@ -67,3 +67,7 @@ class FittingError(SuiteError):
 
 class GraphicsError(SuiteError):
     """OpenGL is missing, too old, lost, or a shader failed; the message names shader file and line."""
+
+
+class ReferenceUnavailableError(SuiteError):
+    """The path tracer cannot run here; the message names what to install."""

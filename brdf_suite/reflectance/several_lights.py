@@ -21,7 +21,7 @@ from brdf_suite.geometry.directions import Floats, angle_between, aspecular_angl
 from brdf_suite.reflectance.aspecular_base import AspecularBase, Rule
 
 # Radians of θd: lights nearer than this are mixed. Instruments' readings lie farther apart.
-_MEETING = np.radians(4.0)
+MEETING = np.radians(4.0)
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class SeveralLights:
             ranked[: k + 1] *= 1.0 - passed
             ranked[k + 1] = passed
         for k in range(len(self.bases) - 1):
-            mixed = np.clip(1.0 - (along[k + 1] - along[k]) / _MEETING, 0.0, 1.0)
+            mixed = np.clip(1.0 - (along[k + 1] - along[k]) / MEETING, 0.0, 1.0)
             move = 0.5 * mixed * (ranked[k + 1] - ranked[k])
             ranked[k] += move
             ranked[k + 1] -= move

@@ -1,0 +1,45 @@
+"""A clearcoat over any term: the twin of :class:`brdf_suite.reflectance.models.coated.Coated`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+
+from brdf_suite.reference import directions as d
+from brdf_suite.reference.directions import Colour, Vector
+from brdf_suite.reference.terms import CoatLobe, Sampler
+from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
+
+
+@dataclass(frozen=True, eq=False)
+class UnderCoat:
+    """``base`` as it is seen through the coat of ``model``, and the coat."""
+
+    model: Coated
+    base: Any
+
+    @property
+    def samplers(self) -> Sequence[Sampler]:
+        """Those of the base and of the coat."""
+        return (*self.base.samplers, *self._coat.samplers)
+
+    @property
+    def _coat(self) -> CoatLobe:
+        return CoatLobe(self.model.ior, self.model.roughness)
+
+    def value(self, light: Vector, view: Vector) -> Colour:
+        """Return f_r in 1/sr."""
+        m = self.model
+        through = (1.0 - d.fresnel(light.z, m.ior)) * (1.0 - d.fresnel(view.z, m.ior))
+        even = mean_fresnel(m.ior)
+        one_way = dr.sqrt(dr.maximum(through, 1e-30))
+        inner = 1.0 - (1.0 - even) / m.ior**2
+        stays = (1.0 - m.spread) * (1.0 - one_way) + m.spread * inner
+        mean = (1.0 - m.spread) * one_way + m.spread * (1.0 - even)
+        albedo = mi.Color3f(*m.base_albedo.tolist())
+        series = (through / mean * (1.0 - stays)) / (1.0 - mi.Color3f(stays) * albedo)
+        return self.base.value(light, view) * series + self._coat.value(light, view)

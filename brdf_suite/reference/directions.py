@@ -1,0 +1,124 @@
+"""Directions, Fresnel and sampling warps on arrays of the renderer, single precision; z is the normal.
+
+The formulas are those of ``geometry.fresnel`` and ``geometry.warps``; here they are written for arrays that live where
+the renderer computes. Angles are never taken from a cosine near 1, where single precision has no digits left: tan²θh
+comes from the sum of two directions, and 1 - R·V from their difference.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+
+Real = Any  # mi.Float of the variant that was chosen
+Vector = Any  # mi.Vector3f
+Square = Any  # mi.Point2f
+Colour = Any  # mi.Color3f
+
+TINY = 1e-20
+
+
+def fresnel(cosine: Real, ior: float) -> Real:
+    """Return the share that a clear dielectric of index ``ior`` reflects; see :mod:`brdf_suite.geometry.fresnel`."""
+    c = dr.clip(cosine, 0.0, 1.0)
+    t = dr.sqrt(dr.maximum(1.0 - dr.fma(-c, c, 1.0) / (ior * ior), 0.0))
+    s = (c - ior * t) / dr.maximum(c + ior * t, TINY)
+    p = (ior * c - t) / dr.maximum(ior * c + t, TINY)
+    return 0.5 * (s * s + p * p)
+
+
+def mirrored(direction: Vector) -> Vector:
+    """Return the mirror direction about the normal."""
+    return mi.Vector3f(-direction.x, -direction.y, direction.z)
+
+
+def one_minus_mirror_cosine(light: Vector, view: Vector) -> Real:
+    """Return 1 - R·V, exact also where the two are nearly the same."""
+    return 0.5 * dr.squared_norm(mirrored(light) - view)
+
+
+@dataclass(frozen=True)
+class Half:
+    """What the half vector of two directions above the horizon gives: cos θd, cos θh, tan² θh."""
+
+    cos_d: Real
+    cos_h: Real
+    tan2_h: Real
+
+    @classmethod
+    def of(cls, light: Vector, view: Vector) -> Half:
+        """Return the terms of a pair."""
+        total = light + view
+        across = total.x * total.x + total.y * total.y
+        up = dr.maximum(total.z * total.z, TINY)
+        cos_d = dr.maximum(0.5 * dr.sqrt(across + up), 1e-10)
+        return cls(cos_d, 0.5 * total.z / cos_d, across / up)
+
+
+def cosine_hemisphere(u: Square) -> Vector:
+    """Return directions even in the projected solid angle."""
+    return mi.warp.square_to_cosine_hemisphere(u)
+
+
+def cosine_density(light: Vector) -> Real:
+    """Return the density of :func:`cosine_hemisphere` per solid angle."""
+    return dr.maximum(light.z, 0.0) / math.pi
+
+
+def beckmann_mirrored(view: Vector, u: Square, slope: float) -> Vector:
+    """Return the view mirrored at facets whose normals are spread as a Beckmann surface of ``slope``."""
+    tan2 = -slope * slope * dr.log(dr.maximum(1.0 - u.x, 1e-30))
+    cos_h = dr.rsqrt(1.0 + tan2)
+    sin_h = dr.sqrt(tan2) * cos_h
+    sine, cosine = dr.sincos(2.0 * math.pi * u.y)
+    half = mi.Vector3f(sin_h * cosine, sin_h * sine, cos_h)
+    return dr.fma(2.0 * dr.dot(view, half), half, -view)
+
+
+def beckmann_density(half: Half, slope: float) -> Real:
+    """Return the density of :func:`beckmann_mirrored` per solid angle."""
+    steep = 1.0 / (slope * slope)
+    tan2 = half.tan2_h
+    # D cosθh / (4 wo·h), with 1/cos⁴θh = (1 + tan²θh)².
+    facets = dr.exp(-tan2 * steep) * (steep / math.pi) * dr.square(1.0 + tan2)
+    return facets * half.cos_h / (4.0 * half.cos_d)
+
+
+def lobe_about_mirror(view: Vector, u: Square, exponent: float) -> Vector:
+    """Return directions of the cosine lobe of ``exponent`` about the view's mirror direction."""
+    # The cosine is (1 - u)^(1/(E+1)); its complement is worked with, which has the digits.
+    away = one_minus_exp(-dr.log(dr.maximum(1.0 - u.x, 1e-30)) / (exponent + 1.0))
+    sine = dr.sqrt(dr.maximum(away * (2.0 - away), 0.0))
+    y, x = dr.sincos(2.0 * math.pi * u.y)
+    axis = mirrored(view)
+    frame = mi.Frame3f(axis)
+    return frame.to_world(mi.Vector3f(sine * x, sine * y, 1.0 - away))
+
+
+def mirror_lobe(away: Real, exponent: float) -> Real:
+    """Return (1 - ``away``)^E without loss for narrow lobes; 0 beyond a right angle."""
+    inside = away < 1.0
+    power = dr.exp(exponent * log_of_one_minus(dr.select(inside, away, 0.0)))
+    return dr.select(inside, power, 0.0)
+
+
+def log_of_one_minus(x: Real) -> Real:
+    """Return ln(1 - x) for 0 ≤ x < 1, exact to single precision also for small x."""
+    # For small x the series; ln(1 - x) itself loses the digits of x.
+    series = -x * (1.0 + x * (0.5 + x * (1.0 / 3.0 + x * (0.25 + x * 0.2))))
+    return dr.select(x < 0.02, series, dr.log(dr.maximum(1.0 - x, 1e-30)))
+
+
+def one_minus_exp(x: Real) -> Real:
+    """Return 1 - exp(-x) for x ≥ 0, exact to single precision also for small x."""
+    series = x * (1.0 - x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0))))
+    return dr.select(x < 0.02, series, 1.0 - dr.exp(-x))
+
+
+def luminance(colour: Colour) -> Real:
+    """Return the luminance Y of the working space, to weigh samplers with."""
+    return 0.2627 * colour.x + 0.678 * colour.y + 0.0593 * colour.z

@@ -1,0 +1,148 @@
+"""Progressive path tracing: passes of a few samples, their mean and its variance, until a budget is spent.
+
+Passes have seeds of their own that follow from their number, so that a render that goes on from a file's passes is
+the render that was never interrupted.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from time import perf_counter
+from typing import Any
+
+import mitsuba as mi
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.errors import ReferenceUnavailableError
+from brdf_suite.progress import Progress, report
+from brdf_suite.reference.scene import TracedScene
+
+Pixels = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Estimate:
+    """What the passes so far give.
+
+    ``radiance`` (h, w, 3) of the working space and ``coverage`` (h, w) are means; ``squares`` (h, w, 3) is the sum
+    of squared deviations of the passes' radiance from it (Welford). ``samples`` are per pixel, in ``passes`` passes.
+    """
+
+    radiance: Pixels
+    coverage: Pixels
+    squares: Pixels
+    samples: int
+    passes: int
+    seconds: float = 0.0
+
+    @property
+    def variance(self) -> Pixels:
+        """(h, w, 3): the variance of ``radiance``; infinite while there is one pass only."""
+        if self.passes < 2:
+            return np.full(self.squares.shape, np.inf)
+        return self.squares / ((self.passes - 1) * self.passes)
+
+    @property
+    def noise(self) -> float:
+        """The root mean square standard error of the pixels' luminance, as a share of their mean luminance."""
+        y = np.array([0.2627, 0.678, 0.0593])
+        mean = float((self.radiance @ y).mean())
+        return math.sqrt(float((self.variance @ y**2).mean())) / mean if mean > 0.0 else 0.0
+
+    def with_pass(self, radiance: Pixels, coverage: Pixels, samples: int, seconds: float) -> Estimate:
+        """Return the estimate with one pass more, of as many samples as each before."""
+        count = self.passes + 1
+        away = radiance - self.radiance
+        mean = self.radiance + away / count
+        return Estimate(
+            mean,
+            self.coverage + (coverage - self.coverage) / count,
+            self.squares + away * (radiance - mean),
+            self.samples + samples,
+            count,
+            self.seconds + seconds,
+        )
+
+    @staticmethod
+    def nothing(size: tuple[int, int]) -> Estimate:
+        """Return the estimate before the first pass."""
+        shape = (size[1], size[0])
+        return Estimate(np.zeros((*shape, 3)), np.zeros(shape), np.zeros((*shape, 3)), 0, 0)
+
+
+def trace_pass(scene: TracedScene, samples: int, seed: int) -> tuple[Pixels, Pixels]:
+    """Return radiance (h, w, 3) and coverage (h, w) of ``samples`` per pixel.
+
+    Raises
+    ------
+    ReferenceUnavailableError
+        The renderer failed, as it does where memory runs out.
+    """
+    try:
+        image = np.array(mi.render(scene.scene, spp=samples, seed=seed), np.float64)
+    except (MemoryError, RuntimeError) as error:
+        raise ReferenceUnavailableError(
+            f"The reference renderer failed ({error}); try a smaller picture, or fewer samples in a pass."
+        ) from error
+    return image[..., :3], image[..., 3]
+
+
+def refine(
+    scene: TracedScene, estimate: Estimate | None = None, *, samples_per_pass: int = 4
+) -> Iterator[Estimate]:
+    """Yield ever better estimates without end, going on from ``estimate``."""
+    found = estimate or Estimate.nothing(scene.size)
+    while True:
+        start = perf_counter()
+        radiance, coverage = trace_pass(scene, samples_per_pass, seed=found.passes)
+        found = found.with_pass(radiance, coverage, samples_per_pass, perf_counter() - start)
+        yield found
+
+
+def trace(
+    scene: TracedScene,
+    *,
+    samples: int | None = None,
+    seconds: float | None = None,
+    samples_per_pass: int = 4,
+    estimate: Estimate | None = None,
+    progress: Progress | None = None,
+    kept: Callable[[Estimate], Any] | None = None,
+) -> Estimate:
+    """Return the estimate of ``samples`` per pixel, or of ``seconds``, whichever is spent first.
+
+    Parameters
+    ----------
+    estimate
+        From where to go on; its passes count towards ``samples``.
+    kept
+        Called after every pass, so that what is there can be kept.
+
+    Raises
+    ------
+    Cancelled
+        The progress callback asked for it; what was traced has been handed to ``kept``.
+    """
+    start = perf_counter()
+    found = estimate or Estimate.nothing(scene.size)
+    report(progress, 0.0, "tracing")
+    if samples is not None and found.samples >= samples:
+        return found
+    for newest in refine(scene, found, samples_per_pass=samples_per_pass):
+        found = newest
+        if kept is not None:
+            kept(found)
+        spent = perf_counter() - start
+        shares = []
+        if samples is not None:
+            shares.append(found.samples / samples)
+        if seconds is not None:
+            shares.append(spent / seconds)
+        share = max(shares, default=0.0)
+        if share >= 1.0:
+            break
+        report(progress, share, f"{found.samples} samples a pixel, noise {100.0 * found.noise:.1f} %")
+    return found

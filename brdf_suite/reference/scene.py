@@ -1,0 +1,129 @@
+"""The scene that the real-time renderer draws, for the path tracer: the same values in, the same orientation out.
+
+World axes are those of the core (right-handed, y up, metres). The environment's centre column looks along +z and u
+grows towards -x, which is Mitsuba's convention too. Mitsuba takes a map's first and last row for the poles
+themselves, where ours are half a row away; a map with a row between each two of ours, and one at each pole, is the same
+light to Mitsuba's bilinear look-up as ours is to our own.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import mitsuba as mi
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.documents.view import View
+from brdf_suite.lighting.latlong import column_angles, direction, sample
+from brdf_suite.reference.bsdf import make_bsdf
+
+DEFAULT_DEPTH = 8
+"""Surfaces that a path may meet, and one more for the light: interreflections of a car body fade by a factor each."""
+
+
+@dataclass(frozen=True, eq=False)
+class SurfacePart:
+    """Triangles that share a material: positions and normals (n, 3), triangles (k, 3)."""
+
+    material: str
+    positions: npt.NDArray[Any]
+    normals: npt.NDArray[Any]
+    triangles: npt.NDArray[Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Eye:
+    """A pinhole: its place (3,), right, up and backward axes as columns (3, 3), tangent of half the width."""
+
+    place: npt.NDArray[np.float64]
+    axes: npt.NDArray[np.float64]
+    half_width_tangent: float
+
+
+@dataclass(frozen=True, eq=False)
+class TracedScene:
+    """A scene in Mitsuba; ``terms`` keeps alive what its BSDFs use."""
+
+    scene: Any
+    size: tuple[int, int]
+    terms: Mapping[str, Any]
+
+
+def build_scene(
+    parts: Sequence[SurfacePart],
+    terms: Mapping[str, Any],
+    radiance: npt.NDArray[np.float32],
+    eye: Eye,
+    view: View,
+    size: tuple[int, int],
+    *,
+    depth: int = DEFAULT_DEPTH,
+) -> TracedScene:
+    """Return the scene: ``parts`` with the ``terms`` of their materials, in the light of a map (h, w, 3)."""
+    described: dict[str, Any] = {
+        "type": "scene",
+        "integrator": {
+            "type": "path",
+            "max_depth": depth + 1,
+            "rr_depth": 5,
+            # What is behind the object is added without noise, by coverage; see backdrop.py.
+            "hide_emitters": True,
+        },
+        "sensor": _sensor(eye, size),
+        "light": {
+            "type": "envmap",
+            "bitmap": mi.Bitmap(mitsuba_map(radiance)),
+            "to_world": mi.ScalarTransform4f().rotate([0, 1, 0], view.rotation_deg),
+        },
+    }
+    bsdfs = {name: make_bsdf(term) for name, term in terms.items()}
+    for index, part in enumerate(parts):
+        described[f"part_{index}"] = _mesh(f"part_{index}", part, bsdfs[part.material])
+    return TracedScene(mi.load_dict(described), size, terms)
+
+
+def mitsuba_map(radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+    """Return the map (2h + 1, w, 3) whose look-up by Mitsuba is ours of ``radiance`` (h, w, 3)."""
+    rows, columns = radiance.shape[:2]
+    theta = np.arange(2 * rows + 1) * (math.pi / (2 * rows))
+    where = direction(np.clip(theta, 1e-9, math.pi - 1e-9)[:, None], column_angles(columns)[None])
+    return np.ascontiguousarray(sample(radiance, where), np.float32)
+
+
+def _sensor(eye: Eye, size: tuple[int, int]) -> dict[str, Any]:
+    target = eye.place - eye.axes[:, 2]
+    return {
+        "type": "perspective",
+        "fov_axis": "x",
+        "fov": math.degrees(2.0 * math.atan(eye.half_width_tangent)),
+        "near_clip": 1e-4,
+        "far_clip": 1e7,
+        "to_world": mi.ScalarTransform4f().look_at(
+            origin=eye.place.tolist(), target=target.tolist(), up=eye.axes[:, 1].tolist()
+        ),
+        "sampler": {"type": "independent"},
+        "film": {
+            "type": "hdrfilm",
+            "width": size[0],
+            "height": size[1],
+            "pixel_format": "rgba",
+            "component_format": "float32",
+            "rfilter": {"type": "box"},
+        },
+    }
+
+
+def _mesh(name: str, part: SurfacePart, bsdf: Any) -> Any:
+    properties = mi.Properties()
+    properties["bsdf"] = bsdf
+    mesh = mi.Mesh(name, len(part.positions), len(part.triangles), has_vertex_normals=True, props=properties)
+    values = mi.traverse(mesh)
+    values["vertex_positions"] = np.ascontiguousarray(part.positions, np.float32).ravel()
+    values["vertex_normals"] = np.ascontiguousarray(part.normals, np.float32).ravel()
+    values["faces"] = np.ascontiguousarray(part.triangles, np.uint32).ravel()
+    values.update()
+    return mesh

@@ -1,0 +1,96 @@
+"""From a reflectance of the core to its twin in the renderer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.reference.aspecular import Aspecular, Several
+from brdf_suite.reference.coated import UnderCoat
+from brdf_suite.reference.fitted_samplers import fitted_samplers
+from brdf_suite.reference.table import HalfAngleTable
+from brdf_suite.reference.terms import CoatLobe, FacetLobe, Lambertian, Sum
+from brdf_suite.reflectance import coat_lobe
+from brdf_suite.reflectance.aspecular_base import AspecularBase
+from brdf_suite.reflectance.models.coated import Coated
+from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_of
+from brdf_suite.reflectance.models.lambertian import Lambertian as CoreLambertian
+from brdf_suite.reflectance.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.several_lights import SeveralLights
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+
+TABULATED = (
+    "The reference renderer has no formula for this reflectance; it renders a table of it in half-angle coordinates "
+    "(90 × 90 × 180 bins, mean over azimuths assumed)."
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Translated:
+    """The twin, and sentences for the user about how exact it is."""
+
+    term: Any
+    notices: tuple[str, ...] = ()
+
+
+def translate(reflectance: Reflectance) -> Translated:
+    """Return the twin of any reflectance; of one without a formula here, that of its table."""
+    term = _exact(reflectance)
+    if term is not None:
+        return Translated(term)
+    table = IsotropicTable.from_reflectance(reflectance)
+    return Translated(HalfAngleTable.of(table, fitted_samplers(reflectance)), (TABULATED,))
+
+
+def _exact(reflectance: object) -> Any | None:
+    if isinstance(reflectance, PaintReflectance):
+        coat = reflectance.coat
+        return Sum((_exact(reflectance.base), CoatLobe(coat.ior, coat.roughness)))
+    if isinstance(reflectance, AspecularBase):
+        return Aspecular.of(reflectance)
+    if isinstance(reflectance, SeveralLights):
+        return Several.of(reflectance)
+    if isinstance(reflectance, coat_lobe.CoatLobe):
+        return CoatLobe(reflectance.ior, reflectance.roughness)
+    if isinstance(reflectance, CookTorrance):
+        return _cook_torrance(reflectance)
+    if isinstance(reflectance, Coated):
+        base = translate(reflectance.base)
+        return UnderCoat(reflectance, base.term)
+    if isinstance(reflectance, IsotropicTable):
+        return HalfAngleTable.of(reflectance, fitted_samplers(reflectance))
+    if isinstance(reflectance, CoreLambertian):
+        return Lambertian(_triple(reflectance.albedo))
+    return None
+
+
+def _cook_torrance(model: CookTorrance) -> Sum:
+    paint = model.paint
+    full = 1.0 if paint.d_norm == "full" else 0.25
+    lobes = []
+    for lobe in paint.lobes:
+        # The mean of F over the directions is a little above that along the normal.
+        weight = 4.0 * full * _dot(lobe.ks)
+        lobes.append(
+            FacetLobe(
+                _triple(lobe.ks),
+                lobe.m,
+                full,
+                index_of(lobe.r) if lobe.r < 1.0 else None,
+                weight * (lobe.r + 0.05 * (1.0 - lobe.r)),
+            )
+        )
+    # The widest facets leave gaps towards grazing that a few even directions fill.
+    least = 0.05 * (_dot(paint.kd) + sum(lobe.weight for lobe in lobes))
+    return Sum((Lambertian(_triple(paint.kd), max(_dot(paint.kd), least, 1e-6)), *lobes))
+
+
+def _dot(colour: Any) -> float:
+    return float(sum(c * y for c, y in zip(colour, LUMINANCE.tolist(), strict=True)))
+
+
+def _triple(colour: Any) -> tuple[float, float, float]:
+    r, g, b = (float(c) for c in colour)
+    return r, g, b

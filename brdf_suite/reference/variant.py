@@ -1,0 +1,170 @@
+"""Which variant of Mitsuba runs here: CUDA on NVIDIA's graphics cards, LLVM on processors, or none, and why.
+
+A variant is tried in a process of its own first (:mod:`.probe`): with an LLVM that is too old, compiling aborts the
+whole process, and no exception can be caught. What is found is kept for the life of this process.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from brdf_suite.errors import ReferenceUnavailableError
+
+LLVM_VARIABLE = "DRJIT_LIBLLVM_PATH"
+OLDEST_LLVM = 17
+"""LLVM 14 to 16 abort in the middle of a compilation."""
+LLVM_PACKAGE = "libllvm19"
+PROBE_TIMEOUT_S = 300.0
+
+_PLACES = (
+    "usr/lib/*/libLLVM*.so*",
+    "usr/lib/llvm-*/lib/libLLVM*.so*",
+    "usr/lib64/libLLVM*.so*",
+    "usr/local/lib/libLLVM*.so*",
+    "opt/homebrew/opt/llvm*/lib/libLLVM*.dylib",
+    "usr/local/opt/llvm*/lib/libLLVM*.dylib",
+)
+_VERSION = re.compile(r"(?:llvm-|libLLVM[-.]|so\.)(\d+)")
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A variant of Mitsuba that was seen to run; ``llvm_path`` is the library that it needs, "" where it needs none."""
+
+    name: str
+    llvm_path: str = ""
+    version: str = ""
+
+    @property
+    def title(self) -> str:
+        """What a user is told."""
+        return f"Mitsuba, {'CUDA' if self.name.startswith('cuda') else f'LLVM {self.version}'}"
+
+
+@dataclass(frozen=True)
+class Probed:
+    """What became of a probe: whether it ran, the LLVM's version, and the last words where it did not."""
+
+    ran: bool
+    version: str = ""
+    words: str = ""
+
+
+Probe = Callable[[str, str], Probed]
+
+
+def is_installed() -> bool:
+    """Whether the optional extra is there at all."""
+    return importlib.util.find_spec("mitsuba") is not None
+
+
+@cache
+def choose_variant() -> Variant:
+    """Return the variant to render with.
+
+    Raises
+    ------
+    ReferenceUnavailableError
+        The extra is not installed, or no LLVM of 17 or later is at hand and no graphics card that can be used; the
+        message names the package to install.
+    """
+    if not is_installed():
+        raise ReferenceUnavailableError(
+            "The reference renderer needs Mitsuba, which is not installed: pip install 'brdf-suite[reference]'."
+        )
+    return choose(_has_cuda(), _libraries(), probe)
+
+
+def choose(cuda: bool, libraries: Sequence[str], try_out: Probe) -> Variant:
+    """Return the first variant that ``try_out`` sees running: CUDA, then LLVM, each of ``libraries`` in their order."""
+    told = []
+    if cuda:
+        found = try_out("cuda_ad_rgb", "")
+        if found.ran:
+            return Variant("cuda_ad_rgb")
+        told.append(f"CUDA: {found.words}")
+    for path in libraries:
+        number = version_of(path)
+        if number and number < OLDEST_LLVM:
+            told.append(f"{path} is LLVM {number}")
+            continue
+        found = try_out("llvm_ad_rgb", path)
+        if found.ran:
+            return Variant("llvm_ad_rgb", path, found.version)
+        told.append(f"{path}: {found.words}")
+    seen = f" Found: {'; '.join(told)}." if told else ""
+    raise ReferenceUnavailableError(
+        f"The reference renderer needs the library LLVM, version {OLDEST_LLVM} or later; install the package "
+        f"{LLVM_PACKAGE} (sudo apt-get install {LLVM_PACKAGE}), or set {LLVM_VARIABLE} to the library's file.{seen}"
+    )
+
+
+def probe(variant: str, llvm_path: str) -> Probed:
+    """Try a variant in a process of its own."""
+    environment = dict(os.environ)
+    if llvm_path:
+        environment[LLVM_VARIABLE] = llvm_path
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", "brdf_suite.reference.probe", variant],
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=PROBE_TIMEOUT_S,
+            check=False,
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        return Probed(False, words=f"the trial could not be made ({error})")
+    if done.returncode == 0:
+        return Probed(True, version=str(json.loads(done.stdout.splitlines()[-1])["llvm"]))
+    lines = done.stderr.strip().splitlines()
+    ended = f"ended with signal {-done.returncode}" if done.returncode < 0 else "failed"
+    return Probed(False, words=f"its trial {ended} ({lines[-1] if lines else 'without a word'})")
+
+
+def version_of(path: str) -> int:
+    """Return the LLVM version that a library's name tells; 0 where it tells none.
+
+    >>> version_of("usr/lib/x86_64-linux-gnu/libLLVM.so.19.1"), version_of("usr/lib/libLLVM.so")
+    (19, 0)
+    """
+    numbers = [int(number) for number in _VERSION.findall(path)]
+    return max(numbers, default=0)
+
+
+def _libraries() -> list[str]:
+    """The library that the user named, alone; else those of the usual places, the newest first."""
+    named = os.environ.get(LLVM_VARIABLE)
+    if named:
+        return [named]
+    found = {str(path.resolve()) for place in _PLACES for path in Path("/").glob(place)}
+    return sorted(found, key=lambda path: (-version_of(path), path))
+
+
+def _has_cuda() -> bool:
+    """Whether NVIDIA's driver is there; only then is the variant worth the seconds of a trial."""
+    return any(
+        Path(place).exists() for place in ("/proc/driver/nvidia/version", "C:/Windows/System32/nvcuda.dll")
+    )
+
+
+@cache
+def start() -> Variant:
+    """Choose the variant and make it Mitsuba's; once in a process. Errors as :func:`choose_variant`."""
+    variant = choose_variant()
+    if variant.llvm_path:
+        os.environ[LLVM_VARIABLE] = variant.llvm_path
+    import mitsuba as mi
+
+    mi.set_variant(variant.name)
+    mi.set_log_level(mi.LogLevel.Error)
+    return variant
