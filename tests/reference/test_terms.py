@@ -64,7 +64,7 @@ def test_values_are_those_of_the_core_to_single_precision(twins, name: str) -> N
     wanted = model.eval(wi, wo)
     found = rows(term.value(vectors(wi), vectors(wo)), len(wi))
     error = np.abs(found - wanted) - 2.0 * np.abs(rounded - wanted)
-    least = 1e-5 + 1e-7 * wanted.max()  # 1/sr: a reflectance factor of 3e-5, which is black
+    least = 1e-3 + 1e-7 * wanted.max()  # 1/sr: a reflectance factor of .003 is nearly black
     assert (error / (wanted + least)).max() < TOLERANCE
 
 
