@@ -1,0 +1,49 @@
+"""What a new studio starts from, and a new lamp."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from brdf_suite.documents.light_store import LightDocument
+from brdf_suite.documents.studio import Backdrop, Lamp, Sky, Studio
+from brdf_suite.lighting.procedural.booth import BOOTH
+from brdf_suite.lighting.procedural.example import EXAMPLE
+
+TEMPLATES: Mapping[str, tuple[str, LightDocument]] = MappingProxyType(
+    {
+        "three": ("Box, strip and ring", EXAMPLE),
+        "tunnel": (
+            "Light tunnel",
+            Studio(
+                "Light tunnel",
+                backdrop=Backdrop(luminance=0.08),
+                lamps=tuple(
+                    Lamp("strip", (x, y, 0.0), (9.0, 0.25), roll_deg=90.0, luminance=8.0, softness_m=0.03)
+                    for x, y in ((-2.6, 0.8), (-1.8, 2.2), (0.0, 2.8), (1.8, 2.2), (2.6, 0.8))
+                ),
+            ),
+        ),
+        "booth": ("Light booth", dataclasses.replace(BOOTH, name="My booth")),
+        "empty": (
+            "One box above",
+            Studio(
+                "My studio",
+                backdrop=Backdrop(luminance=0.15),
+                lamps=(Lamp("box", (0.0, 3.0, 0.5), (2.5, 2.5), luminance=5.0, softness_m=0.2),),
+            ),
+        ),
+        "sky": ("Sky with sun", Sky("My sky")),
+    }
+)
+"""Title and document by key, in the order of the menu."""
+
+NEW_LAMPS: Mapping[str, Lamp] = MappingProxyType(
+    {
+        "box": Lamp("box", (1.8, 1.6, 1.8), (1.2, 1.2), softness_m=0.1),
+        "strip": Lamp("strip", (-2.0, 1.2, 1.6), (2.0, 0.25), roll_deg=90.0, luminance=8.0),
+        "ring": Lamp("ring", (0.0, 1.0, 2.8), (1.0, 0.12), luminance=8.0, softness_m=0.02),
+    }
+)
+"""What is added, by its shape."""
