@@ -4,7 +4,7 @@ A seamless look-up at the edge s = 1 takes the mean of a texel of this face, who
 texel with the same t of the next face; h = 1/F is half a texel. The second centre's direction is (1, t, 1 - h), so
 that the mean belongs to t·(1 + h/2), not t: an error of first order in h, largest near the cube's corners, 1.4 % of
 a lobe's peak where everything else stays below 1 %. Texels beside the edge therefore hold the value a little
-nearer to the edge's middle, at t·(1 - 0.3·h): the error is shared between look-ups at the edge and at the texels'
+nearer to the edge's middle, at t·(1 - 0.25·h): the error is shared between look-ups at the edge and at the texels'
 own centres, and is below 1 % for both. The shares were found as those with the least error over lobes all about
 edges and corners.
 """
@@ -18,8 +18,8 @@ from brdf_suite.lighting.cubemap import face_coordinates
 
 Faces = NDArray[np.float32] | NDArray[np.float64]
 
-_SHARE = 1.2 / 16.0  # of t times the difference of the two neighbours, which are 4h apart: 0.3·h
-_CORNER_SHARE = 1.15 * _SHARE  # a corner's look-ups take the mean of three texels
+_SHARE = 1.0 / 16.0  # of t times the difference of the two neighbours, which are 4h apart: 0.25·h
+_CORNER_SHARE = 1.2 * _SHARE  # a corner's look-ups take the mean of three texels
 
 
 def edge_changes(faces: Faces) -> Faces:

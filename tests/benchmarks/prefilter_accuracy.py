@@ -1,6 +1,7 @@
 """How exact prefiltered maps are: against a brute-force sum, under constant light, beside a sun, as looked up.
 
-``python tests/benchmarks/prefilter_accuracy.py FILE…`` prints the table of docs/prefilter.md for environments.
+``python tests/benchmarks/prefilter_accuracy.py FILE…`` prints the table of docs/prefilter.md for environments, and
+without a file that of look-ups.
 """
 
 from __future__ import annotations
@@ -16,10 +17,15 @@ from brdf_suite.lighting.latlong import angles, column_angles, direction, fejer_
 from brdf_suite.lighting.lobe_filter import LobeFilter
 from brdf_suite.lighting.prefilter import face_size
 from brdf_suite.lighting.texel_values import pack_lobe
+from brdf_suite.lighting.zonal import lobe_bandlimit
 
 ERROR_EXPONENTS = (5.0, 20.0, 80.0, 320.0, 1280.0, 5120.0)
 DIRECTIONS = 340  # for each exponent: 2,040 in all
 LOCAL_DIRECTIONS = 60
+LOOK_UP_EXPONENTS = (1.0, 5.0, 20.0, 80.0, 320.0, 1280.0, 5120.0, 10673.0)
+SHARP = ((50_000.0, 1024), (116_000.0, 2048))
+"""Exponents whose maps are held to 2,048 texels, each with the rings of a map that they are filtered from."""
+
 PLACES = (
     (0.0, 0.0, 1.0),
     (1.0, 0.0, 1.0),
@@ -29,6 +35,7 @@ PLACES = (
     (-0.95, 0.97, -1.0),
     (0.0, 1.0, 0.02),
 )
+SHARP_PLACES = (PLACES[0], PLACES[2], PLACES[4], PLACES[6])
 
 
 def double_sum(radiance: np.ndarray, wanted: np.ndarray, exponent: float) -> np.ndarray:
@@ -111,7 +118,7 @@ def look_up(packed: FaceArray, wanted: np.ndarray) -> np.ndarray:
     """
     size = packed.size
     faces = packed.radiance()
-    padded = np.empty((6, size + 2, size + 2, 3), dtype=np.float64)
+    padded = np.empty((6, size + 2, size + 2, faces.shape[3]), dtype=np.float64)
     padded[:, 1:-1, 1:-1] = faces
     line = (2.0 * np.arange(size) + 1.0) / size - 1.0
     out = np.full(size, 1.0 + 1e-9)
@@ -159,24 +166,28 @@ def _place(wanted: np.ndarray, size: int) -> tuple[np.ndarray, np.ndarray, np.nd
     return face, 0.5 * (s + 1.0) * size - 0.5, 0.5 * (t + 1.0) * size - 0.5
 
 
-def look_up_error(exponents: Sequence[float]) -> dict[float, float]:
+def look_up_error(
+    exponents: Sequence[float], rings: int = 512, places: Sequence[tuple[float, float, float]] = PLACES
+) -> dict[float, float]:
     """Return, for each exponent, the largest error over the lobe's peak of packed maps of one-texel lights (in the
     middle of a face, along an edge, by a corner and by a pole), looked up at random directions about each, a third
     of them on an edge of the cube where one is near.
     """
     rng = np.random.default_rng(5)
     found: dict[float, float] = {}
-    theta, phi = ring_angles(512), column_angles(1024)
-    for place in PLACES:
+    theta, phi = ring_angles(rings), column_angles(2 * rings)
+    for place in places:
         polar, around = angles(np.array(place))
         row, column = int(np.abs(theta - polar).argmin()), int(np.abs(phi - around).argmin())
-        radiance = np.zeros((512, 1024, 3), dtype=np.float32)
+        radiance = np.zeros((rings, 2 * rings, 3), dtype=np.float32)
         radiance[row, column] = 1.0
         sun = direction(theta[row], phi[column])
-        flux = fejer_weights(512)[row] * 2.0 * np.pi / 1024
+        flux = fejer_weights(rings)[row] * np.pi / rings
         lobe_filter = LobeFilter(radiance)
+        lobe_filter.analyse(max(lobe_bandlimit(e) for e in usable(lobe_filter, exponents)))
         for exponent in usable(lobe_filter, exponents):
             packed = pack_lobe(lobe_filter.lobe(exponent, face_size(exponent)))
+            one_channel = FaceArray(packed.faces[..., :1], packed.scale)  # all three are equal, and large
             wanted = sun + rng.normal(scale=min(1.0, exponent**-0.5), size=(20_000, 3))
             share = wanted[: len(wanted) // 3]
             largest = np.abs(share).max(axis=1, keepdims=True)
@@ -184,13 +195,34 @@ def look_up_error(exponents: Sequence[float]) -> dict[float, float]:
             wanted /= np.linalg.norm(wanted, axis=1, keepdims=True)
             peak = flux * (exponent + 1.0) / (2.0 * np.pi)
             truth = peak * np.maximum(wanted @ sun, 0.0) ** exponent
-            error = float(np.abs(look_up(packed, wanted)[:, 0] - truth).max() / peak)
+            error = float(np.abs(look_up(one_channel, wanted)[:, 0] - truth).max() / peak)
             found[exponent] = max(found.get(exponent, 0.0), error)
     return found
 
 
+def sharp_look_up_error(exponent: float, rings: int) -> float:
+    """Return the error of :func:`look_up_error` for one sharp lobe, at four of the places."""
+    return look_up_error([exponent], rings, SHARP_PLACES)[exponent]
+
+
+def print_look_ups() -> None:
+    """Print a row for each exponent: its map's size and what look-ups of it err by."""
+    print("| n | face | map | error of the lobe's peak |")
+    print("|---|---|---|---|")
+    rows = [(exponent, 512, error) for exponent, error in look_up_error(LOOK_UP_EXPONENTS).items()]
+    rows += [(exponent, rings, sharp_look_up_error(exponent, rings)) for exponent, rings in SHARP]
+    for exponent, rings, error in rows:
+        print(
+            f"| {exponent:,.0f} | {face_size(exponent)} | {2 * rings}×{rings} | {100.0 * error:.2f} % |",
+            flush=True,
+        )
+
+
 def main(files: Sequence[str]) -> None:
-    """Print a row for each environment file: largest errors over the map's largest value."""
+    """Print a row for each environment file: largest errors over the map's largest value; without one, look-ups."""
+    if not files:
+        print_look_ups()
+        return
     from pathlib import Path
 
     from brdf_suite.files.images import read_environment_image

@@ -8,11 +8,14 @@ import pytest
 
 from brdf_suite.errors import Cancelled, ValueRangeError
 from brdf_suite.files.images import read_environment_image
+from brdf_suite.lighting import compiled
 from brdf_suite.lighting.cubemap import texel_directions, texel_solid_angles
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.face_array import pack_faces
 from brdf_suite.lighting.lobe_filter import LobeFilter
 from brdf_suite.lighting.prefilter import background_size, face_size, prefilter
+from brdf_suite.lighting.texel_values import pack_lobe
+from brdf_suite.lighting.zonal import BROAD_BANDLIMIT, lobe_bandlimit
 
 EXPONENTS = (1.0, 2.0, 3.7, 20.0, 320.0, 3500.0)
 
@@ -121,6 +124,42 @@ def test_broad_maps_come_first_and_progress_rises_to_one(rough_map: np.ndarray) 
     assert fractions == sorted(fractions)
     assert fractions[-1] == 1.0
     assert len(fractions) > 10
+
+
+@pytest.mark.usefixtures("kernels_compiled")
+def test_a_ladder_of_exponents_costs_one_analysis(
+    rough_map: np.ndarray, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Exponents need not be those of a basis: any number, in any order, whole or not, one of them twice."""
+    kernels = compiled.compile_now()
+    assert kernels is not None
+    limits: list[int] = []
+    real = kernels.analyse
+
+    def counted(pixels: np.ndarray, weights: np.ndarray, bandlimit: int, *rest: object) -> np.ndarray:
+        limits.append(bandlimit)
+        return real(pixels, weights, bandlimit, *rest)
+
+    monkeypatch.setattr(kernels, "analyse", counted)
+    ladder = [1.5**k for k in range(1, 20)]
+    wanted = [*ladder[::2], 1e6, *ladder[1::2], ladder[4]]
+    seen: list[float | None] = []
+    maps = prefilter(
+        Environment("rough", rough_map), wanted, None, lambda exponent, faces: seen.append(exponent)
+    )
+    broad = [exponent for exponent in ladder if lobe_bandlimit(exponent) <= BROAD_BANDLIMIT]
+    assert seen == [1.0, *broad, None, *ladder[len(broad) :]]  # the sharpest after there is a picture to show
+    assert 15 < len(broad) < len(ladder)
+    assert limits == [lobe_bandlimit(ladder[-1])]
+    assert maps.exponents == tuple(wanted)
+    lobe_filter = LobeFilter(rough_map)
+    lobe_filter.analyse(limits[0])
+    for exponent, lobe in zip(wanted, maps.lobes, strict=True):
+        if exponent == 1e6:
+            assert lobe is maps.background
+        else:
+            expected = pack_lobe(lobe_filter.lobe(exponent, face_size(exponent)))
+            assert np.array_equal(lobe.faces, expected.faces), exponent
 
 
 def test_cancel_stops_the_work(rough_map: np.ndarray) -> None:
