@@ -107,12 +107,15 @@ def view_of(options: argparse.Namespace) -> View:
         if value is not None
     }
     if options.environment is not None:
+        check_environment(options.environment)
         changed["environment"] = name_in_view(options.environment, environment_names())
         changed["environment_layout"] = options.layout
     elif options.layout != "auto":
         changed["environment_layout"] = options.layout
     if options.mesh is not None:
+        check_surface(options.mesh)
         changed["surface"] = name_in_view(options.mesh, surface_names())
-    check_environment(options.environment or view.environment)
-    check_surface(options.mesh or view.surface)
-    return replace(view, camera=replace(view.camera, **camera), **changed)  # type: ignore[arg-type]  # checked by View
+    view = replace(view, camera=replace(view.camera, **camera), **changed)  # type: ignore[arg-type]  # View checks them
+    check_environment(view.environment)
+    check_surface(view.surface)
+    return view

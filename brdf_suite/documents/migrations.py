@@ -29,7 +29,7 @@ def _fresnel_mode(fields: dict[str, object]) -> dict[str, object]:
     return {**fields, **old, "fresnel": "raised" if on else "off"}
 
 
-VERSIONS: dict[str, int] = {"brdfpaint": 2, "brdfview": 3, "brdfstudio": 1}
+VERSIONS: dict[str, int] = {"brdfpaint": 2, "brdfview": 3, "brdfstudio": 1, "brdfpalette": 1}
 """The present version of each format."""
 
 MIGRATIONS: dict[tuple[str, int], Migration] = {
