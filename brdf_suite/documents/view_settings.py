@@ -61,6 +61,9 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
         "sparkle.light_count": Parameter(
             "Lights", "", 1.0, 16.0, 8.0, "The brightest lights of the environment, in which flakes glint"
         ),
+        "sparkle.strength": Parameter(
+            "Strength", "", 0.0, 20.0, 1.0, "Factor on the light of single flakes; 1: as density and size say"
+        ),
         "surface.scale": Parameter("Scale", "", 1e-4, 1e4, 1.0, "Factor on all lengths of the mesh"),
         "relief.normal_strength": Parameter(
             "Strength", "", 0.0, 4.0, 1.0, "Factor on the normal map's slopes"
@@ -122,10 +125,14 @@ class Lamp:
 
 @dataclass(frozen=True)
 class Sparkle:
-    """How flakes are drawn, and in how many of the environment's lights."""
+    """How flakes are drawn, in how many of the environment's lights, and how strongly.
+
+    At ``strength`` 1 single flakes send what their density and size give; the mean light of the base stays the same.
+    """
 
     mode: SparkleMode = "glints"
     light_count: int = int(PARAMETERS["sparkle.light_count"].default)
+    strength: float = PARAMETERS["sparkle.strength"].default
 
     def __post_init__(self) -> None:
         check_choice(self.mode, "mode", SPARKLE_MODES)
@@ -133,6 +140,7 @@ class Sparkle:
         if count != int(count):
             raise ValueRangeError("light_count", f"a whole number is wanted, not {count:g}")
         object.__setattr__(self, "light_count", int(count))
+        _check_numbers(self, "sparkle", ("strength",))
 
 
 @dataclass(frozen=True)

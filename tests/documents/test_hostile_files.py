@@ -195,6 +195,7 @@ def test_a_view_of_version_2_shows_what_it_showed(was: bool, is_now: str) -> Non
         ({"lamps": [{}] * 9}, "lamps: 9 are more than the 8"),
         ({"lamps": [{"position": [0.0, 1.0, "up"]}]}, r"lamps\[0\]\.position\[2\]: a number"),
         ({"sparkle": {"light_count": 2.5}}, r"sparkle\.light_count: a whole number"),
+        ({"sparkle": {"strength": -1}}, r"sparkle\.strength"),
         ({"surface_look": {"materials": [{"part": "door"}]}}, r"materials\[0\].*material.* missing"),
         (
             {"surface_look": {"materials": [{"part": "door", "material": "paint"}] * 2}},

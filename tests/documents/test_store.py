@@ -161,7 +161,12 @@ views = st.builds(
         ),
         max_size=2,
     ).map(tuple),
-    sparkle=st.builds(Sparkle, mode=st.sampled_from(SPARKLE_MODES), light_count=st.integers(1, 16)),
+    sparkle=st.builds(
+        Sparkle,
+        mode=st.sampled_from(SPARKLE_MODES),
+        light_count=st.integers(1, 16),
+        strength=st.floats(0, 20),
+    ),
     surface_look=st.builds(
         SurfaceLook,
         unit=st.sampled_from(LENGTH_UNITS),

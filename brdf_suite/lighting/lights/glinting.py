@@ -23,6 +23,7 @@ Float64 = NDArray[np.float64]
 
 MOST_LIGHTS = 16
 _STRATA = 96
+_COLUMNS = 512  # of the cells; directions are still those of single texels
 # Radians: strata nearer than this are one light, about what a flake's own spread makes of them.
 _NEAR = 0.02
 # Radians: the spread at which a light counts half as much as a small one of the same strength.
@@ -79,9 +80,8 @@ def glint_lights(environment: Environment, count: int = MOST_LIGHTS) -> GlintLig
     """
     if not 1 <= count <= MOST_LIGHTS:
         raise ValueRangeError("count", f"must be 1 to {MOST_LIGHTS} lights, not {count}")
-    cells = cells_of(environment.radiance)
-    found = _joined(*_strata(cells))
-    energy, moments, spread2 = found
+    cells = cells_of(environment.radiance, _COLUMNS)
+    energy, moments, spread2 = _joined(*_strata(cells))
     luminous = energy @ LUMINANCE
     lit = luminous > _BLACK * max(float(luminous.sum()), _BLACK)
     energy, moments, spread2, luminous = energy[lit], moments[lit], spread2[lit], luminous[lit]

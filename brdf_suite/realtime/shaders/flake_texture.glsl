@@ -1,5 +1,5 @@
 // Provides: struct FlakeTexture, FlakeTexture flake_texture(...), vec3 flake_texture_ratio(FlakeTexture f, vec2 slope,
-//           float spread)
+//           float spread), float flake_height(FlakeTexture f, float spread)
 // Needs:    nothing. The same functions in numpy: reflectance/flakes/texture.py
 //
 // The flake texture of Guenther et al. 2005, section 5.2: the cell of the texture coordinate seeds a generator, which
@@ -27,6 +27,7 @@ struct FlakeTexture
     vec3 tint[4];
     float roughness;
     float contrast;
+    float height;          // of the largest cover there can be
 };
 
 FlakeTexture flake_texture(vec2 at, vec2 across, vec2 down, float density, float size, float roughness,
@@ -41,10 +42,11 @@ FlakeTexture flake_texture(vec2 at, vec2 across, vec2 down, float density, float
     float own = 0.25 * held;
     float pixel2 = max(whole.widest * whole.widest - 0.0625 * size * size, 0.0);
     float shrink = pixel2 > 0.0 ? sqrt(clamp((most * most - own * own) / pixel2, 0.0, 1.0)) : 1.0;
-    Footprint part = flake_footprint(at, across * shrink, down * shrink, held);
-    f.contrast = min(sqrt(part.height > 0.0 ? whole.height / part.height : 1.0), 1.0)
+    Footprint kept = flake_footprint(at, across * shrink, down * shrink, held);
+    f.contrast = min(sqrt(kept.height > 0.0 ? whole.height / kept.height : 1.0), 1.0)
         * (1.0 - smoothstep(FADE_FROM, FADE_TO, whole.widest * per_mm));
     f.roughness = roughness;
+    f.height = kept.height / density;
 
     vec2 on_surface = at * per_mm;
     vec2 first = floor(on_surface - 0.5);
@@ -53,7 +55,7 @@ FlakeTexture flake_texture(vec2 at, vec2 across, vec2 down, float density, float
         vec2 cell = first + vec2(i & 1, i >> 1);
         uint key = cell_key(ivec2(cell), 0x51ed270bu);
         vec2 centre = (cell + halves(scrambled(key + 0x9e3779b9u))) / per_mm;
-        f.cover[i] = flake_cover(part, at - centre) / density;
+        f.cover[i] = flake_cover(kept, at - centre) / density;
         vec2 r = halves(key);
         float tangent = roughness * sqrt(-log(1.0 - r.x));
         f.slope_x[i] = tangent * cos(6.2831853 * r.y);
@@ -61,6 +63,12 @@ FlakeTexture flake_texture(vec2 at, vec2 across, vec2 down, float density, float
         f.tint[i] = flake_tint(scrambled(key + 0x3c6ef372u), colour_spread);
     }
     return f;
+}
+
+// How far above the mean a flake stands out at the most, where it is seen along the normal.
+float flake_height(FlakeTexture f, float spread)
+{
+    return f.height * f.contrast * (f.roughness * f.roughness + 2.0 * spread * spread) / (8.0 * spread * spread) * 3.0;
 }
 
 vec3 flake_texture_ratio(FlakeTexture f, vec2 slope, float spread)

@@ -1,5 +1,6 @@
-// Provides: struct GlintField, GlintField glint_field(...), vec3 glint_ratio(GlintField g, vec3 place, float spread),
-//           float shown_share(float weight)
+// Provides: struct GlintField, GlintField glint_field(...), float glint_height(GlintField g, float width),
+//           MOST_GLINT_LIGHTS, glint_widths, glint_places, glint_powers, vec3 glint_difference(GlintField g, int count),
+//           vec3 glint_ratio(GlintField g, vec3 place, float spread), float shown_share(float weight)
 // Needs:    nothing. The same functions in numpy: reflectance/flakes/glints.py
 //
 // How bright the countable flakes of a footprint are in one light, over their mean: 1 for endlessly many, mostly 0 and
@@ -7,16 +8,18 @@
 //
 // A flake has a place on the surface and a place on the unit square of tilts (flake_tilt.glsl), N flakes to the square
 // millimetre. On level l both are cut into cells, 2^l / sqrt(N) mm wide on the surface and 2^-l on the square, so a pair
-// of cells holds one flake, jittered within both by a hash of the pair. The level is such that a footprint
-// ends within two cells along each axis: two by two cells about the corner nearest to it hold all it sees, on
-// either side. Between levels flakes of one appear, one after the other, while those of the other go: their
-// number, and so the contrast, stays.
+// of cells holds one flake, jittered within both by a hash. The level is such that a footprint ends within two cells
+// along each axis: two by two cells about the corner nearest to it hold all it sees, and so it is on the square.
+// Between levels flakes of one appear, one after the other, while those of the other go: their number, and so the
+// contrast, stays.
 //
 // What differs from the paper. The kernels end (they are no Gaussians), within the cells that are visited: nothing is cut
 // off, no remainder has to be added, and the mean is 1 exactly. Cells of tilts are never made smaller than a flake's
 // own spread (level `finest`): beyond it, a pair of cells holds many flakes, and one stands for M of them; the
 // sum of M has the deviation from the mean of one over sqrt(M). A light too broad for the cells is one of a smaller
 // spread with the contrast lowered in the same way. So contrast falls with the root of the count everywhere.
+// And the flakes of a cell on the surface share their place in it: at most one of them is seen at a time, and the places
+// that a footprint covers are then the same for all lights, are few, and are found once.
 #include "sparkle_hash.glsl"
 #include "flake_footprint.glsl"
 #include "flake_tilt.glsl"
@@ -24,6 +27,8 @@
 
 // Flakes of a level appear over this range of its weight.
 const float APPEARING = 0.2;
+// Flakes are of different areas: 3 u^2 of the mean, u even, so most are small and the largest have three times the mean.
+const float FLAKE_AREA = 3.0;
 
 struct GlintField
 {
@@ -66,24 +71,69 @@ float shown(float order, float weight)
     return smoothstep(middle - 0.5 * APPEARING, middle + 0.5 * APPEARING, weight);
 }
 
-vec3 glints_of_level(GlintField g, float level, float weight, vec3 place, float spread)
+// Lights that are to glint in this pixel: the place on the square of the tilt that mirrors each to the eye, the standard
+// deviation there over which a flake still does, and the light that is to be multiplied.
+const int MOST_GLINT_LIGHTS = 24;
+vec2 glint_places[MOST_GLINT_LIGHTS];
+float glint_widths[MOST_GLINT_LIGHTS];
+vec3 glint_powers[MOST_GLINT_LIGHTS];
+
+// How far above the mean one flake stands out at the most, or the one that stands for many.
+float glint_height(GlintField g, float width)
+{
+    return 0.11936621 * g.footprint.height / (width * width * g.root_count * g.root_count)
+        * exp2(max(g.level - g.finest, 0.0));
+}
+
+// What the flakes of one place send.
+vec3 glints_of_place(GlintField g, int count, uint key, float weight, float per_square)
+{
+    vec3 sum = vec3(0.0);
+    float widest = 0.5 / (FOOTPRINT_END * per_square);
+    for (int k = 0; k < count; ++k)
+    {
+        float sigma = min(glint_widths[k], widest);
+        float narrow = 1.0 / (8.0 * sigma * sigma);
+        float falls = narrow / (per_square * per_square);
+        vec2 on_square = glint_places[k] * per_square;
+        vec2 first = floor(on_square - 0.5);
+        on_square -= first;
+        uint mixed = key + uint(int(first.x) * 0x3c6ef35f + int(first.y) * 0x19660d);
+        uvec4 word = uvec4(scrambled(mixed), scrambled(mixed + 0x3c6ef35fu), scrambled(mixed + 0x19660du),
+                           scrambled(mixed + 0x3c6ef35fu + 0x19660du));
+        vec4 x = on_square.x - vec4(0.0, 1.0, 0.0, 1.0) - (vec4(word & 0xffffu) + 0.5) * (1.0 / 65536.0);
+        vec4 y = on_square.y - vec4(0.0, 0.0, 1.0, 1.0) - (vec4(word >> 16) + 0.5) * (1.0 / 65536.0);
+        vec4 bell = max(1.0 - (x * x + y * y) * falls, 0.0);
+        if (bell.x + bell.y + bell.z + bell.w <= 0.0)
+            continue;
+        vec3 tinted = vec3(0.0);
+        for (int j = 0; j < 4; ++j)
+        {
+            if (bell[j] <= 0.0)
+                continue;
+            uint other = scrambled(word[j] + 0x9e3779b9u);
+            float area = (float((other >> 8) & 0xffu) + 0.5) * (1.0 / 256.0);
+            float seen = bell[j] * bell[j] * area * area
+                * shown((float(other & 0xffu) + 0.5) * (1.0 / 256.0), weight);
+            tinted += g.colour_spread > 0.0 ? seen * flake_tint(other, g.colour_spread) : vec3(seen);
+        }
+        sum += (FLAKE_AREA * narrow * sigma / glint_widths[k]) * glint_powers[k] * tinted;
+    }
+    return sum;
+}
+
+vec3 glints_of_level(GlintField g, float level, float weight, int count)
 {
     float angular = min(level, g.finest);
     float per_square = exp2(angular);
     float per_mm = g.root_count * exp2(-level);
-    float wanted = place.z * spread;
-    float sigma = min(wanted, 0.5 / (FOOTPRINT_END * per_square));
-    float contrast = exp2(angular - level) * sigma / wanted;
-
+    float contrast = exp2(angular - level);
+    // A flake stands for its pair of cells: 1 / (per_mm per_square)^2 of surface and square.
+    float scale = 0.95492966 / (per_mm * per_mm * per_square * per_square);
     vec2 on_surface = g.footprint.at * per_mm;
-    vec2 on_square = place.xy * per_square;
     vec2 first_cell = floor(on_surface - 0.5);
-    vec2 first_tilt = floor(on_square - 0.5);
     vec2 reach = g.footprint.reach * per_mm;
-    float tilt_reach = FOOTPRINT_END * sigma * per_square;
     uint salt = uint(int(level)) * 0x9e3779b9u;
-    float narrow = 1.0 / (8.0 * sigma * sigma);
-
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 4; ++i)
     {
@@ -92,39 +142,34 @@ vec3 glints_of_level(GlintField g, float level, float weight, vec3 place, float 
         if (any(greaterThanEqual(gap, reach)))
             continue;
         uint key = cell_key(ivec2(cell), salt);
-        for (int j = 0; j < 4; ++j)
-        {
-            vec2 tilt = first_tilt + vec2(j & 1, j >> 1);
-            vec2 tilt_gap = abs(on_square - tilt - 0.5) - 0.5;
-            if (max(tilt_gap.x, tilt_gap.y) >= tilt_reach)
-                continue;
-            uint word = scrambled(key + uint(int(tilt.x) * 0x3c6ef35f + int(tilt.y) * 0x19660d));
-            vec2 apart = place.xy - (tilt + halves(word)) / per_square;
-            float bell = 1.0 - dot(apart, apart) * narrow;
-            if (bell <= 0.0)
-                continue;
-            uint other = scrambled(word + 0x9e3779b9u);
-            float cover = flake_cover(g.footprint, g.footprint.at - (cell + halves(other)) / per_mm);
-            if (cover <= 0.0)
-                continue;
-            uint third = scrambled(other + 0x9e3779b9u);
-            float seen = bell * bell * cover * shown(float(third & 0xffu) * (1.0 / 255.0), weight);
-            sum += seen * flake_tint(third, g.colour_spread);
-        }
+        float cover = flake_cover(g.footprint, (on_surface - cell - halves(scrambled(key))) / per_mm);
+        if (cover > 0.0)
+            sum += cover * glints_of_place(g, count, key, weight, per_square);
     }
-    // A flake stands for its pair of cells: 1 / (per_mm per_square)^2 of surface and square.
-    float scale = 3.0 * narrow * 0.31830989 / (per_mm * per_mm * per_square * per_square);
-    float mean = shown_share(weight);
-    return mean + (sum * scale - mean) * contrast;
+    sum *= scale * contrast;
+    float widest = 0.5 / (FOOTPRINT_END * per_square);
+    float mean = shown_share(weight) * contrast;
+    for (int k = 0; k < count; ++k)
+        sum -= glint_powers[k] * (mean * min(widest / glint_widths[k], 1.0));
+    return sum;
 }
 
-// place: of flake_tilt.glsl; spread: standard deviation of tilt over which one flake still mirrors the light, rad.
-vec3 glint_ratio(GlintField g, vec3 place, float spread)
+// The sum over the lights of power times (ratio - 1).
+vec3 glint_difference(GlintField g, int count)
 {
     float level = floor(g.level);
     float rest = g.level - level;
-    vec3 ratio = glints_of_level(g, level, 1.0 - rest, place, spread);
+    vec3 sum = glints_of_level(g, level, 1.0 - rest, count);
     if (rest > 0.0)
-        ratio += glints_of_level(g, level + 1.0, rest, place, spread);
-    return ratio;
+        sum += glints_of_level(g, level + 1.0, rest, count);
+    return sum;
+}
+
+// For one light: place of flake_tilt.glsl; spread: standard deviation of tilt over which a flake still mirrors it, rad.
+vec3 glint_ratio(GlintField g, vec3 place, float spread)
+{
+    glint_places[0] = place.xy;
+    glint_widths[0] = place.z * spread;
+    glint_powers[0] = vec3(1.0);
+    return 1.0 + glint_difference(g, 1);
 }

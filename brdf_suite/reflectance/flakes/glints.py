@@ -6,7 +6,7 @@ surface and 2^-l on the square; a pair of cells holds one flake, jittered within
 is such that a footprint ends within two by two cells. Between levels flakes of one appear one by one while the
 other's go. Kernels end within the cells visited, so the mean is 1 exactly. Cells of tilts are never smaller than a
 flake's own spread; beyond that level one flake stands for the M of its pair of cells, its deviation from the mean
-over √M.
+over √M. The flakes of a cell of the surface share their place in it.
 """
 
 from __future__ import annotations
@@ -23,6 +23,8 @@ from brdf_suite.reflectance.flakes.hashing import GOLDEN, Words, cell_key, halve
 
 APPEARING = 0.2
 """Flakes of a level appear over this range of its weight."""
+FLAKE_AREA = 3.0
+"""Of the mean: the largest flake's area. Areas are 3 u², u even, so most flakes are small."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,7 @@ def shown(order: Floats, weight: Floats) -> Floats:
 
 def flake_tint(word: Words, colour_spread: float) -> Floats:
     """Return a colour (..., 3) of mean 1 over all flakes; the channels a third of a turn apart."""
-    turn = 2.0 * math.pi * ((word >> np.uint32(8)).astype(float) + 0.5) / 16777216.0
+    turn = 2.0 * math.pi * ((word >> np.uint32(16)).astype(float) + 0.5) / 65536.0
     thirds = np.array([0.0, 1.0, 2.0]) * (2.0 * math.pi / 3.0)
     return np.asarray(1.0 + colour_spread * np.cos(turn[..., None] + thirds))
 
@@ -111,6 +113,8 @@ def _of_level(field: GlintField, level: Floats, weight: Floats, place: Floats, w
     for cell_x, cell_y in product((0, 1), repeat=2):
         cell = first_cell + np.array([cell_x, cell_y])
         key = cell_key(cell[:, 0], cell[:, 1], salt)
+        beside = at - (cell + np.stack(halves(scrambled(key)), -1)) / per_mm[:, None]
+        cover = field.footprint.cover(beside[:, 0], beside[:, 1])
         for tilt_x, tilt_y in product((0, 1), repeat=2):
             tilt = first_tilt + np.array([tilt_x, tilt_y])
             mixed = wrapped(tilt[:, 0]) * np.uint32(0x3C6EF35F) + wrapped(tilt[:, 1]) * np.uint32(0x19660D)
@@ -118,12 +122,12 @@ def _of_level(field: GlintField, level: Floats, weight: Floats, place: Floats, w
             apart = place - (tilt + np.stack(halves(word), -1)) / per_square[:, None]
             bell = np.maximum(1.0 - (apart**2).sum(-1) * narrow, 0.0) ** 2
             other = scrambled(word + GOLDEN)
-            beside = at - (cell + np.stack(halves(other), -1)) / per_mm[:, None]
-            cover = field.footprint.cover(beside[:, 0], beside[:, 1])
-            third = scrambled(other + GOLDEN)
-            order = (third & np.uint32(0xFF)).astype(float) / 255.0
-            seen = bell * cover * shown(order, weight)
-            total += seen[:, None] * flake_tint(third, field.colour_spread)
+            order = ((other & np.uint32(0xFF)).astype(float) + 0.5) / 256.0
+            area = (
+                FLAKE_AREA * ((((other >> np.uint32(8)) & np.uint32(0xFF)).astype(float) + 0.5) / 256.0) ** 2
+            )
+            seen = bell * cover * area * shown(order, weight)
+            total += seen[:, None] * flake_tint(other, field.colour_spread)
     scale = 3.0 * narrow / (math.pi * (per_mm * per_square) ** 2)
     mean = shown_share(weight)[:, None]
     return np.asarray(mean + (total * scale[:, None] - mean) * contrast[:, None])

@@ -1,0 +1,62 @@
+"""Single lights as the uniform block that lights.glsl reads: the environment's brightest, then the lamps."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.colour_temperature import lamp_colour
+from brdf_suite.appearance.light_matrix import light_matrix
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Lamp
+from brdf_suite.lighting.lights.glinting import GlintLights
+
+MOST_LIGHTS = 24
+"""Sixteen of the environment and eight lamps."""
+BLOCK_SIZE = (1 + 2 * MOST_LIGHTS) * 16
+
+_OF_ENVIRONMENT, _DIRECTIONAL, _POINT = 0.0, 1.0, 2.0
+
+Floats = NDArray[np.float64]
+
+
+NO_LIGHTS = GlintLights(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
+
+
+def light_block(view: View, environment: GlintLights = NO_LIGHTS) -> bytes:
+    """Return the block, :data:`BLOCK_SIZE` bytes: the environment's lights, turned with it, and the view's lamps."""
+    block = np.zeros((1 + 2 * MOST_LIGHTS, 4), np.float32)
+    count = 0 if view.sparkle.mode == "off" else min(view.sparkle.light_count, len(environment.spreads))
+    turn = math.radians(view.rotation_deg)
+    cosine, sine = math.cos(turn), math.sin(turn)
+    about_y = np.array([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]])
+    rows = block[1:].reshape(MOST_LIGHTS, 2, 4)
+    rows[:count, 0, :3] = environment.directions[:count] @ about_y.T
+    rows[:count, 0, 3] = _OF_ENVIRONMENT
+    rows[:count, 1, :3] = (
+        environment.strengths[:count]
+        @ light_matrix(view.light_colour.illuminant, view.light_colour.adapted).T
+    )
+    rows[:count, 1, 3] = environment.spreads[:count]
+    for row, lamp in zip(rows[count:], view.lamps, strict=False):
+        row[0, :3], row[0, 3] = _place(lamp)
+        row[1, :3] = math.pi * lamp.strength * np.asarray(_colour(lamp.temperature_k))
+    block[0, :2] = count, count + len(view.lamps)
+    return block.tobytes()
+
+
+def _place(lamp: Lamp) -> tuple[Floats, float]:
+    if lamp.kind == "point":
+        return np.asarray(lamp.position), _POINT
+    azimuth, elevation = math.radians(lamp.azimuth_deg), math.radians(lamp.elevation_deg)
+    level = math.cos(elevation)
+    towards = np.array([level * math.sin(azimuth), math.sin(elevation), level * math.cos(azimuth)])
+    return towards, _DIRECTIONAL
+
+
+@lru_cache(maxsize=64)
+def _colour(kelvin: float) -> tuple[float, ...]:
+    return tuple(lamp_colour(kelvin).tolist())

@@ -1,0 +1,28 @@
+// Provides: vec4 light_lobe(float part, float chord), vec3 flake_lobe(float chord), LOBE_BASE, LOBE_GLOSS, LOBE_FLAKES
+// Needs:    LIGHT_LOBE_COLUMNS. Written by light_lobes.py
+//
+// A material's lobes as functions of the angle between the mirror direction of a light and the eye, tabulated, so that a
+// light costs one look-up for all of them:
+//     base   sum KDD_i cos(gamma)^E_i      gloss   sum KG_i cos(gamma)^E_i      flakes   the countable flakes' share of
+// the base. The table's variable is sqrt(sin(gamma / 2)), which gives the narrow lobes about gamma = 0 most of it; it
+// ends at 90 degrees, where every lobe is 0. The alphas of the three rows are KD's red, green and blue.
+uniform sampler2D light_lobes;
+
+const float LOBE_BASE = 0.0;
+const float LOBE_GLOSS = 1.0;
+const float LOBE_FLAKES = 2.0;
+
+// chord: the length of the difference of the two unit vectors, 2 sin(gamma / 2).
+vec4 light_lobe(float part, float chord)
+{
+    float along = min(1.1892071 * sqrt(0.5 * chord), 1.0);        // 1 / sqrt(sin(45 degrees))
+    const float columns = float(LIGHT_LOBE_COLUMNS);
+    return textureLod(light_lobes, vec2((along * (columns - 1.0) + 0.5) / columns, (part + 0.5) / 3.0), 0.0);
+}
+
+// The nearest column of the flakes' row: a hundredth of their brightness cannot be seen, and it is cheaper.
+vec3 flake_lobe(float chord)
+{
+    float along = min(1.1892071 * sqrt(0.5 * chord), 1.0);
+    return texelFetch(light_lobes, ivec2(int(along * float(LIGHT_LOBE_COLUMNS - 1) + 0.5), 2), 0).rgb;
+}

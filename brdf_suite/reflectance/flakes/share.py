@@ -1,0 +1,55 @@
+"""How much of a paint's base the flakes that can be counted send, and the rest that stays smooth.
+
+A paint's flakes lie in many layers; what sparkles are those that can be seen one by one: so many to the square
+millimetre, so large. They cover the share c = 1 - exp(-density·π/4·size²) of the surface, and as mirrors they send back
+R of the light on them, in and out through the coat. With the density of tilts p = bell / (2π m²) per solid angle, and
+the solid angle of a mirrored direction outside a coat of index n being 4 n² cos²θ'/cosθ times that of the tilt at the
+mirror direction (θ' below the coat),
+
+    f(γ) = c R T² bell(δ(γ)) / (8π m² n² cos²θ')
+
+is their mean reflectance at the light's polar angle θ, in 1/sr: δ(γ) the tilt that an aspecular angle sees. Their
+colour is the base's there, with R in its largest channel (they are seen through the same pigment), and they never
+send more than most of it.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from brdf_suite.documents.paint import Flakes
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reflectance.flake_rule import squared_tilt
+from brdf_suite.reflectance.flakes.tilt import tilt_bell
+
+FLAKE_REFLECTANCE = 0.9
+"""Of an aluminium flake, the usual one; published values of the metal are 0.87 to 0.92 over the visible."""
+LARGEST_SHARE = 0.9
+"""Of the base: finer flakes and pigment between them are never absent."""
+
+
+def covered(flakes: Flakes) -> float:
+    """Return the share of the surface, 0 to 1, that the countable flakes cover, overlapping at random."""
+    millimetres = flakes.size_um * 1e-3
+    return -math.expm1(-flakes.density_per_mm2 * math.pi / 4.0 * millimetres**2)
+
+
+def countable_lobe(
+    flakes: Flakes, gamma: Floats, base: Floats, theta: float, ior: float, strength: float = 1.0
+) -> Floats:
+    """Return the part (n, 3) of a base's lobes ``base`` (n, 3), 1/sr, at γ (n,) radians that countable flakes send.
+
+    ``theta`` is the light's polar angle that the lobes hold for, radians, ``ior`` the coat's index; ``strength`` is a
+    factor on the flakes' light, 1 being what the module derives.
+    """
+    n2 = ior * ior
+    cos2_below = 1.0 - math.sin(theta) ** 2 / n2
+    through = (1.0 - float(fresnel_dielectric(math.cos(theta), ior))) ** 2
+    m2 = flakes.roughness**2
+    peak = covered(flakes) * FLAKE_REFLECTANCE * through / (8.0 * math.pi * m2 * n2 * cos2_below)
+    wanted = strength * peak * tilt_bell(squared_tilt(gamma, theta, ior), flakes.roughness)
+    share = np.minimum(wanted / np.maximum(base.max(axis=-1), 1e-12), LARGEST_SHARE)
+    return np.asarray(base * share[:, None])
