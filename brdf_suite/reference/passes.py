@@ -128,8 +128,9 @@ def trace(
     """
     start = perf_counter()
     found = estimate or Estimate.nothing(scene.size)
+    before = found.samples
     report(progress, 0.0, "tracing")
-    if samples is not None and found.samples >= samples:
+    if samples is not None and before >= samples:
         return found
     for newest in refine(scene, found, samples_per_pass=samples_per_pass):
         found = newest
@@ -138,11 +139,12 @@ def trace(
         spent = perf_counter() - start
         shares = []
         if samples is not None:
-            shares.append(found.samples / samples)
+            shares.append((found.samples - before) / (samples - before))
         if seconds is not None:
             shares.append(spent / seconds)
         share = max(shares, default=0.0)
         if share >= 1.0:
             break
-        report(progress, share, f"{found.samples} samples a pixel, noise {100.0 * found.noise:.1f} %")
+        left = spent * (1.0 - share) / share
+        report(progress, share, f"{found.samples} samples, {left:.0f} s left")
     return found

@@ -17,7 +17,9 @@ import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.appearance.colour_temperature import lamp_colour
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.lighting.latlong import column_angles, direction, sample
 from brdf_suite.reference.bsdf import make_bsdf
 
@@ -81,6 +83,8 @@ def build_scene(
         },
     }
     bsdfs = {name: make_bsdf(term) for name, term in terms.items()}
+    for index, lamp in enumerate(view.lamps):
+        described[f"lamp_{index}"] = _lamp(lamp)
     for index, part in enumerate(parts):
         described[f"part_{index}"] = _mesh(f"part_{index}", part, bsdfs[part.material])
     return TracedScene(mi.load_dict(described), size, terms)
@@ -114,6 +118,25 @@ def _sensor(eye: Eye, size: tuple[int, int]) -> dict[str, Any]:
             "component_format": "float32",
             "rfilter": {"type": "box"},
         },
+    }
+
+
+def _lamp(lamp: Lamp) -> dict[str, Any]:
+    """A light of no size; ``strength`` is its illuminance over π, of a point lamp that at 1 m."""
+    power = mi.ScalarColor3f((math.pi * lamp.strength * lamp_colour(lamp.temperature_k)).tolist())
+    if lamp.kind == "point":
+        return {
+            "type": "point",
+            "position": list(lamp.position),
+            "intensity": {"type": "rgb", "value": power},
+        }
+    azimuth, elevation = math.radians(lamp.azimuth_deg), math.radians(lamp.elevation_deg)
+    level = math.cos(elevation)
+    towards = (level * math.sin(azimuth), math.sin(elevation), level * math.cos(azimuth))
+    return {
+        "type": "directional",
+        "direction": [-t for t in towards],
+        "irradiance": {"type": "rgb", "value": power},
     }
 
 

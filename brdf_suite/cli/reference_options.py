@@ -1,0 +1,86 @@
+"""``brdf-suite render --renderer reference``: the same picture by path tracing."""
+
+from __future__ import annotations
+
+import argparse
+import math
+
+from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.documents.view import View
+
+RENDERERS = ("realtime", "reference")
+
+
+def add_reference(command: argparse.ArgumentParser) -> None:
+    """Declare the choice of renderer and the path tracer's budget."""
+    command.add_argument(
+        "--renderer",
+        choices=RENDERERS,
+        default=RENDERERS[0],
+        help="realtime (the default): lobes in prefiltered light; reference: path tracing with Mitsuba, an optional "
+        "extra; an EXR then holds its variance too",
+    )
+    command.add_argument(
+        "--spp", type=_samples, default=None, metavar="N", help="reference: samples a pixel (default: 256)"
+    )
+    command.add_argument(
+        "--time", type=_seconds, default=None, metavar="S", help="reference: seconds to trace at most"
+    )
+    command.add_argument(
+        "--fresh",
+        action="store_true",
+        help="reference: begin anew; else the same command goes on from what an interrupted one kept",
+    )
+
+
+def run_reference(options: argparse.Namespace, view: View) -> int:
+    """Path-trace and write; print a line or a JSON object."""
+    from dataclasses import asdict
+
+    from brdf_suite.pipeline.reference import render_reference
+
+    with progress_bar("path tracing", quiet=options.json) as progress:
+        picture = render_reference(
+            options.paint,
+            view,
+            options.size,
+            options.output,
+            samples=options.spp,
+            seconds=options.time,
+            fresh=options.fresh,
+            progress=progress,
+        )
+    if options.json:
+        facts = asdict(picture)
+        facts["output"] = str(facts.pop("path"))
+        facts["noise"] = picture.noise if math.isfinite(picture.noise) else None
+        print_json(facts)
+        return 0
+    for notice in picture.notices:
+        print(f"note: {notice}")
+    before = f", {picture.resumed_samples} of them from before" if picture.resumed_samples else ""
+    noise = f"noise {100.0 * picture.noise:.1f} %" if math.isfinite(picture.noise) else "noise not known"
+    print(
+        f"{picture.path}: {picture.width}×{picture.height}, {picture.paint} on {picture.surface} in "
+        f"{picture.environment}; {picture.samples} samples a pixel{before}, {noise}, "
+        f"{picture.seconds:.1f} s ({picture.renderer})"
+    )
+    return 0
+
+
+def _samples(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= 1_000_000):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of samples from 1 to 1,000,000")
+    return int(text)
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = math.nan
+    if not 0.0 < seconds <= 1e6:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a time in seconds, more than 0 and at most a million"
+        )
+    return seconds

@@ -1,0 +1,142 @@
+"""A paint by name or file, in a view, to a path-traced picture: in passes, within a budget, and to be gone on from."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from brdf_suite.documents.view import View
+from brdf_suite.errors import FileError
+from brdf_suite.pipeline.picture_file import check_target
+from brdf_suite.pipeline.reference_scene import ReferenceScene, Size, prepare_reference
+from brdf_suite.progress import Progress, part, report
+
+if TYPE_CHECKING:
+    from brdf_suite.reference.passes import Estimate
+
+DEFAULT_SAMPLES = 256
+_KEEP_EVERY_S = 20.0
+
+
+@dataclass(frozen=True)
+class ReferencePicture:
+    """A path-traced picture that was written."""
+
+    path: Path
+    width: int
+    height: int
+    paint: str
+    environment: str
+    surface: str
+    renderer: str
+    samples: int
+    seconds: float
+    noise: float
+    resumed_samples: int
+    notices: tuple[str, ...]
+
+
+def render_reference(
+    paint: str | os.PathLike[str],
+    view: View,
+    size: Size,
+    path: Path,
+    *,
+    samples: int | None = None,
+    seconds: float | None = None,
+    fresh: bool = False,
+    progress: Progress | None = None,
+) -> ReferencePicture:
+    """Path-trace a picture and write it as PNG (as a screen shows it) or EXR (radiance with its variance).
+
+    What is traced is kept in ``<path>.part.exr`` every few seconds and when the progress callback cancels; the same
+    call goes on from there, unless it is to begin ``fresh``. Errors as :func:`prepare_reference`.
+
+    Parameters
+    ----------
+    samples, seconds
+        The budget per pixel and in time, whichever is spent first; 256 samples where neither is given.
+    """
+    from brdf_suite.reference.estimate_file import read_estimate, write_estimate
+    from brdf_suite.reference.passes import trace
+
+    if path.suffix.lower() not in (".png", ".exr"):
+        raise FileError(path, "pictures are written as PNG or EXR; give a name that ends in .png or .exr")
+    check_target(path)
+    scene = prepare_reference(paint, view, size, progress=part(progress, 0.0, 0.05))
+    state = path.with_name(path.name + ".part.exr")
+    begun = None if fresh or not state.exists() else read_estimate(state, scene.key)
+    if samples is None and seconds is None:
+        samples = DEFAULT_SAMPLES
+    last = perf_counter()
+
+    def keep(estimate: Estimate) -> None:
+        nonlocal last
+        if perf_counter() - last >= _KEEP_EVERY_S:
+            write_estimate(state, estimate, scene.whole(estimate), scene.key)
+            last = perf_counter()
+
+    newest: list[Estimate] = []
+
+    def kept(estimate: Estimate) -> None:
+        newest[:] = [estimate]
+        keep(estimate)
+
+    try:
+        estimate = trace(
+            scene.traced,
+            samples=samples,
+            seconds=seconds,
+            estimate=begun,
+            progress=part(progress, 0.05, 0.98),
+            kept=kept,
+        )
+    except BaseException:
+        if newest:  # cancelled, or out of memory: what is there is not lost
+            write_estimate(state, newest[0], scene.whole(newest[0]), scene.key)
+        raise
+    _write(path, scene, estimate)
+    state.unlink(missing_ok=True)
+    report(progress, 1.0, "written")
+    return ReferencePicture(
+        path=path,
+        width=size[0],
+        height=size[1],
+        paint=scene.name,
+        environment=scene.environment,
+        surface=scene.surface,
+        renderer=scene.renderer,
+        samples=estimate.samples,
+        seconds=estimate.seconds,
+        noise=estimate.noise,
+        resumed_samples=0 if begun is None else begun.samples,
+        notices=scene.notices,
+    )
+
+
+def refined(scene: ReferenceScene, estimate: Estimate | None = None) -> Iterator[Estimate]:
+    """Yield ever better estimates of a scene, without end: for a window that refines while it is idle."""
+    from brdf_suite.reference.passes import refine
+
+    return refine(scene.traced, estimate)
+
+
+def _write(path: Path, scene: ReferenceScene, estimate: Estimate) -> None:
+    from brdf_suite.files.images import write_png
+    from brdf_suite.reference.estimate_file import write_estimate
+
+    told = {
+        "Software": "BRDF Suite",
+        "Title": scene.name,
+        "Description": f"{scene.name} on {scene.surface} in {scene.environment}, path-traced with {estimate.samples} "
+        f"samples a pixel, {scene.exposed_view(estimate).exposure_ev:+g} EV, "
+        f"tone curve {scene.view.tone_curve}",
+    }
+    if path.suffix.lower() == ".exr":
+        write_estimate(path, estimate, scene.whole(estimate), scene.key, {"comments": told["Description"]})
+    else:
+        write_png(path, scene.codes(estimate), told)

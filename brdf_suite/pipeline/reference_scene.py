@@ -1,0 +1,240 @@
+"""Scene to path-traced picture: the same paint, environment, surface and view as the real-time picture's.
+
+The path tracer is an optional extra; nothing of it is imported before it is asked for.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.colorimetry import REC709_TO_WORKING, srgb_decode
+from brdf_suite.appearance.light_matrix import light_matrix
+from brdf_suite.documents.store import view_to_json
+from brdf_suite.documents.view import View
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.pipeline.environments import read_environment
+from brdf_suite.pipeline.exposure import ev_of, exposed
+from brdf_suite.pipeline.scene import find_environment
+from brdf_suite.pipeline.surface import load_shaped
+from brdf_suite.progress import Progress, part, report
+from brdf_suite.realtime.camera import Bounds, compose, matrices
+from brdf_suite.realtime.stock_materials import stock_materials
+from brdf_suite.realtime.tone_curves import to_display
+from brdf_suite.realtime.values import MaterialWeights
+from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.surface.mesh import Mesh
+
+if TYPE_CHECKING:
+    from brdf_suite.reference.passes import Estimate
+    from brdf_suite.reference.scene import TracedScene
+
+Size = tuple[int, int]
+Pixels = NDArray[np.float64]
+
+_GREY = 0.18
+_PAINT = "paint"
+
+
+@dataclass(frozen=True, eq=False)
+class ReferenceScene:
+    """A scene ready to be traced. ``view`` has its camera placed; ``behind`` (h, w, 3) is what the object leaves free.
+
+    ``key`` tells the scene: estimates of one key may be put together.
+    """
+
+    name: str
+    traced: TracedScene
+    view: View
+    size: Size
+    behind: Pixels
+    key: str
+    environment: str
+    surface: str
+    renderer: str
+    notices: tuple[str, ...]
+
+    def whole(self, estimate: Estimate) -> Pixels:
+        """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
+        from brdf_suite.reference.backdrop import composed
+
+        return composed(estimate.radiance, estimate.coverage, self.behind / self._backdrop_exposure(estimate))
+
+    def exposed_view(self, estimate: Estimate) -> View:
+        """Return the view with its exposure measured where it is automatic."""
+        if self.view.exposure_mode == "locked":
+            return self.view
+        seen = np.concatenate((estimate.radiance, estimate.coverage[..., None]), axis=-1)
+        return exposed(self.view, ev_of(seen))
+
+    def codes(self, estimate: Estimate) -> NDArray[np.uint8]:
+        """Return the picture (h, w, 3) uint8 sRGB as the real-time renderer would show this light."""
+        view = self.exposed_view(estimate)
+        return np.asarray(to_display(self.whole(estimate), view.exposure_ev, view.tone_curve), np.uint8)
+
+    def _backdrop_exposure(self, estimate: Estimate) -> float:
+        # A backdrop of one colour looks the same at any exposure; the environment is light like any other.
+        if self.view.background in ("grey", "colour"):
+            return float(2.0 ** self.exposed_view(estimate).exposure_ev)
+        return 1.0
+
+
+def load_reflectance(name_or_path: str | os.PathLike[str]) -> tuple[str, Reflectance, tuple[str, ...]]:
+    """Return name, reflectance and notices of a paint by name or file, or of a measured file; errors as the readers."""
+    from brdf_suite.pipeline.measuring import load_measurable
+
+    item = load_measurable(name_or_path)
+    return item.name, item.reflectance, item.notices
+
+
+def prepare_reference(
+    paint: str | os.PathLike[str],
+    view: View,
+    size: Size,
+    *,
+    progress: Progress | None = None,
+) -> ReferenceScene:
+    """Load everything and hand it to the path tracer.
+
+    Raises
+    ------
+    ReferenceUnavailableError
+        Mitsuba or LLVM is missing; the message says what to install.
+    FileError
+        The paint, environment or surface cannot be read.
+    UnreachableError
+        No such paint can be.
+    """
+    from brdf_suite.reference.variant import start
+
+    report(progress, 0.0, "starting the path tracer")
+    start()
+    name, reflectance, notices = load_reflectance(paint)
+    report(progress, 0.3, "reading the environment")
+    _, path = find_environment(view.environment)
+    environment = read_environment(path, view.environment_layout, part(progress, 0.3, 0.6))
+    mesh = load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.8))
+    return build_reference(name, reflectance, view, size, environment, mesh, notices=notices)
+
+
+def build_reference(
+    name: str,
+    reflectance: Reflectance | MaterialWeights,
+    view: View,
+    size: Size,
+    environment: Environment,
+    mesh: Mesh,
+    *,
+    notices: tuple[str, ...] = (),
+) -> ReferenceScene:
+    """Return the scene of what is loaded already; fitted weights in place of a reflectance are traced as they are."""
+    from brdf_suite.reference.backdrop import environment_behind
+    from brdf_suite.reference.scene import Eye, SurfacePart, build_scene
+    from brdf_suite.reference.translate import translate
+    from brdf_suite.reference.variant import start
+
+    variant = start()
+    bounds = Bounds.of(p.positions for p in mesh.parts)
+    view = replace(view, camera=compose(view.camera, bounds, size))
+    camera = matrices(view.camera, bounds, size)
+    eye = Eye(camera.eye, camera.view_to_world, camera.half_tangents[0])
+    told: tuple[str, ...] = ()
+    if isinstance(reflectance, MaterialWeights):
+        paint = lobe_term(reflectance, view)
+    else:
+        translated = translate(reflectance)
+        paint, told = translated.term, translated.notices
+    stock = _stock_terms(mesh, view)
+    tint = light_matrix(view.light_colour.illuminant, view.light_colour.adapted)
+    radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
+    traced = build_scene(
+        [SurfacePart(p.material, p.positions, p.normals, p.triangles) for p in mesh.parts],
+        {**stock, _PAINT: paint},
+        radiance,
+        eye,
+        view,
+        size,
+    )
+    if view.background in ("environment", "blurred"):
+        behind = environment_behind(radiance, view.rotation_deg, eye, size)
+    else:
+        behind = np.broadcast_to(_backdrop(view), (size[1], size[0], 3))
+    return ReferenceScene(
+        name=name,
+        traced=traced,
+        view=view,
+        size=size,
+        behind=behind,
+        key=_key(name, reflectance, view, size, environment, mesh),
+        environment=environment.name,
+        surface=mesh.name,
+        renderer=variant.title,
+        notices=(*notices, *told, *environment.notes, *mesh.notes, *_left_out(view)),
+    )
+
+
+def lobe_term(weights: MaterialWeights, view: View) -> Any:
+    """Return lobe weights as something that reflects, with the gains that the view asks for."""
+    from brdf_suite.reference.lobe_weights import LobeWeights
+
+    return LobeWeights(
+        np.asarray(weights.exponents, float),
+        weights.kd,
+        weights.kdd,
+        weights.kg,
+        weights.coat,
+        weights.theta_fit_rad,
+        weights.ior,
+        raised=view.fresnel != "off",
+    )
+
+
+def _stock_terms(mesh: Mesh, view: View) -> dict[str, Any]:
+    from brdf_suite.fitting.lobes.basis import default_basis
+
+    stock = stock_materials(default_basis().exponents)
+    used = {p.material for p in mesh.parts}
+    return {name: lobe_term(weights, view) for name, weights in stock.items() if name in used}
+
+
+def _backdrop(view: View) -> Pixels:
+    if view.background == "colour":
+        return np.asarray(REC709_TO_WORKING @ srgb_decode(view.background_colour))
+    return np.full(3, _GREY)
+
+
+def _left_out(view: View) -> tuple[str, ...]:
+    """Sentences about what the view asks for and the path tracer does not draw."""
+    told = []
+    if view.sparkle.mode != "off":
+        told.append("The reference shows flakes as their mean, without sparkle.")
+    if view.background == "blurred":
+        told.append("The reference shows the environment behind the object as it is, not blurred.")
+    return tuple(told)
+
+
+def _key(name: str, reflectance: Any, view: View, size: Size, environment: Environment, mesh: Mesh) -> str:
+    """Tell a scene by what its light depends on; how the light is shown is no part of it."""
+    neutral = replace(view, exposure_ev=0.0, tone_curve="linear", exposure_mode="locked", background="grey")
+    digest = hashlib.sha256(json.dumps(view_to_json(neutral), sort_keys=True).encode())
+    digest.update(repr((name, size, environment.content_hash)).encode())
+    # The reflectance by what it is: values at some directions tell any two apart that a picture could.
+    if not isinstance(reflectance, MaterialWeights):
+        rng = np.random.default_rng(1)
+        directions = rng.normal(size=(2, 512, 3))
+        directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
+        directions[..., 2] = np.abs(directions[..., 2])
+        digest.update(np.round(reflectance.eval(directions[0], directions[1]), 9).tobytes())
+    else:
+        for array in (reflectance.kd, reflectance.kdd, reflectance.kg):
+            digest.update(np.asarray(array).tobytes())
+    for p in mesh.parts:
+        digest.update(p.positions.tobytes())
+        digest.update(p.triangles.tobytes())
+    return digest.hexdigest()
