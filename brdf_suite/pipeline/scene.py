@@ -12,13 +12,14 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
+from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.lighting.prefilter import LobeMaps, Ready
 from brdf_suite.pipeline.environments import AUTOMATIC, read_environment
 from brdf_suite.pipeline.partial_maps import PartialMaps
+from brdf_suite.pipeline.shading_maps import map_exponents
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.resources import resource, resource_names
 from brdf_suite.surface.mesh import Mesh
@@ -215,7 +216,7 @@ def prepare_environment(
     partial: Partial | None = None,
 ) -> PreparedEnvironment:
     """Have an environment's maps made for ``basis``; ``partial`` as for :func:`load_environment`."""
-    exponents = (basis or default_basis()).exponents
+    exponents = map_exponents(basis)
     so_far = PartialMaps(environment, exponents)
 
     def ready(exponent: float | None, faces: FaceArray) -> None:

@@ -1,4 +1,4 @@
-"""The maps of one environment on the GPU: a seamless cube map per lobe, the diffuse map, the background.
+"""The maps of one environment on the GPU: the stack of broad lobes, a cube map per sharp lobe, diffuse, background.
 
 A map that serves several purposes (the background is the map of the lobes too sharp to be filtered) is uploaded
 once. A new environment of the same sizes is written into the textures that are there.
@@ -7,12 +7,15 @@ once. A new environment of the same sizes is written into the textures that are 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import moderngl
 import numpy as np
 
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.gpu_objects import GpuObjects
+from brdf_suite.realtime.lobe_stack import BROADEST_SHARP, Ladder, LobeStack
+from brdf_suite.realtime.material_ramp import MAX_SHARP
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps
 
 _SEAMLESS = 0x884F  # GL_TEXTURE_CUBE_MAP_SEAMLESS, core since OpenGL 3.2
@@ -20,64 +23,103 @@ _SEAMLESS = 0x884F  # GL_TEXTURE_CUBE_MAP_SEAMLESS, core since OpenGL 3.2
 MIPMAPPED_FROM = 256
 """Faces this large get mip levels: a tightly curved surface squeezes a sharp lobe's map into few pixels."""
 
+DIFFUSE_UNIT, BACKGROUND_UNIT, STACK_UNIT, RAMP_UNIT, FIRST_SHARP_UNIT = range(5)
+"""The texture units of all that shading reads; sharp lobes take 4 to 11 of the 16 that OpenGL 3.3 grants."""
+
+_DIFFUSE_EXPONENT = 1.0
+
+
+@dataclass(frozen=True)
+class _Map:
+    texture: moderngl.TextureCube
+    scale: float
+
+    @property
+    def level(self) -> float:
+        # A face of F texels is 2 wide at distance 1: F / 2 texels per radian in its middle.
+        return math.log2(self.texture.size[0] / 2)
+
 
 class EnvironmentTextures:
-    """A texture unit for each distinct map: 0 diffuse, then background and lobes."""
+    """The textures of one environment, and the uniforms that tell the shader of them."""
 
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects
         self._textures: list[moderngl.TextureCube] = []
-        self._units: list[int] = []  # of the diffuse map, the background, and each lobe
-        self._scales: list[float] = []
+        self._stack = LobeStack(objects)
+        self._diffuse: _Map | None = None
+        self._background: _Map | None = None
+        self._sharp: dict[float, _Map] = {}
         self.exponents: tuple[float, ...] = ()
+
+    @property
+    def ladder(self) -> Ladder:
+        """The exponents of the stack's slices."""
+        return self._stack.ladder
 
     def load(self, maps: EnvironmentMaps) -> None:
         """Write all maps; :class:`GraphicsError` where the GPU's memory or size limit is exceeded."""
-        all_faces = (maps.diffuse, maps.background, *maps.lobes)
+        by_exponent = dict(zip(maps.exponents, maps.lobes, strict=True))
+        sharp = {e: faces for e, faces in by_exponent.items() if e > BROADEST_SHARP}
+        broad = {e: faces for e, faces in by_exponent.items() if e <= BROADEST_SHARP}
+        broad.setdefault(_DIFFUSE_EXPONENT, maps.diffuse)
+        whole = (maps.diffuse, maps.background, *sharp.values())
         # The same numbers under another scale are the same texture: scales are uniforms.
-        distinct = {id(faces.faces): faces for faces in all_faces}
-        unit_of = {identity: unit for unit, identity in enumerate(distinct)}
+        distinct = {id(faces.faces): faces for faces in whole}
         sizes = [faces.size for faces in distinct.values()]
         if sizes != [texture.size[0] for texture in self._textures]:
-            self.release()
+            self._release_cubes()
             self._textures = [self._objects.cube(size) for size in sizes]
         with graphics_errors(self._objects.context, "loading the environment's maps"):
             for texture, faces in zip(self._textures, distinct.values(), strict=True):
                 self._write(texture, faces)
-        self._units = [unit_of[id(faces.faces)] for faces in all_faces]
-        self._scales = [faces.scale for faces in all_faces]
+        self._stack.load(sorted(broad.items()))
+        texture_of = dict(zip(distinct, self._textures, strict=True))
+        diffuse, background, *others = (_Map(texture_of[id(faces.faces)], faces.scale) for faces in whole)
+        self._diffuse, self._background = diffuse, background
+        self._sharp = dict(zip(sharp, others, strict=True))
         self.exponents = maps.exponents
 
     def bind(self) -> None:
-        """Bind every map to its unit and switch filtering across the edges of faces on."""
+        """Bind what all materials share and switch filtering across the edges of faces on."""
         self._objects.context.enable_direct(_SEAMLESS)
-        for unit, texture in enumerate(self._textures):
-            texture.use(unit)
+        if self._diffuse is not None and self._background is not None:
+            self._diffuse.texture.use(DIFFUSE_UNIT)
+            self._background.texture.use(BACKGROUND_UNIT)
+            self._stack.use(STACK_UNIT)
+            # Whatever a material does not look up must be bound to something of its kind all the same.
+            for unit in range(MAX_SHARP):
+                self._background.texture.use(FIRST_SHARP_UNIT + unit)
 
     def uniforms(self) -> dict[str, object]:
-        """Return the units and scales of the two maps by the names of environment.glsl."""
+        """Return what all materials share, by the names of environment.glsl, lobe_stack.glsl and lobes.glsl."""
+        if self._diffuse is None or self._background is None:
+            return {}
         return {
-            "diffuse_map": self._units[0],
-            "background_map": self._units[1],
-            "diffuse_scale": self._scales[0],
-            "background_scale": self._scales[1],
-        }
+            "diffuse_map": DIFFUSE_UNIT,
+            "background_map": BACKGROUND_UNIT,
+            "diffuse_scale": self._diffuse.scale,
+            "background_scale": self._background.scale,
+            "ramp": RAMP_UNIT,
+            "sharp_maps": tuple(range(FIRST_SHARP_UNIT, FIRST_SHARP_UNIT + MAX_SHARP)),
+        } | self._stack.uniforms(STACK_UNIT)
 
-    def lobe_uniforms(self, lobes: tuple[int, ...], look_ups: int) -> dict[str, object]:
-        """Return the maps of some lobes by the names of lobes.glsl, filled up with any map to ``look_ups``."""
-        places = [2 + lobe for lobe in lobes] + [2] * (look_ups - len(lobes))
-        return {
-            "lobe_maps": tuple(self._units[place] for place in places),
-            "lobe_exponents": tuple(self.exponents[place - 2] for place in places),
-            "lobe_scales": tuple(self._scales[place] for place in places),
-            # A face of F texels is 2 wide at distance 1: F / 2 texels per radian in its middle.
-            "lobe_levels": tuple(
-                math.log2(self._textures[self._units[place]].size[0] / 2) for place in places
-            ),
-        }
+    def use_sharp(self, exponents: tuple[float, ...]) -> dict[str, object]:
+        """Bind the maps of a material's sharp lobes; return ``sharp_lobes`` of lobes.glsl: scale, level, exponent."""
+        lobes = []
+        for unit, exponent in enumerate(exponents):
+            own = self._sharp[exponent]
+            own.texture.use(FIRST_SHARP_UNIT + unit)
+            lobes.append((own.scale, own.level, exponent))
+        lobes += [(0.0, 0.0, 1.0)] * (MAX_SHARP - len(lobes))
+        return {"sharp_lobes": tuple(lobes)}
 
     def release(self) -> None:
         """Give the textures back."""
+        self._release_cubes()
+        self._stack.release()
+
+    def _release_cubes(self) -> None:
         for texture in self._textures:
             self._objects.release(texture)
         self._textures = []

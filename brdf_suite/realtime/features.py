@@ -18,6 +18,8 @@ def surface_features(view: View, *, knows_light: bool = False) -> Features:
     []
     """
     words: set[str] = set()
+    if view.look_up == "paper":
+        words.add("LOOK_UP_PAPER")
     if view.fresnel != "off":
         words.add("FRESNEL_RAISED")
     if knows_light and view.surface_look.occlusion:

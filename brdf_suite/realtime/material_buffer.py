@@ -1,47 +1,36 @@
-"""Lobe weights as the uniform block that the shader reads, std140: vec4 only, so no padding rules bite."""
+"""What of a material does not depend on N·V, as the uniform block that the shader reads.
+
+std140 with four-component members only, so no padding rules bite. The rest is the ramp (:mod:`.material_ramp`).
+"""
 
 from __future__ import annotations
-
-from dataclasses import dataclass
 
 import numpy as np
 
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.realtime.values import MAX_LOBES, MaterialWeights
+from brdf_suite.realtime.material_ramp import MAX_BROAD, Ramp
+from brdf_suite.realtime.values import MaterialWeights
 
 _KINDS = {"none": 0, "dielectric": 1, "metal": 2, "facets": 3}
 
 
-BLOCK_SIZE = (3 + 2 * MAX_LOBES) * 16
-"""Bytes of the block ``Material`` in material.glsl with room for the most lobes."""
+BLOCK_SIZE = (3 + MAX_BROAD) * 16
+"""Bytes of the block ``Material`` in material.glsl."""
 
 
-@dataclass(frozen=True)
-class PackedMaterial:
-    """The block, :data:`BLOCK_SIZE` bytes, and which lobes of the basis its places stand for."""
-
-    block: bytes
-    lobes: tuple[int, ...]
-
-
-def pack(weights: MaterialWeights) -> PackedMaterial:
-    """Return the weights as float32 for the shader; lobes without any weight are left out.
-
-    Weights are multiplied by the solid angle 2π/(E+1) of their lobe, so that they weigh unit-gain maps.
-    """
-    solid_angle = (2.0 * np.pi / (np.asarray(weights.exponents) + 1.0))[:, None]
-    block = np.zeros((3 + 2 * MAX_LOBES, 4), np.float32)
-    block[0, :3] = np.pi * weights.kd
+def pack(weights: MaterialWeights, ramp: Ramp) -> bytes:
+    """Return the block: counts of look-ups, coat, the gloss lobes' albedo, the look-ups' directions."""
+    block = np.zeros((3 + MAX_BROAD, 4), np.float32)
+    counts = (ramp.base, ramp.base + ramp.coat, len(ramp.sharp), 0)
+    block[0] = np.array(counts, np.int32).view(np.float32)
     reflected = float(fresnel_dielectric(np.cos(weights.theta_fit_rad), weights.ior))
     kind = _KINDS[weights.coat]
     if weights.coat in ("dielectric", "facets") and reflected < 1e-6:
         kind = _KINDS["none"]  # no interface: its ratios would be 0/0
     block[1] = (kind, weights.ior, 1.0 / max(reflected, 1e-6), 1.0 / (1.0 - reflected) ** 2)
-    albedo = (weights.kg * solid_angle).sum(axis=0)
+    solid_angle = 2.0 * np.pi / (np.asarray(weights.exponents) + 1.0)
+    albedo = solid_angle @ weights.kg
     block[2, :3] = albedo
     block[2, 3] = 1.0 / max(float(albedo.max()), 1e-6)
-    lobes = np.flatnonzero((weights.kdd > 0).any(axis=1) | (weights.kg > 0).any(axis=1))
-    end = 3 + 2 * len(lobes)
-    block[3:end:2, :3] = (weights.kdd * solid_angle)[lobes]
-    block[4:end:2, :3] = (weights.kg * solid_angle)[lobes]
-    return PackedMaterial(block.tobytes(), tuple(lobes.tolist()))
+    block[3 : 3 + len(ramp.toward_normal)] = ramp.toward_normal
+    return block.tobytes()

@@ -1,65 +1,103 @@
-"""One uniform buffer per material. A change of weights writes the buffer and makes nothing."""
+"""A uniform buffer and a ramp texture per material. A change of weights writes both and makes nothing."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
+
 import moderngl
 
+from brdf_suite.documents.view import FresnelMode, LookUp
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.gpu_objects import GpuObjects
+from brdf_suite.realtime.lobe_stack import Ladder
+from brdf_suite.realtime.look_up_table import RAMP_NODES
 from brdf_suite.realtime.material_buffer import BLOCK_SIZE, pack
+from brdf_suite.realtime.material_ramp import MAX_ROWS, make_ramp
+from brdf_suite.realtime.programs import LookUps
 from brdf_suite.realtime.stock_materials import stock_materials
 from brdf_suite.realtime.values import MaterialWeights
 
 
+@dataclass(frozen=True)
+class Modes:
+    """What of a view the ramps depend on."""
+
+    fresnel: FresnelMode = "raised"
+    look_up: LookUp = "shifted"
+
+
+@dataclass
+class MaterialOnGpu:
+    """One material as the shader has it; ``sharp`` are the exponents that need a map of their own, bound in order."""
+
+    buffer: moderngl.Buffer
+    ramp: moderngl.Texture
+    sharp: tuple[float, ...] = ()
+    look_ups: LookUps = field(default=LookUps(0, 1))
+    made_for: tuple[MaterialWeights, Modes, Ladder] | None = None
+
+
 class MaterialSet:
-    """Materials by name. A name that was never set is a stock material, or the stock "neutral" grey."""
+    """Materials by name. A name that was never set is a stock material, or the stock "neutral" grey.
+
+    What is written depends on the view's modes and the environment's exponents: it is worked out when a material is
+    first drawn with them, for each material that is drawn.
+    """
 
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects
-        self._buffers: dict[str, moderngl.Buffer] = {}
-        self._lobes: dict[str, tuple[int, ...]] = {}
-        self._given: dict[str, tuple[float, ...]] = {}
+        self._weights: dict[str, MaterialWeights] = {}
+        self._stock: dict[str, MaterialWeights] = {}
+        self._written: dict[str, MaterialOnGpu] = {}
         self._exponents: tuple[float, ...] = ()
 
     def set_exponents(self, exponents: tuple[float, ...]) -> None:
         """Fit the stock materials to the environment's lobes."""
-        if exponents == self._exponents:
-            return
-        self._exponents = exponents
-        for name, weights in stock_materials(exponents).items():
-            if name not in self._given:
-                self._write(name, weights)
+        if exponents != self._exponents:
+            self._exponents = exponents
+            self._stock = stock_materials(exponents)
 
     def set(self, name: str, weights: MaterialWeights) -> None:
-        """Write the weights of a material."""
-        self._given[name] = weights.exponents
-        self._write(name, weights)
+        """Take the weights of a material; they are written when it is next drawn."""
+        self._weights[name] = weights
 
-    def find(self, name: str) -> tuple[moderngl.Buffer, tuple[int, ...]]:
-        """Return a material's buffer and the lobes in it.
+    def find(self, name: str, modes: Modes, ladder: Ladder) -> MaterialOnGpu:
+        """Return a material as it is drawn, written where anything has changed.
 
         Raises
         ------
         GraphicsError
-            Its weights are for other lobes than the environment's.
+            It has weights on sharp lobes that the environment has no maps of, or on too many.
         """
-        if self._given.get(name, self._exponents) != self._exponents:
+        weights = self._weights.get(name) or self._stock.get(name) or self._stock["neutral"]
+        known = name if name in self._weights or name in self._stock else "neutral"
+        if known not in self._written:
+            self._written[known] = MaterialOnGpu(
+                self._objects.buffer(reserve=BLOCK_SIZE, dynamic=True),
+                self._objects.ramp((RAMP_NODES, MAX_ROWS)),
+            )
+        written = self._written[known]
+        made = written.made_for
+        if made is None or made[0] is not weights or made[1:] != (modes, ladder):
+            self._write(known, written, weights, modes, ladder)
+        if not set(written.sharp) <= set(self._exponents):
             raise GraphicsError(
-                f"The material {name} was fitted to {_list(self._given[name])}, but the environment was "
+                f"The material {name} was fitted to {_list(weights.exponents)}, but the environment was "
                 f"filtered for {_list(self._exponents)}; fit it again."
             )
-        known = name if name in self._buffers else "neutral"
-        return self._buffers[known], self._lobes[known]
+        return written
 
-    def _write(self, name: str, weights: MaterialWeights) -> None:
-        # Room for any number of lobes, so that a change of the lobe set makes no buffer either.
-        if name not in self._buffers:
-            self._buffers[name] = self._objects.buffer(reserve=BLOCK_SIZE, dynamic=True)
-        packed = pack(weights)
+    def _write(
+        self, name: str, written: MaterialOnGpu, weights: MaterialWeights, modes: Modes, ladder: Ladder
+    ) -> None:
+        ramp = make_ramp(weights, modes.fresnel, modes.look_up, ladder)
         with graphics_errors(self._objects.context, f"writing the weights of {name}"):
-            self._buffers[name].write(packed.block)
-        self._lobes[name] = packed.lobes
+            written.buffer.write(pack(weights, ramp))
+            written.ramp.write(ramp.rows, viewport=(0, 0, RAMP_NODES, len(ramp.rows)))
+        written.sharp = ramp.sharp
+        written.look_ups = LookUps.enough_for(ramp.base + ramp.coat, len(ramp.sharp))
+        written.made_for = (weights, modes, ladder)
         self._objects.counters.buffer_writes += 1
 
 

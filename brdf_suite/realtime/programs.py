@@ -1,14 +1,17 @@
-"""The shader programs, compiled at first use and kept: one per number of look-ups or samples."""
+"""The shader programs, compiled at first use and kept: one per set of features or number of samples."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 import moderngl
 
 from brdf_suite.realtime.gpu_objects import GpuObjects
-from brdf_suite.realtime.shader_source import SHADERS, compose, lobe_defines
+from brdf_suite.realtime.look_up_table import RAMP_NODES
+from brdf_suite.realtime.material_ramp import MAX_BROAD, MAX_ROWS, MAX_SHARP
+from brdf_suite.realtime.shader_source import SHADERS, compose, look_up_defines
 
 MATERIAL_BINDING = 0
 
@@ -16,26 +19,52 @@ ScreenProgram = tuple[moderngl.Program, moderngl.VertexArray]
 
 
 def assign(program: moderngl.Program, values: Mapping[str, object]) -> None:
-    """Set uniforms by name; those that the compiler found unused, and dropped, are passed over."""
-    for name, value in values.items():
-        if name in program:
-            # An array of one is a plain number to moderngl.
-            program[name] = value[0] if isinstance(value, tuple) and len(value) == 1 else value
+    """Set uniforms by name; those that the compiler found unused, and dropped, are passed over.
 
-
-def look_up_counts(lobes: int) -> tuple[int, ...]:
-    """Return the numbers of look-ups that there are programs for, ascending, the last being ``lobes``.
-
-    Fitted paints have weights on three or four lobes of ten, so most surfaces read less than half of the maps.
-
-    >>> look_up_counts(10), look_up_counts(3)
-    ((4, 7, 10), (3,))
+    Arrays are tuples with a value per element; of an array whose end is unused the rest is set.
     """
-    return tuple(sorted({min(count, lobes) for count in (4, 7, lobes)}))
+    for name, value in values.items():
+        uniform = program.get(name, None)
+        if not isinstance(uniform, moderngl.Uniform):
+            continue
+        is_array = isinstance(value, tuple) and len(value) > uniform.dimension * uniform.array_length
+        if isinstance(value, tuple) and (is_array or isinstance(value[0], tuple)):
+            value = value[: uniform.array_length]
+        # An array of one is a plain value to moderngl.
+        uniform.value = value[0] if isinstance(value, tuple) and len(value) == 1 else value
 
 
 Features = frozenset[str]
 """What of the surface shader is compiled in, by the words that its files test with ``#ifdef``."""
+
+
+@dataclass(frozen=True)
+class LookUps:
+    """How many broad and sharp lobes a surface program looks up; 0 broad: as many as the material says, in a loop."""
+
+    broad: int
+    sharp: int
+
+    @staticmethod
+    def enough_for(broad: int, sharp: int) -> LookUps:
+        """Return the smallest numbers that there is a program for.
+
+        Fitted paints have weights on three to five broad lobes and one sharp one, glass on one sharp alone. A loop
+        costs a software renderer half as much again as the look-ups written out, but serves any material.
+
+        >>> LookUps.enough_for(3, 1), LookUps.enough_for(7, 3)
+        (LookUps(broad=4, sharp=1), LookUps(broad=0, sharp=8))
+        """
+        return LookUps(
+            next((count for count in _WRITTEN_OUT if count >= broad), 0),
+            next(count for count in (1, 2, MAX_SHARP) if count >= sharp),
+        )
+
+
+_WRITTEN_OUT = (1, 4, 6)
+
+PAINTS = (LookUps(4, 1), LookUps(6, 1), LookUps(4, 2), LookUps(6, 2))
+"""What most paints need: made ready before the first frame, so that an edit which adds a lobe does not wait."""
 
 
 class Programs:
@@ -44,17 +73,23 @@ class Programs:
     def __init__(self, objects: GpuObjects, surface_shader: Path | None = None) -> None:
         self._objects = objects
         self._surface_shader = surface_shader or SHADERS / "mesh.frag.glsl"
-        self._surfaces: dict[tuple[int, Features], moderngl.Program] = {}
+        self._surfaces: dict[tuple[LookUps, Features], moderngl.Program] = {}
         self._screen: dict[tuple[str, int], ScreenProgram] = {}
 
-    def surface(self, look_ups: int, features: Features = frozenset()) -> moderngl.Program:
-        """Return the program that shades surfaces with so many look-ups of lobes and these features."""
+    def surface(self, look_ups: LookUps, features: Features = frozenset()) -> moderngl.Program:
+        """Return the program that shades surfaces with so many look-ups and these features."""
         key = (look_ups, features)
         if key not in self._surfaces:
             words = dict.fromkeys(sorted(features), "1")
+            limits = {
+                "MAX_BROAD": str(MAX_BROAD),
+                "MAX_SHARP": str(MAX_SHARP),
+                "RAMP_ROWS": str(MAX_ROWS),
+                "RAMP_NODES": str(RAMP_NODES),
+            }
             fragment = compose(
                 self._surface_shader.name,
-                lobe_defines(look_ups) | words,
+                look_up_defines(look_ups.broad, look_ups.sharp) | limits | words,
                 (self._surface_shader.parent, SHADERS),
             )
             program = self._objects.program(compose("mesh.vert.glsl", words), fragment)

@@ -29,18 +29,19 @@ from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.display import LINEAR, SRGB, Display, Unshowable
-from brdf_suite.realtime.environment_textures import EnvironmentTextures
+from brdf_suite.realtime.environment_textures import RAMP_UNIT, EnvironmentTextures
 from brdf_suite.realtime.features import surface_features
 from brdf_suite.realtime.finish import FinishPass
 from brdf_suite.realtime.gpu_objects import Counters, GpuObjects
-from brdf_suite.realtime.material_set import MaterialSet
+from brdf_suite.realtime.material_set import MaterialSet, Modes
 from brdf_suite.realtime.mesh_buffers import MeshBuffers
 from brdf_suite.realtime.programs import (
     MATERIAL_BINDING,
+    PAINTS,
     Features,
+    LookUps,
     Programs,
     assign,
-    look_up_counts,
 )
 from brdf_suite.realtime.strips import LARGEST_TILE, draw_strips, tile_limit
 from brdf_suite.realtime.target import LightTarget, PictureTarget
@@ -72,7 +73,7 @@ class Renderer:
         self._tile = LightTarget(self._objects)
         self._picture = PictureTarget(self._objects)
         self._finish = FinishPass(self._objects, self._programs)
-        self._warm: tuple[tuple[int, ...], int, int, Features] | None = None
+        self._warm: tuple[int, int, Features] | None = None
 
     @property
     def counters(self) -> Counters:
@@ -319,34 +320,32 @@ class Renderer:
                 "grounded": view.surface_look.ground,
             }
         )
-        ready: set[int] = set()
-        for part, material in enumerate(self._mesh.materials):
-            buffer, lobes = self._materials.find(materials.get(material, material))
-            look_ups = next(count for count in self._look_up_counts if count >= len(lobes))
-            program = self._programs.surface(look_ups, features)
-            if look_ups not in ready:
+        ready: set[LookUps] = set()
+        modes = Modes(view.fresnel, view.look_up)
+        for part, name in enumerate(self._mesh.materials):
+            material = self._materials.find(materials.get(name, name), modes, self._environment.ladder)
+            program = self._programs.surface(material.look_ups, features)
+            if material.look_ups not in ready:
                 assign(program, common)
-                ready.add(look_ups)
-            assign(program, self._environment.lobe_uniforms(lobes, look_ups))
-            buffer.bind_to_uniform_block(MATERIAL_BINDING)
+                ready.add(material.look_ups)
+            assign(program, self._environment.use_sharp(material.sharp))
+            material.ramp.use(RAMP_UNIT)
+            material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
             self._mesh.arrays(program)[part].render(moderngl.TRIANGLES)
 
     def _warm_up(self, samples: int, features: Features) -> None:
-        """Draw one triangle with every program: drivers finish compiling at the first draw, not in an edit."""
-        key = (self._look_up_counts, samples, self._mesh.generation, features)
+        """Draw one triangle with each program: drivers finish compiling at the first draw, not in an edit."""
+        key = (samples, self._mesh.generation, features)
         if self._warm == key or not self._mesh.materials:
             return
-        buffer, _ = self._materials.find("neutral")
-        buffer.bind_to_uniform_block(MATERIAL_BINDING)
-        for look_ups in self._look_up_counts:
+        material = self._materials.find("neutral", Modes(), self._environment.ladder)
+        material.ramp.use(RAMP_UNIT)
+        material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
+        for look_ups in PAINTS:
             program = self._programs.surface(look_ups, features)
-            assign(program, self._environment.uniforms() | self._environment.lobe_uniforms((), look_ups))
+            assign(program, self._environment.uniforms() | self._environment.use_sharp(()))
             self._mesh.arrays(program)[0].render(moderngl.TRIANGLES, vertices=3)
         self._warm = key
-
-    @property
-    def _look_up_counts(self) -> tuple[int, ...]:
-        return look_up_counts(len(self._environment.exponents))
 
     def _draw_background(self, view: View, camera: CameraMatrices, size: Size, corner: Corner) -> None:
         program, screen = self._programs.background()

@@ -71,13 +71,17 @@ def compose(
     return ShaderSource("\n".join(lines) + "\n", tuple(files))
 
 
-def lobe_defines(lobes: int) -> dict[str, str]:
-    """Return the defines for a shader of so many lobes: their number, and the loop over them written out.
+def look_up_defines(broad: int, sharp: int) -> dict[str, str]:
+    """Return the defines of the numbers of look-ups, and the loop over sharp lobes written out.
 
-    >>> lobe_defines(2)["FOR_EACH_LOBE(BODY)"]
+    >>> look_up_defines(4, 2)["FOR_EACH_SHARP_LOBE(BODY)"]
     'BODY(0) BODY(1)'
     """
-    return {"LOBES": str(lobes), "FOR_EACH_LOBE(BODY)": " ".join(f"BODY({i})" for i in range(lobes))}
+    return {
+        "BROAD": str(broad),
+        "SHARP": str(sharp),
+        "FOR_EACH_SHARP_LOBE(BODY)": " ".join(f"BODY({i})" for i in range(sharp)),
+    }
 
 
 def compile_program(

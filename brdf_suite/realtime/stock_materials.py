@@ -11,9 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.realtime.lobe_stack import BROADEST_SHARP
 from brdf_suite.realtime.values import MaterialWeights, checked_exponents
 
 _THETA_FIT = float(np.pi / 4)
+_BROAD = (8.0, 12.0, 30.0, 40.0, 60.0)
 
 
 def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
@@ -24,8 +26,12 @@ def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
     trim: satin black plastic; cavity: the inside of gaps and wheel wells, which most of the sky's light does
     not reach, so that next to nothing comes back; neutral: an 18 % grey, matt. ``paint`` is a plain grey under
     a coat, seen until the paint has been fitted.
+
+    Their broad lobes have exponents of their own, as far as the environment's broad lobes reach.
     """
-    e = checked_exponents(exponents)
+    given = checked_exponents(exponents)
+    reach = max((e for e in given if e <= BROADEST_SHARP), default=0.0)
+    e = tuple(sorted({*given, *(own for own in _BROAD if own <= reach)}))
     return {
         "glass": _coated(e, base=0.012, ior=1.52, coat_exponent=np.inf),
         "rubber": _coated(e, base=0.03, ior=1.5, coat_exponent=12.0, coat_share=0.35),

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.errors import ValueRangeError
 
-MAX_LOBES = 12
-"""With the diffuse map and the background this leaves two of the 16 texture units that OpenGL 3.3 grants."""
+MAX_LOBES = 64
+"""Of a material, and maps of an environment; how many a material may have weights on, ``material_ramp.py`` says."""
 
 Coat: TypeAlias = Literal["none", "dielectric", "facets", "metal"]
 
@@ -119,6 +119,27 @@ class EnvironmentMaps:
 
 
 @dataclass(frozen=True, eq=False)
+class WeightsOverAngle:
+    """Weights fitted at several incidences, at the cosines N·V of :data:`look_up_table.RAMP_COSINES`.
+
+    ``kd``, ``kdd``, ``kg`` are (64, 3), (64, m, 3), (64, m, 3) in 1/sr, finite and not negative.
+    """
+
+    kd: NDArray[Any]
+    kdd: NDArray[Any]
+    kg: NDArray[Any]
+
+    def __post_init__(self) -> None:
+        lobes = np.shape(self.kdd)[1] if np.ndim(self.kdd) == 3 else -1
+        shapes = {"kd": (64, 3), "kdd": (64, lobes, 3), "kg": (64, lobes, 3)}
+        for name, shape in shapes.items():
+            value = _finite(getattr(self, name), np.float64, shape, f"over_angle.{name}")
+            if (value < 0).any():
+                raise ValueRangeError(f"over_angle.{name}", "weights must not be negative")
+            object.__setattr__(self, name, value)
+
+
+@dataclass(frozen=True, eq=False)
 class MaterialWeights:
     """Lobe weights of one material, in the sense of the lobe sum
 
@@ -138,6 +159,8 @@ class MaterialWeights:
         ``dielectric``: gloss follows F(θ)/F(θ_fit) and the base T(θ)²/T(θ_fit)²; ``facets``: gloss follows
         F(θ)/F(θ_fit), the base stays; ``metal``: gloss rises from its own albedo to 1 at grazing; ``none``: the
         weights hold at every angle.
+    over_angle
+        Weights fitted at several incidences, for the Fresnel mode that takes them; None: there are none.
     """
 
     exponents: tuple[float, ...]
@@ -147,6 +170,7 @@ class MaterialWeights:
     theta_fit_rad: float = field(default=float(np.pi / 4))
     ior: float = 1.5
     coat: Coat = "dielectric"
+    over_angle: WeightsOverAngle | None = None
 
     def __post_init__(self) -> None:
         exponents = checked_exponents(self.exponents)
@@ -162,6 +186,8 @@ class MaterialWeights:
             raise ValueRangeError("ior", f"1 to 100 is wanted, not {self.ior!r}")
         if self.coat not in get_args(Coat):
             raise ValueRangeError("coat", f"none, dielectric, facets or metal is wanted, not {self.coat!r}")
+        if self.over_angle is not None and self.over_angle.kdd.shape[1] != len(exponents):
+            raise ValueRangeError("over_angle", f"{len(exponents)} lobes are wanted, as in the single fit")
 
 
 def checked_exponents(exponents: ArrayLike) -> tuple[float, ...]:

@@ -20,6 +20,7 @@ from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.lighting.prefilter import face_size
 from brdf_suite.pipeline.paint import PaintFitter
 from brdf_suite.pipeline.scene import default_paint
+from brdf_suite.pipeline.shading_maps import map_exponents
 from brdf_suite.progress import report
 from brdf_suite.realtime.context import create_context
 from brdf_suite.realtime.renderer import Renderer
@@ -38,6 +39,7 @@ SIZE = (1280, 720)
 COVERAGE = 0.58
 RADIUS = 0.1
 EXPONENTS = default_basis().exponents
+MAP_EXPONENTS = map_exponents()
 LARGEST_FACE = 512  # of an environment of 1024x512
 ROUNDS = 60
 
@@ -127,8 +129,8 @@ def _maps() -> EnvironmentMaps:
         face = np.stack([1 + np.sin(3 * s), 1 + np.sin(4 * t), 1 + np.sin(5 * s * t)], -1)
         return CubeFaces(np.broadcast_to(face, (6, size, size, 3)).astype(np.float16))
 
-    lobes = tuple(faces(face_size(e)) for e in EXPONENTS)
-    return EnvironmentMaps(EXPONENTS, lobes, faces(face_size(1.0)), faces(LARGEST_FACE))
+    lobes = tuple(faces(face_size(e)) for e in MAP_EXPONENTS)
+    return EnvironmentMaps(MAP_EXPONENTS, lobes, faces(face_size(1.0)), faces(LARGEST_FACE))
 
 
 def _weights(paint: Paint) -> MaterialWeights:

@@ -8,8 +8,10 @@ import pytest
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import GraphicsError
 from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.realtime.lobe_stack import Ladder
 from brdf_suite.realtime.material_buffer import BLOCK_SIZE, pack
-from brdf_suite.realtime.programs import look_up_counts
+from brdf_suite.realtime.material_ramp import MAX_SHARP, make_ramp
+from brdf_suite.realtime.programs import LookUps
 from brdf_suite.realtime.stock_materials import lobe_mix, stock_materials
 from brdf_suite.realtime.values import MaterialWeights
 
@@ -53,7 +55,7 @@ def test_unknown_material_is_the_neutral_grey(renderer, scenes):
 def test_weights_of_other_lobes_are_refused(renderer, scenes):
     renderer.set_environment(scenes.constant(exponents=(4.0, 100.0)))
     renderer.set_mesh([scenes.sphere()])
-    renderer.set_material("paint", scenes.weights(kd=0.5))
+    renderer.set_material("paint", scenes.weights(kd=0.5, gloss=0.04))
     with pytest.raises(GraphicsError, match=r"paint was fitted to 3 lobes .* filtered for 2 lobes"):
         renderer.render_image(View(), (16, 16))
     renderer.set_environment(scenes.constant())
@@ -122,17 +124,27 @@ def test_lobe_mix_keeps_the_albedo_and_lies_between_neighbours():
 
 
 def test_block(scenes):
-    """Layout of the uniform block, as material.glsl declares it: two places a lobe, lobes without weight left out."""
-    packed = pack(scenes.weights(kd=0.3, gloss=0.04, directional=0.2, ior=1.6))
-    block = np.frombuffer(packed.block, np.float32).reshape(-1, 4)
+    """Layout of the uniform block, as material.glsl declares it."""
+    weights = scenes.weights(kd=0.3, gloss=0.04, directional=0.2, ior=1.6)
+    ramp = make_ramp(weights, "raised", "shifted", Ladder((1.0, 8.0, 64.0)))
+    block = np.frombuffer(pack(weights, ramp), np.float32).reshape(-1, 4)
     assert block.nbytes == BLOCK_SIZE
     f = float(fresnel_dielectric(np.cos(np.pi / 4), 1.6))
-    assert block[0, :3] == pytest.approx(0.3)
+    assert block[0].view(np.int32).tolist() == [1, 1, 1, 0]
     assert block[1] == pytest.approx([1, 1.6, 1 / f, 1 / (1 - f) ** 2])
     assert block[2] == pytest.approx([0.04, 0.04, 0.04, 25])
-    assert packed.lobes == (0, 2)
-    assert block[3:, 0] == pytest.approx([0.2, 0, 0, 0.04] + [0] * (len(block) - 7))
-    assert np.frombuffer(pack(scenes.weights(ior=1.0)).block, np.float32)[4] == 0
+    assert block[3, 3] == 8.0
+    assert 0.3 < block[3, 0] < 0.6
+    assert ramp.sharp == (20000.0,)
+    bare = scenes.weights(ior=1.0)
+    packed = np.frombuffer(pack(bare, make_ramp(bare, "raised", "shifted", Ladder((1.0,)))), np.float32)
+    assert packed[4] == 0
+
+
+def test_programs_for_few_look_ups():
+    assert LookUps.enough_for(0, 0) == LookUps(1, 1)
+    assert LookUps.enough_for(5, 2) == LookUps(6, 2)
+    assert LookUps.enough_for(7, MAX_SHARP) == LookUps(0, MAX_SHARP)
 
 
 def test_every_number_of_weighted_lobes(renderer, scenes):
@@ -143,22 +155,14 @@ def test_every_number_of_weighted_lobes(renderer, scenes):
     constant = scenes.constant(1.0, exponents=exponents)
     renderer.set_environment(type(constant)(exponents, tuple(maps), constant.diffuse, constant.background))
     renderer.set_mesh([scenes.sheet()])
-    view = View(Camera(0, 0), tone_curve="linear")
-    renderer.set_material(
-        "paint", MaterialWeights(exponents, np.zeros(3), np.zeros((10, 3)), np.zeros((10, 3)))
-    )
-    renderer.render_image(view, (8, 8))
-    made = renderer.counters.total_created
+    view = View(Camera(0, 0), tone_curve="linear", look_up="paper")
     rng = np.random.default_rng(1)
     for k in range(11):
         kg = np.zeros((10, 3))
         chosen = rng.choice(10, k, replace=False)
         kg[chosen] = (np.asarray(exponents)[chosen, None] + 1) / (2 * np.pi) * 0.09
-        renderer.set_material(
-            "paint", MaterialWeights(exponents, np.zeros(3), np.zeros((10, 3)), kg, coat="none")
-        )
+        weights = MaterialWeights(exponents, np.zeros(3), np.zeros((10, 3)), kg, coat="none")
+        renderer.set_material("paint", weights)
         image = renderer.render_image(view, (8, 8)) / 255.0
         light = np.where(image <= 0.04045, image / 12.92, ((image + 0.055) / 1.055) ** 2.4)
         assert light[4, 4] == pytest.approx(np.full(3, 0.09 * levels[chosen].sum()), abs=0.006)
-    assert renderer.counters.total_created == made
-    assert look_up_counts(10) == (4, 7, 10)

@@ -13,8 +13,11 @@ from numpy.typing import NDArray
 from brdf_suite.fitting import LobeWeights
 from brdf_suite.fitting.lobes.raised import RaisedWeights
 from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.realtime.lobe_stack import Ladder
+from brdf_suite.realtime.look_up_table import RAMP_COSINES
 from brdf_suite.realtime.material_buffer import pack
-from brdf_suite.realtime.values import MAX_LOBES, Coat, MaterialWeights
+from brdf_suite.realtime.material_ramp import MAX_BROAD, make_ramp
+from brdf_suite.realtime.values import Coat, MaterialWeights
 
 Array = NDArray[np.float64]
 COSINES = np.linspace(0.0, 1.0, 101)
@@ -28,7 +31,7 @@ def gains_of_the_shader(
     coat: Coat,
 ) -> tuple[Array, Array]:
     (folder / "gains.glsl").write_text(
-        f'#define LOBES {MAX_LOBES}\n#define FRESNEL_RAISED 1\n#include "material.glsl"\n'
+        f'#define MAX_BROAD {MAX_BROAD}\n#define FRESNEL_RAISED 1\n#include "material.glsl"\n'
         "vec4 gains(float c) { vec3 base, gloss; fresnel_gains(c, base, gloss); return vec4(base.r, gloss.rgb); }\n"
     )
     material = MaterialWeights(
@@ -40,10 +43,17 @@ def gains_of_the_shader(
         weights.ior,
         coat,
     )
-    block = context.buffer(pack(material).block)
+    ramp = make_ramp(material, "raised", "paper", Ladder((1.0, 8.0)))
+    block = context.buffer(pack(material, ramp))
     block.bind_to_uniform_block(0)
     got = evaluate("gains.glsl", "gains(x.x)", np.tile(COSINES[:, None], 4))
     block.release()
+    # The ramp, which lobes are looked up with, has the same gains.
+    base, gloss = RaisedWeights(weights, "view").gains(RAMP_COSINES)
+    np.testing.assert_allclose(ramp.rows[0, :, 0], np.pi * weights.kd[0] * base, rtol=2e-5, atol=1e-6)
+    if ramp.sharp:
+        energy = weights.kg[1, 0] * 2.0 * np.pi / 2001.0
+        np.testing.assert_allclose(ramp.rows[1, :, 0], energy * gloss, rtol=2e-4, atol=1e-6)
     return got[:, 0], got[:, 1]
 
 
@@ -66,7 +76,7 @@ def test_gains(
     weights = LobeWeights(
         exponents=np.array([5.0, 2000.0]),
         kd=np.full(3, 0.1),
-        kdd=np.full((2, 3), 0.2),
+        kdd=np.array([np.full(3, 0.2), np.zeros(3)]),
         kg=np.array([np.zeros(3), np.full(3, energy * 2001.0 / (2.0 * np.pi))]),
         theta_fit_rad=float(theta),
         ior=ior,

@@ -11,7 +11,7 @@ from brdf_suite.realtime.shader_source import (
     _explain,
     compile_program,
     compose,
-    lobe_defines,
+    look_up_defines,
 )
 
 
@@ -82,4 +82,8 @@ def test_words_of_every_vendor(words):
 
 
 def test_lobe_loop():
-    assert lobe_defines(3) == {"LOBES": "3", "FOR_EACH_LOBE(BODY)": "BODY(0) BODY(1) BODY(2)"}
+    assert look_up_defines(4, 3) == {
+        "BROAD": "4",
+        "SHARP": "3",
+        "FOR_EACH_SHARP_LOBE(BODY)": "BODY(0) BODY(1) BODY(2)",
+    }

@@ -1,21 +1,27 @@
-// Provides: vec3 reflected_radiance(SurfacePoint p), equations 7 to 9 of the paper
-// Needs:    surface_point.glsl; LOBES, FOR_EACH_LOBE(BODY) = BODY(0) BODY(1) ... (both written by shader_source.py)
+// Provides: vec3 reflected_radiance(SurfacePoint p): equations 7 to 9 of the paper, and the same look-ups shifted
+// Needs:    surface_point.glsl; BROAD (look-ups; 0: as many as the material says), SHARP, FOR_EACH_SHARP_LOBE (written
+//           by shader_source.py); MAX_BROAD, MAX_SHARP, RAMP_ROWS, RAMP_NODES; LOOK_UP_PAPER for the paper's form
 //
-// With P_i the unit-gain map of lobe i, R the mirror direction of the view about N:
-//     Lo =  pi KD P_1(N)                                   equation 9: the diffuse map looked up at N
-//         + sum KDD_i 2 pi/(E_i+1) P_i(R) (N.R)            equation 7: the light direction is taken as R
-//         + sum KG_i  2 pi/(E_i+1) P_i(R)                  equation 8
-// One look-up serves equations 7 and 8; lobes without a weight are not looked up at all, so the maps are bound
-// material by material and there is a program for a few numbers of look-ups. OpenGL 3.3 allows arrays of samplers
-// to be indexed by constants only, so the loop is written out by the preprocessor.
+// With P_E the unit-gain map of exponent E, R the mirror direction of the view about N, c = N.V = N.R:
+//     Lo =  pi KD P_1(N)                                       equation 9: the diffuse map looked up at N
+//         + sum KDD_i 2 pi/(E_i+1) P_i(R) (N.R)                equation 7: the light direction is taken as R
+//         + sum KG_i  2 pi/(E_i+1) P_i(R)                      equation 8
+// or, with direction, exponent and amplitude of the look-ups from a table (docs/shading.md),
+//         + sum KDD_i A_i(c) P_e(R + b_i(c) N),  e = e_i(c)    and so on.
+// Weights, amplitudes, exponents and Fresnel's gains depend on c alone: the ramp of a material has them over the root
+// of c, a row for each look-up (material_ramp.py). What differs between the modes are its numbers.
+//
+// The numbers of look-ups are constants of the program: a software renderer takes half as long again for a loop that is
+// not written out, and carries out both sides of a condition. Where a material has fewer, the rest weighs nothing.
 #include "occlusion.glsl"
 #include "material.glsl"
 #include "environment.glsl"
+#include "lobe_stack.glsl"
 
-uniform samplerCube lobe_maps[LOBES];
-uniform float lobe_scales[LOBES];
-uniform float lobe_levels[LOBES];    // log2(texels per radian)
-uniform float lobe_exponents[LOBES];
+uniform sampler2D ramp;
+// OpenGL 3.3 allows arrays of samplers to be indexed by constants only, so that loop is written out.
+uniform samplerCube sharp_maps[SHARP];
+uniform vec3 sharp_lobes[SHARP];        // scale of the map, log2(texels per radian), exponent
 
 // The cosine below which one pixel cannot tell angles apart: its normals turn by so much. An edge rounded within
 // a pixel shows the mean of F over its angles, not the F near 1 of the one that the pixel's middle happens to hit.
@@ -25,29 +31,78 @@ float finest_cosine(vec3 n)
     return min(0.5 * sqrt(max(dot(across, across), dot(down, down))), 0.7);
 }
 
+float ramp_coordinate(float c)
+{
+    return (sqrt(clamp(c, 0.0, 1.0)) * float(RAMP_NODES - 1) + 0.5) / float(RAMP_NODES);
+}
+
+vec4 ramp_row(float coordinate, int row)
+{
+    return textureLod(ramp, vec2(coordinate, (float(row) + 0.5) / float(RAMP_ROWS)), 0.0);
+}
+
+// Where a broad lobe is looked up: between R and N, not normalized. In the paper's form at R.
+vec3 looked_at(vec3 r, vec3 n, float c, vec4 b)
+{
+#ifdef LOOK_UP_PAPER
+    return r;
+#else
+    return r + (b.x + c * (b.y + c * b.z)) * n;
+#endif
+}
+
+#if defined(COAT_RELIEF)
+#define FIRST_LOOK_UPS look_ups.x
+#elif BROAD > 0
+#define FIRST_LOOK_UPS BROAD
+#else
+#define FIRST_LOOK_UPS look_ups.y
+#endif
+
+#ifdef OCCLUSION
+#define ARRIVES(c, exponent) * specular_occlusion(c, p.occlusion, exponent)
+#else
+#define ARRIVES(c, exponent)
+#endif
+
 vec3 reflected_radiance(SurfacePoint p)
 {
-    vec3 n = p.normal, v = p.view;
-    float cos_theta = dot(n, v);
-    vec3 r = to_environment(2.0 * cos_theta * n - v);
-    vec3 base_gain, gloss_gain;
-    fresnel_gains(max(cos_theta, finest_cosine(n)), base_gain, gloss_gain);
-    vec3 directional_gain = base_gain * cos_theta;     // N.R = N.V
+    float finest = finest_cosine(p.normal);
+    float c = max(dot(p.normal, p.view), finest);
+    vec3 n = to_environment(p.normal);
+    vec3 r = to_environment(2.0 * dot(p.normal, p.view) * p.normal - p.view);
+    float x = ramp_coordinate(c);
 
-    vec3 radiance = diffuse.rgb * base_gain * (texture(diffuse_map, to_environment(p.bent)).rgb * diffuse_scale);
-    // How far the mirror direction turns from pixel to pixel, in radians; in texels of map k it is 2^lobe_levels[i]
-    // times as much, and the mip level follows. Taken once, not per map, and not fooled by the edges of faces.
-    vec3 across = dFdx(r), down = dFdy(r);
-    float turn = 0.5 * log2(max(max(dot(across, across), dot(down, down)), 1e-12));
+    vec4 row = ramp_row(x, 0);
+    vec3 radiance = row.rgb * broad_light(to_environment(p.bent), row.a);
 #ifdef OCCLUSION
     radiance *= p.occlusion;
-#define ARRIVES(k) * specular_occlusion(cos_theta, p.occlusion, lobe_exponents[k])
-#else
-#define ARRIVES(k)
 #endif
-#define ADD_LOBE(k) \
-    radiance += (lobes[2 * k].rgb * directional_gain + lobes[2 * k + 1].rgb * gloss_gain) \
-        * (textureLod(lobe_maps[k], r, turn + lobe_levels[k]).rgb * lobe_scales[k]) ARRIVES(k);
-    FOR_EACH_LOBE(ADD_LOBE)
+    for (int k = 0; k < FIRST_LOOK_UPS; ++k)
+    {
+        row = ramp_row(x, 1 + MAX_SHARP + k);
+        radiance += row.rgb * broad_light(looked_at(r, n, c, broad[k]), row.a) ARRIVES(c, broad[k].w);
+    }
+#ifdef COAT_RELIEF
+    // The coat stands otherwise than the base.
+    c = max(dot(p.coat_normal, p.view), finest);
+    n = to_environment(p.coat_normal);
+    r = to_environment(2.0 * dot(p.coat_normal, p.view) * p.coat_normal - p.view);
+    x = ramp_coordinate(c);
+    for (int k = look_ups.x; k < look_ups.y; ++k)
+    {
+        row = ramp_row(x, 1 + MAX_SHARP + k);
+        radiance += row.rgb * broad_light(looked_at(r, n, c, broad[k]), row.a) ARRIVES(c, broad[k].w);
+    }
+#endif
+    // How far the mirror direction turns from pixel to pixel, in radians; in texels of a map it is 2^level times as
+    // much, and the mip level follows. Taken once, not per map, and not fooled by the edges of faces.
+    vec3 across = dFdx(r), down = dFdy(r);
+    float turns = max(max(dot(across, across), dot(down, down)), 4.0 * p.coat_spread * p.coat_spread);
+    float turn = 0.5 * log2(max(turns, 1e-12));
+#define ADD_SHARP_LOBE(k) \
+    radiance += ramp_row(x, 1 + k).rgb * sharp_lobes[k].x \
+        * textureLod(sharp_maps[k], r, turn + sharp_lobes[k].y).rgb ARRIVES(c, sharp_lobes[k].z);
+    FOR_EACH_SHARP_LOBE(ADD_SHARP_LOBE)
     return light_colour * radiance;
 }

@@ -1,6 +1,6 @@
 // Provides: uniform block Material (one buffer per material), COAT_NONE, COAT_DIELECTRIC, COAT_METAL, COAT_FACETS,
 //           void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
-// Needs:    LOBES (number of look-ups); FRESNEL_RAISED where the gains follow the angle
+// Needs:    MAX_BROAD (written by shader_source.py); FRESNEL_RAISED where the gains follow the angle
 #include "fresnel.glsl"
 
 const int COAT_NONE = 0;
@@ -8,15 +8,14 @@ const int COAT_DIELECTRIC = 1;
 const int COAT_METAL = 2;
 const int COAT_FACETS = 3;
 
-// Written whole by material_buffer.py (std140). A lobe (R.V)^E holds 2 pi / (E + 1) of solid angle, and the
-// weights come here multiplied by it, so that they weigh the unit-gain maps directly. Lobe i of the basis is in
-// place k: a fit leaves most weights at zero, and only lobes with a weight are given, the rest being zero.
+// Written whole by material_buffer.py (std140). The weights are in the ramp, see lobes.glsl; a fit leaves most at zero,
+// and only lobes with a weight are looked up.
 layout(std140) uniform Material
 {
-    vec4 diffuse;              // rgb: pi KD
+    ivec4 look_ups;            // x: broad lobes of the base, y: those and the coat's, z: sharp lobes
     vec4 coat;                 // x: COAT_*, y: index of refraction, z: 1 / F(theta_fit), w: 1 / T(theta_fit)^2
     vec4 gloss_albedo;         // rgb: sum of the gloss weights; a: 1 / (largest of them), the limit of the gain
-    vec4 lobes[2 * LOBES];     // rgb of 2 k: KDD_i 2 pi / (E_i + 1), of 2 k + 1: KG_i 2 pi / (E_i + 1)
+    vec4 broad[MAX_BROAD];     // xyz: how far N draws a look-up from R, over 1, c, c^2, c = N.V; w: exponent of the lobe
 };
 
 // Which share of base and gloss is seen at the view angle theta, relative to the incidence of the fit.

@@ -1,0 +1,17 @@
+// Provides: vec3 broad_light(vec3 direction, float level): the light about a direction, through a broad cosine lobe
+// Needs:    nothing
+//
+// All broad lobe maps in one texture: octahedral squares, one above the other by rising exponent (lobe_stack.py).
+// level is the third coordinate; between two slices the hardware mixes linearly, so that exponents are continuous.
+// direction: of the environment's own axes (to_environment), of any length.
+#include "octahedral.glsl"
+
+uniform sampler3D lobe_stack;
+uniform float stack_scale;
+uniform vec2 stack_square;       // place in [-1, 1] times x plus y: texture coordinate
+
+vec3 broad_light(vec3 direction, float level)
+{
+    vec2 place = to_square(direction) * stack_square.x + stack_square.y;
+    return texture(lobe_stack, vec3(place, level)).rgb * stack_scale;
+}
