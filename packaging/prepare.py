@@ -46,6 +46,8 @@ _LIBRARIES = {
     "libxcb-xinerama.so.0": "libxcb-xinerama0",
     "libxcb-xkb.so.1": "libxcb-xkb1",
 }
+#: The same for what only some tests need, which skip without it: not every system's archive has it.
+_FOR_SOME_TESTS = {"libLLVM.so.19.1": "libllvm19"}
 _DRIVER_PLACES = ("/usr/lib/*/dri/*_dri.so", "/usr/lib*/dri/*_dri.so", "/usr/lib/*/libEGL_nvidia.so.0")
 _FONT_PLACES = ("/usr/share/fonts", "/usr/local/share/fonts")
 
@@ -56,12 +58,7 @@ class NotPrepared(SystemExit):
 
 def _missing_packages(for_tests: bool) -> list[str]:
     """Name the Debian packages of the libraries and programs that this Linux lacks."""
-    missing = []
-    for library, package in _LIBRARIES.items():
-        try:
-            ctypes.CDLL(library)
-        except OSError:
-            missing.append(package)
+    missing = [package for library, package in _LIBRARIES.items() if not _loads(library)]
     if not any(next(Path("/").glob(place[1:]), None) for place in _DRIVER_PLACES):
         missing.append("libgl1-mesa-dri")
     fonts = (f for place in _FONT_PLACES for kind in ("ttf", "otf") for f in Path(place).rglob(f"*.{kind}"))
@@ -74,6 +71,36 @@ def _missing_packages(for_tests: bool) -> list[str]:
     except ImportError:
         missing.append(f"python{sys.version_info.major}.{sys.version_info.minor}-venv")
     return missing
+
+
+def _loads(library: str) -> bool:
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
+def _offered(package: str) -> bool:
+    """Whether this system's archive has a package."""
+    asked = subprocess.run(["apt-cache", "show", package], capture_output=True, check=False)
+    return asked.returncode == 0
+
+
+def _install_for_some_tests() -> None:
+    """Install what is wanted by some tests where that needs no question; a failure costs those tests only."""
+    wanted = [package for library, package in _FOR_SOME_TESTS.items() if not _loads(library)]
+    prefix = _root_prefix()
+    if not wanted or prefix is None or shutil.which("apt-get") is None:
+        return
+    quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
+    if not all(_offered(package) for package in wanted):
+        update = [*prefix, "apt-get", "update", "-q"]
+        subprocess.run(update, env=quiet, check=False, stdin=subprocess.DEVNULL)
+    for package in filter(_offered, wanted):
+        _say(f"Installing {package}, which some tests want")
+        install = [*prefix, "apt-get", "install", "-y", "--no-install-recommends", package]
+        subprocess.run(install, env=quiet, check=False, stdin=subprocess.DEVNULL)
 
 
 def _install_system_libraries(for_tests: bool) -> None:
@@ -234,6 +261,8 @@ def prepare(*extras: str) -> Path:
         raise NotPrepared(f"BRDF Suite needs Python {MINIMUM[0]}.{MINIMUM[1]} or newer; this is {found}.")
     try:
         _install_system_libraries(for_tests="dev" in extras)
+        if "reference" in extras and sys.platform.startswith("linux"):
+            _install_for_some_tests()
         _install_environment(set(extras))
     except KeyboardInterrupt:
         print("cancelled; run this again to go on", file=sys.stderr, flush=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import json
 import os
-import time
 from pathlib import Path
 
 import pytest
@@ -139,8 +138,7 @@ def test_a_byte_order_mark_is_no_harm(tmp_path: Path) -> None:
     assert load_paint(path).flakes == Flakes(100.0)
 
 
-def test_bombs_are_refused_fast(tmp_path: Path) -> None:
-    start = time.perf_counter()
+def test_bombs_are_refused(tmp_path: Path) -> None:
     assert "nested too deep" in str(refused(tmp_path, "[" * 1_000_000))
     assert "number" in str(refused(tmp_path, '{"version": ' + "9" * 100_000 + "}"))
     assert "twice" in str(refused(tmp_path, '{"format": "brdfpaint", "format": "brdfpaint"}'))
@@ -149,7 +147,6 @@ def test_bombs_are_refused_fast(tmp_path: Path) -> None:
     many = good()
     many["measurements"] = many["measurements"] * 20_000
     assert "100 measurements" in str(refused(tmp_path, json.dumps(many)))
-    assert time.perf_counter() - start < 10.0
 
 
 def test_what_is_no_file_is_refused(tmp_path: Path) -> None:
