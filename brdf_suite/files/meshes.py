@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import math
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,9 @@ MESH_ENDINGS = (".glb", ".gltf", ".obj", ".stl", ".ply")
 
 _LARGEST_FILE = 1 << 30
 _SMALLEST_M, _LARGEST_M = 0.001, 50.0
+METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254}
+"""The length of each unit that a file's numbers can be in, metres."""
+_UNIT_NAMES = {"m": "metres", "cm": "centimetres", "mm": "millimetres", "in": "inches"}
 _UNREADABLE = {
     "EXT_meshopt_compression": "meshopt compression",
     "KHR_meshopt_compression": "meshopt compression",
@@ -34,13 +38,16 @@ _UNREADABLE = {
 }
 
 
-def read_mesh(path: str | os.PathLike[str]) -> Mesh:
+def read_mesh(path: str | os.PathLike[str], unit: str = "file") -> Mesh:
     """Return the mesh in a file, in metres, every part with normals and texture coordinates in millimetres.
 
     Parameters
     ----------
     path
         A file whose name ends in one of :data:`MESH_ENDINGS`.
+    unit
+        The unit of the lengths in the file, one of ``m``, ``cm``, ``mm``, ``in``; ``file``: metres, or what the size
+        tells where that is no size for an object in metres.
 
     Raises
     ------
@@ -56,13 +63,13 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
     if ending == ".glb":
         document, binary = split_glb(path, data)
         if is_own(document):
-            return read_own_glb(path, document, binary, file.stem)
+            return _in_unit(read_own_glb(path, document, binary, file.stem), unit)
         _check_gltf(path, document)
     elif ending == ".gltf":
         _check_gltf(path, _gltf_json(path, data))
     elif ending == ".stl":
         check_stl(path, data)
-    return _repaired(path, read_parts(path))
+    return _repaired(path, read_parts(path), unit)
 
 
 def _content(file: Path) -> bytes:
@@ -118,10 +125,10 @@ def _check_gltf(path: str | os.PathLike[str], document: dict[str, Any]) -> None:
         raise FileError(path, "the scene graph runs in a circle", "nodes")
 
 
-def _repaired(path: str | os.PathLike[str], raw: list[RawPart]) -> Mesh:
+def _repaired(path: str | os.PathLike[str], raw: list[RawPart], unit: str) -> Mesh:
     if not raw:
         raise FileError(path, "holds no triangles (points or lines alone cannot be drawn)")
-    factor, note = _scale(raw)
+    factor, note = _scale(raw) if unit == "file" else (METRES[unit], f"taken as {_UNIT_NAMES[unit]}")
     notes = [note] if note else []
     parts: list[Part] = []
     for one in raw:
@@ -133,6 +140,18 @@ def _repaired(path: str | os.PathLike[str], raw: list[RawPart]) -> Mesh:
     if not parts:
         raise FileError(path, f"no triangle that can be drawn ({'; '.join(notes)})")
     return Mesh(Path(path).stem, tuple(parts), tuple(notes))
+
+
+def _in_unit(mesh: Mesh, unit: str) -> Mesh:
+    """Take the numbers of a mesh in metres for those of another unit."""
+    factor = METRES.get(unit, 1.0)
+    if factor == 1.0:
+        return mesh
+    parts = [
+        replace(p, positions=p.positions * np.float64(factor), uvs=p.uvs * np.float64(factor))
+        for p in mesh.parts
+    ]
+    return Mesh(mesh.name, tuple(parts), (*mesh.notes, f"taken as {_UNIT_NAMES[unit]}"))
 
 
 def _scale(raw: list[RawPart]) -> tuple[float, str | None]:

@@ -18,8 +18,9 @@ from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.context import Context, create_context
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.renderer import Renderer
-from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
+from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, GroundField, MaterialWeights, MeshPart
 from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.occlusion.baked import BakedMesh, GroundLight
 
 if TYPE_CHECKING:
     from brdf_suite.pipeline.any_fit import AnyFit
@@ -74,11 +75,10 @@ class SceneRenderer:
             )
         )
 
-    def set_surface(self, mesh: Mesh) -> None:
-        """Show this surface."""
-        self._renderer.set_mesh(
-            [MeshPart(p.name, p.material, p.positions, p.normals, p.triangles, p.uvs) for p in mesh.parts]
-        )
+    def set_surface(self, mesh: Mesh, baked: BakedMesh | None = None) -> None:
+        """Show this surface, with what was baked for it where that is at hand."""
+        self._renderer.set_mesh(mesh_parts(mesh, baked))
+        self._renderer.set_ground(None if baked is None else _ground(baked.ground))
 
     def draw(self, view: View, framebuffer: Any, size: Size) -> None:
         """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels."""
@@ -91,6 +91,20 @@ class SceneRenderer:
     def release(self) -> None:
         """Give every OpenGL object back."""
         self._renderer.release()
+
+
+def _ground(light: GroundLight) -> GroundField:
+    return GroundField(light.height, light.low, light.high, light.transfer)
+
+
+def mesh_parts(mesh: Mesh, baked: BakedMesh | None = None) -> list[MeshPart]:
+    """Return the parts of a mesh as the renderer takes them, with the light that arrives where it was baked."""
+    if baked is None:
+        return [MeshPart(p.name, p.material, p.positions, p.normals, p.triangles, p.uvs) for p in mesh.parts]
+    return [
+        MeshPart(p.name, p.material, b.positions, b.normals, b.triangles, b.uvs, b.light)
+        for p, b in zip(mesh.parts, baked.parts, strict=True)
+    ]
 
 
 class OffscreenScene(SceneRenderer):

@@ -130,6 +130,7 @@ class PreparedEnvironment:
 
     ``name`` is what the user called it; ``notices`` say what went wrong with the cache, which costs only time.
     ``missing`` counts the maps, of ``wanted``, that are still being filtered; the nearest ones stand in for them.
+    A ``draft`` is a rougher picture of a light that is being edited.
     """
 
     name: str
@@ -139,11 +140,12 @@ class PreparedEnvironment:
     notices: tuple[str, ...] = ()
     missing: int = 0
     wanted: int = 0
+    draft: bool = False
 
     @property
     def is_final(self) -> bool:
-        """Whether every lobe has its own map."""
-        return self.missing == 0
+        """Whether every lobe has its own map, and the light is as it will stay."""
+        return self.missing == 0 and not self.draft
 
     def to_json(self) -> dict[str, object]:
         """Return what it is, as plain values."""
@@ -232,8 +234,8 @@ def prepare_environment(
     return PreparedEnvironment(name, environment, maps, so_far.made == 0, wanted=so_far.wanted)
 
 
-def load_surface(name_or_path: str | os.PathLike[str]) -> Mesh:
-    """Return a surface by packaged name or by file.
+def load_surface(name_or_path: str | os.PathLike[str], unit: str = "file") -> Mesh:
+    """Return a surface by packaged name or by file, whose numbers are in ``unit`` (see :func:`read_mesh`).
 
     Raises
     ------
@@ -245,7 +247,7 @@ def load_surface(name_or_path: str | os.PathLike[str]) -> Mesh:
     path = resource("meshes", shipped + ".glb") if shipped else Path(name_or_path)
     from brdf_suite.files.meshes import read_mesh
 
-    return read_mesh(path)
+    return read_mesh(path, unit)
 
 
 def _shipped_name(text: str, shipped: list[str]) -> str | None:

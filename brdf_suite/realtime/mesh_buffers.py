@@ -71,6 +71,7 @@ class MeshBuffers:
             for buffer in buffers:
                 self._objects.release(buffer)
         self._buffers = []
+        self.names = ()
         self.materials = ()
 
 

@@ -33,6 +33,7 @@ from brdf_suite.realtime.environment_textures import RAMP_UNIT, EnvironmentTextu
 from brdf_suite.realtime.features import surface_features
 from brdf_suite.realtime.finish import FinishPass
 from brdf_suite.realtime.gpu_objects import Counters, GpuObjects
+from brdf_suite.realtime.ground import GroundShadow
 from brdf_suite.realtime.material_set import MaterialSet, Modes
 from brdf_suite.realtime.mesh_buffers import MeshBuffers
 from brdf_suite.realtime.programs import (
@@ -45,7 +46,7 @@ from brdf_suite.realtime.programs import (
 )
 from brdf_suite.realtime.strips import LARGEST_TILE, draw_strips, tile_limit
 from brdf_suite.realtime.target import LightTarget, PictureTarget
-from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights, MeshPart
+from brdf_suite.realtime.values import EnvironmentMaps, GroundField, MaterialWeights, MeshPart
 
 DEFAULT_SAMPLES = 4
 
@@ -73,6 +74,7 @@ class Renderer:
         self._tile = LightTarget(self._objects)
         self._picture = PictureTarget(self._objects)
         self._finish = FinishPass(self._objects, self._programs)
+        self._ground = GroundShadow(self._objects)
         self._warm: tuple[int, int, Features] | None = None
 
     @property
@@ -99,8 +101,13 @@ class Renderer:
         """Replace the surface."""
         self._mesh.load(parts)
 
+    def set_ground(self, field: GroundField | None) -> None:
+        """Replace the ground that a view may ask for; None: there is none."""
+        self._ground.set_field(field)
+
     def set_environment(self, maps: EnvironmentMaps) -> None:
         """Replace the light. Materials must then have the same exponents; stock ones follow by themselves."""
+        self._ground.set_environment(maps.background)
         self._environment.load(maps)
         self._materials.set_exponents(maps.exponents)
 
@@ -301,6 +308,7 @@ class Renderer:
         self._draw_mesh(view, features, camera, crop(size, corner, tile), materials)
         if not transparent:
             self._draw_background(view, camera, size, corner)
+            self._draw_ground(view, camera, crop(size, corner, tile))
         return light
 
     def _draw_mesh(
@@ -322,7 +330,9 @@ class Renderer:
         )
         ready: set[LookUps] = set()
         modes = Modes(view.fresnel, view.look_up)
-        for part, name in enumerate(self._mesh.materials):
+        chosen = {item.part: item.material for item in view.surface_look.materials}
+        for part, own in enumerate(self._mesh.materials):
+            name = chosen.get(self._mesh.names[part], own)
             material = self._materials.find(materials.get(name, name), modes, self._environment.ladder)
             program = self._programs.surface(material.look_ups, features)
             if material.look_ups not in ready:
@@ -332,6 +342,16 @@ class Renderer:
             material.ramp.use(RAMP_UNIT)
             material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
             self._mesh.arrays(program)[part].render(moderngl.TRIANGLES)
+
+    def _draw_ground(self, view: View, camera: CameraMatrices, cropping: NDArray[np.float64]) -> None:
+        """Darken the background by the shadow on the ground, which is seen from above only."""
+        height = self._ground.height
+        if view.surface_look.ground and height is not None and camera.eye[1] > height:
+            self._ground.draw(
+                _columns(cropping @ camera.world_to_clip),
+                float(np.radians(view.rotation_deg)),
+                light_matrix(view.light_colour.illuminant, view.light_colour.adapted),
+            )
 
     def _warm_up(self, samples: int, features: Features) -> None:
         """Draw one triangle with each program: drivers finish compiling at the first draw, not in an edit."""
@@ -371,8 +391,8 @@ def _view_uniforms(view: View) -> dict[str, object]:
     turn = np.radians(view.rotation_deg)
     return {
         "light_turn": (float(np.cos(turn)), float(np.sin(turn))),
-        "exposure": 2.0**view.exposure_ev,
         "light_colour": _columns(light_matrix(view.light_colour.illuminant, view.light_colour.adapted)),
+        "exposure": 2.0**view.exposure_ev,
     }
 
 

@@ -70,6 +70,39 @@ class MeshPart:
             object.__setattr__(self, "light", light)
 
 
+@dataclass(frozen=True, eq=False)
+class GroundField:
+    """The ground under a mesh and the light from above that each place of it sees.
+
+    Attributes
+    ----------
+    height
+        Metres.
+    low, high
+        Lowest and highest (x, z) of the field's edges, metres.
+    transfer
+        (rows along z, columns along x, (degree + 1)²): ∫ V cosθ Y_lm dω with the harmonics of
+        :mod:`brdf_suite.geometry.low_harmonics`; at the edges that of an open ground.
+    """
+
+    height: float
+    low: tuple[float, float]
+    high: tuple[float, float]
+    transfer: NDArray[Any]
+
+    def __post_init__(self) -> None:
+        if not all(np.isfinite([self.height, *self.low, *self.high])) or np.any(
+            np.less_equal(self.high, self.low)
+        ):
+            raise ValueRangeError(
+                "ground", "a finite height and edges are wanted, the highest above the lowest"
+            )
+        shape = np.shape(self.transfer)
+        if len(shape) != 3 or round(shape[2] ** 0.5) ** 2 != shape[2]:
+            raise ValueRangeError("ground", f"(rows, columns, squared number) is wanted, not {shape}")
+        object.__setattr__(self, "transfer", _finite(self.transfer, np.float32, shape, "ground: transfer"))
+
+
 _HALF_INFINITY = 0x7C00
 
 

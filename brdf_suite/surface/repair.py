@@ -61,7 +61,7 @@ def repair(raw: RawPart) -> tuple[Part | None, list[str]]:
             triangles = triangles[:, ::-1]
             notes.append(f"{raw.name}: turned inside out, its triangles faced inwards")
         corners = corner_normals(positions, triangles, welded, CREASE_DEG)
-        positions, triangles, normals, kept = _split_corners(positions, triangles, corners)
+        positions, triangles, normals, kept = split_corners(positions, triangles, corners)
         uvs = None if uvs is None else uvs[kept]
         notes.append(f"{raw.name}: had no normals; made smooth, with edges above {CREASE_DEG:g}°")
     else:
@@ -139,7 +139,7 @@ def _mended_normals(
     return normals
 
 
-def _split_corners(
+def split_corners(
     positions: Float64, triangles: Int64, corners: Float64
 ) -> tuple[Float64, Int64, Float64, Int64]:
     """Give each vertex one normal by splitting it where ``corners`` (k, 3, 3) has several.

@@ -17,6 +17,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
@@ -67,10 +68,17 @@ def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
     ------
     Cancelled
         ``progress`` asked for it.
+    SuiteError
+        numba, which compiles what follows the rays, cannot be used here.
     """
     surface = _joined(mesh)
     report(progress, 0.0, "sorting the triangles")
-    tree = TriangleTree.of(surface.positions[surface.triangles])
+    try:
+        tree = TriangleTree.of(surface.positions[surface.triangles])
+    except (ImportError, RuntimeError) as error:  # RuntimeError: numba finds no folder to keep its work in
+        raise SuiteError(
+            f"Occlusion cannot be baked: numba, which follows the rays, fails ({error})."
+        ) from error
     low, high = mesh.bounds()
     ground = bake_floor(tree, low, high, part(progress, 0.05, 0.3))
     floor = Ground(ground.height, ground.low, ground.high, ground.share)

@@ -1,0 +1,91 @@
+"""Baked occlusion, from disk where it has been baked before.
+
+An entry is named by what it was made from: positions, normals and triangles of the parts, and the version of the
+baking. It lies beside the prefiltered maps, in a folder of its own. Whatever happens to the folder, the caller gets
+the occlusion; only time is lost.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import logging
+import os
+from pathlib import Path
+
+import numpy as np
+
+from brdf_suite.errors import FileError
+from brdf_suite.files.baked_file import FORMAT_VERSION, read_baked, write_baked
+from brdf_suite.lighting.cache import default_root
+from brdf_suite.progress import Progress, report
+from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.occlusion.bake import ALGORITHM_VERSION, bake
+from brdf_suite.surface.occlusion.baked import BakedMesh
+
+ENDING = ".occlusion"
+LIMIT_BYTES = 256 * 1024**2
+"""What the entries may take together; those unused for longest go."""
+
+_log = logging.getLogger(__name__)
+
+
+def occlusion_folder() -> Path:
+    """Return the folder of the entries."""
+    return default_root() / "occlusion"
+
+
+def occlusion_key(mesh: Mesh) -> str:
+    """Return the name of what is baked for a mesh: 64 hexadecimal digits; materials and names do not matter."""
+    content = hashlib.sha256(f"{ALGORITHM_VERSION} {FORMAT_VERSION} {len(mesh.parts)}".encode())
+    for part in mesh.parts:
+        for array in (part.positions, part.normals, part.uvs, part.triangles):
+            content.update(str(array.shape).encode())
+            content.update(np.ascontiguousarray(array).data)
+    return content.hexdigest()
+
+
+def baked_occlusion(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
+    """Return the occlusion of ``mesh``, baked now or before.
+
+    Raises
+    ------
+    Cancelled
+        ``progress`` asked for it; nothing is kept.
+    """
+    path = occlusion_folder() / f"{occlusion_key(mesh)}{ENDING}"
+    if path.exists():
+        try:
+            found = read_baked(path, mesh)
+        except FileError as error:
+            _log.warning("The kept occlusion is baked anew: %s", error)
+        else:
+            with contextlib.suppress(OSError):  # a read-only folder still serves; only its ages stand still
+                os.utime(path)
+            report(progress, 1.0, "occlusion")
+            return found
+    baked = bake(mesh, progress)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_baked(path, mesh, baked)
+        _make_room(path.parent, path)
+    except (OSError, FileError) as error:
+        _log.warning("The occlusion is not kept: %s", error)
+    return baked
+
+
+def _make_room(folder: Path, newest: Path) -> None:
+    """Remove the entries unused for longest until the others fit."""
+    entries = []
+    for path in folder.glob(f"*{ENDING}"):
+        with contextlib.suppress(OSError):  # another program may have removed it
+            state = path.stat()
+            entries.append((state.st_mtime, state.st_size, path))
+    excess = sum(size for _, size, _ in entries) - LIMIT_BYTES
+    for _, size, path in sorted(entries):
+        if excess <= 0:
+            break
+        if path != newest:
+            with contextlib.suppress(OSError):
+                path.unlink()
+                excess -= size

@@ -1,0 +1,14 @@
+// Provides: field, the place on the ground as a coordinate of ground_shadow
+// Needs:    a draw of four vertices as a strip, without attributes
+uniform mat4 world_to_clip;
+uniform vec4 ground_field;      // lowest x and z, highest x and z, metres
+uniform float ground_height;
+
+out vec2 field;
+
+void main()
+{
+    field = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    vec2 xz = mix(ground_field.xy, ground_field.zw, field);
+    gl_Position = world_to_clip * vec4(xz.x, ground_height, xz.y, 1.0);
+}
