@@ -10,6 +10,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu
 
 from brdf_viewer.camera_presets import PRESETS
+from brdf_viewer.sections.compare import MODE_TITLES
 from brdf_viewer.sections.environment import BACKGROUND_TITLES
 from brdf_viewer.sections.tone import TONE_TITLES
 from brdf_viewer.source_chooser import Source
@@ -32,6 +33,8 @@ class ViewerCommands(QObject):
         The picture goes to the clipboard, or to a file.
     source_wanted(kind, key)
         A shipped environment or surface.
+    compare_wanted(mode), blink_wanted(), flip_wanted(), freeze_wanted()
+        Two paints: how they are shown; to begin or end a blink; the other one, by hand; keep the paint as the second.
     undo_wanted(), redo_wanted()
         A step of the view.
     """
@@ -50,6 +53,10 @@ class ViewerCommands(QObject):
     copy_wanted = Signal()
     picture_wanted = Signal()
     source_wanted = Signal(str, str)
+    compare_wanted = Signal(str)
+    blink_wanted = Signal()
+    flip_wanted = Signal()
+    freeze_wanted = Signal()
     undo_wanted = Signal()
     redo_wanted = Signal()
 
@@ -183,6 +190,7 @@ class ViewerCommands(QObject):
         self.turntable.triggered.connect(self.turntable_wanted)
         # Space presses a button that has the focus; it is the turntable's on the picture only.
         self.turntable.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        self.on_picture = [self.turntable]
         menu.addSeparator()
         self._sources = {
             "environment": menu.addMenu("&Environment"),
@@ -196,9 +204,37 @@ class ViewerCommands(QObject):
         self._background = self._choices(
             menu.addMenu("&Background"), BACKGROUND_TITLES, self.background_wanted
         )
+        self._add_compare()
         self.fresnel = self._window.add_action(menu, "Fres&nel")
         self.fresnel.setCheckable(True)
         self.fresnel.triggered.connect(lambda on: self.fresnel_wanted.emit("raised" if on else "off"))
+
+    def _add_compare(self) -> None:
+        menu = self._window.view_menu.addMenu("&Compare")
+        self._compare = self._choices(menu, MODE_TITLES, self.compare_wanted)
+        menu.addSeparator()
+        self._window.add_action(
+            menu,
+            "Start or Stop &Blinking",
+            self.blink_wanted.emit,
+            "B",
+            tip="Show A and B one after the other; again for what was shown before",
+        )
+        self._window.add_action(
+            menu, "Show the &Other and Stay", self.flip_wanted.emit, "Shift+B", tip="Blink by hand"
+        )
+        self._window.add_action(
+            menu,
+            "&Freeze A as B",
+            self.freeze_wanted.emit,
+            "Ctrl+B",
+            tip="Keep the paint on show as the second one",
+        )
+
+    def show_compare(self, mode: str) -> None:
+        """Tick how two paints are compared."""
+        for action in self._compare.actions():
+            action.setChecked(action.data() == mode)
 
     def _choices(self, menu: QMenu, titles: dict[str, str], signal: object) -> QActionGroup:
         group = QActionGroup(menu)

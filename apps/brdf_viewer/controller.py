@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from functools import partial
 
 from brdf_qt.link import LiveLink
 from brdf_qt.message_bar import Message
@@ -17,6 +18,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.paint import PaintFitter
 from brdf_suite.realtime.context import Context
 from brdf_viewer.camera_control import CameraControl
+from brdf_viewer.compare_control import KIND, CompareControl
 from brdf_viewer.drawing import StageDrawer
 from brdf_viewer.file_kinds import AskFile, AskPicture, all_endings, ask_file, ask_picture, kind_of
 from brdf_viewer.frame_meter import FrameMeter
@@ -71,7 +73,8 @@ class ViewerController(QObject):
         self.window = ViewerWindow(self._make_drawer)
         self.setParent(self.window)  # nothing of this outlives its widgets
         self.link = LiveLink("viewer", parent=self)
-        self._loader = SceneLoader(TaskRunner(self), self)
+        self._tasks = TaskRunner(self)
+        self._loader = SceneLoader(self._tasks, self)
         self._ask = ask
         self._complete = False
         self._publish = QTimer(self, singleShot=True, interval=_PUBLISH_MS, timeout=self._publish_view)
@@ -84,6 +87,7 @@ class ViewerController(QObject):
         self._connect()
         self._show_view(None, view)
         self.lighting = LightingControl(self.stage, self.window, lambda: self.drawer, self)
+        self.compare = CompareControl(self.stage, self.window, self._tasks, ask, self)
         self.window.picture.set_view(view)
         self.paint.start_with(paint, follow=follow)
         self.scene.load_first()
@@ -137,7 +141,8 @@ class ViewerController(QObject):
 
     def _refused(self, kind: str, error: SuiteError) -> None:
         """Told later: the message changes the window, and this comes from within a paint of it."""
-        QTimer.singleShot(0, self, lambda: self.scene.refused(kind, error))
+        tell = self.compare.refused if kind == KIND else partial(self.scene.refused, kind)
+        QTimer.singleShot(0, self, lambda: tell(error))
 
     def _show_view(self, _old: View | None, new: View) -> None:
         window = self.window
@@ -213,5 +218,6 @@ class ViewerController(QObject):
         remember(settings(), self.stage.view)
         self.link.close()
         self.paint.close()
+        self.compare.close()
         self._loader.stop()
         self.window.picture.release()

@@ -8,12 +8,15 @@ from typing import Any
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.exposure import automatic_ev, exposed
-from brdf_suite.pipeline.picture import SceneRenderer
+from brdf_suite.pipeline.picture import PAINT_MATERIAL, SECOND_MATERIAL, SceneRenderer
+from brdf_suite.realtime.comparison import ComparedPicture, Comparison
 from brdf_suite.realtime.context import Context
 from brdf_suite.realtime.gpu_objects import Counters
+from brdf_suite.realtime.renderer import Renderer
 from brdf_viewer.stage import Prop, Stage
 
 Grey = tuple[float, float, float]
+SECOND_MATERIALS = {PAINT_MATERIAL: SECOND_MATERIAL}
 
 
 class StageDrawer:
@@ -45,11 +48,18 @@ class StageDrawer:
         }
         self._drawn: dict[str, Prop[Any]] = {}
         self._fit: object = None
+        self._second: Prop[Any] | None = None
+        self._comparison: Comparison | None = None
 
     @property
     def counters(self) -> Counters:
         """OpenGL objects made and written since the start."""
         return self._renderer.counters
+
+    @property
+    def renderer(self) -> Renderer:
+        """The renderer below, for whoever draws or reads beside the frames; its context must be current."""
+        return self._renderer.renderer
 
     @property
     def is_complete(self) -> bool:
@@ -69,9 +79,14 @@ class StageDrawer:
         if fit is not self._fit:
             self._renderer.set_paint_fit(fit)
             self._fit = fit
+        uploads.append(self._bring_second())
         if view.exposure_mode == "automatic" and self._stage.metered_ev is None:
             self.meter(view, size)
-        self._renderer.draw(exposed(view, self._stage.metered_ev), framebuffer, size)
+        shown = exposed(view, self._stage.metered_ev)
+        if self._second is None or self._comparison is None or shown.compare.mode == "off":
+            self._renderer.draw(shown, framebuffer, size)
+        else:
+            self._comparison.draw(shown, framebuffer, size, show_second=self._stage.shows_second)
         return not any(uploads)
 
     def meter(self, view: View, size: tuple[int, int]) -> None:
@@ -82,6 +97,24 @@ class StageDrawer:
     def release(self) -> None:
         """Give every OpenGL object back."""
         self._renderer.release()
+
+    def _bring_second(self) -> bool:
+        """Bring what is compared with; tell whether a picture was uploaded."""
+        wanted = self._stage.second
+        if wanted is self._second:
+            return False
+        if self._comparison is None:
+            self._comparison = Comparison(self._renderer.renderer, SECOND_MATERIALS)
+        picture = wanted.value if wanted is not None and isinstance(wanted.value, ComparedPicture) else None
+        self._second = wanted
+        try:
+            self._comparison.set_picture(picture)
+            if wanted is not None and picture is None:
+                self._renderer.set_paint_fit(wanted.value, SECOND_MATERIAL)
+        except SuiteError as error:
+            self._second = None
+            self._refused("compare", error)
+        return picture is not None
 
     def _bring(self, kind: str) -> bool:
         """Upload the stage's environment or surface where it is another than the one drawn; tell whether."""

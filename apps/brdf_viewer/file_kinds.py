@@ -17,7 +17,13 @@ ENDINGS: dict[str, tuple[str, ...]] = {
     "environment": (".exr", ".hdr", STUDIO_ENDING),
     "surface": MESH_ENDINGS,
 }
-TITLES = {"paint": "Paint", "environment": "Environment", "surface": "Surface"}
+TITLES = {
+    "paint": "Paint",
+    "environment": "Environment",
+    "surface": "Surface",
+    "compare": "Second Paint or Picture",
+}
+ASKED: dict[str, tuple[str, ...]] = {**ENDINGS, "compare": (PAINT_ENDING, ".exr", ".png")}
 
 AskFile = Callable[[QWidget, str], str]
 AskPicture = Callable[[QWidget, str], str]
@@ -37,7 +43,7 @@ def all_endings() -> str:
 
 def ask_file(parent: QWidget, kind: str) -> str:
     """Ask for a file of a kind, starting where the last one was; empty where the user gives none."""
-    patterns = " ".join(f"*{ending}" for ending in ENDINGS[kind])
+    patterns = " ".join(f"*{ending}" for ending in ASKED[kind])
     start = str(settings().value(f"folder/{kind}", ""))
     path, _ = QFileDialog.getOpenFileName(
         parent, f"Open {TITLES[kind]}", start, f"{TITLES[kind]} ({patterns});;All files (*)"

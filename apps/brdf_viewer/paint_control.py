@@ -125,13 +125,13 @@ class PaintControl(QObject):
             self._exact.watch(fit)
         else:
             self._exact.forget()
-        self._stage.set_fit(fit)
+        self._stage.set_fit(fit, paint, key)
         self._shown_key = key
         self._show_fit(fit, key)
 
     def _show_exact(self, fit: PaintFit) -> None:
         """The optimum of the paint on show, where the time limit came first."""
-        self._stage.set_fit(fit)
+        self._stage.set_fit(fit, fit.paint, self._shown_key)
         self._show_fit(fit, self._shown_key)
 
     def _tell(self, error: SuiteError) -> None:

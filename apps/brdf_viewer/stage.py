@@ -16,7 +16,9 @@ from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.view_history import ViewHistory
 
 if TYPE_CHECKING:
+    from brdf_suite.documents.store import AnyPaint
     from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.realtime.comparison import ComparedPicture
 
 T = TypeVar("T")
 
@@ -48,6 +50,10 @@ class Stage(QObject):
         self.history = ViewHistory(view, self)
         self.history.changed.connect(self.view_changed)
         self.fit: PaintFit | AnyFit | None = None
+        self.paint: AnyPaint | None = None
+        self.paint_key = ""
+        self.second: Prop[AnyFit | ComparedPicture] | None = None
+        self.shows_second = False
         self.metered_ev: float | None = None
         self._environment: Prop[PreparedEnvironment] | None = None
         self._whole_environment: Prop[PreparedEnvironment] | None = None
@@ -112,9 +118,16 @@ class Stage(QObject):
         """Replace the camera."""
         self.change_view(camera=camera)
 
-    def set_fit(self, fit: PaintFit | AnyFit) -> None:
-        """Draw this paint from the next frame on."""
-        self.fit = fit
+    def set_fit(self, fit: PaintFit | AnyFit, paint: AnyPaint | None = None, key: str = "") -> None:
+        """Draw this paint from the next frame on: the fit, its document (none of a measured file), where it is from."""
+        self.fit, self.paint, self.paint_key = fit, paint, key
+        self.contents_changed.emit()
+
+    def set_second(self, key: str | None, value: AnyFit | ComparedPicture | None = None) -> None:
+        """Compare with this paint or picture from the next frame on; None: with nothing."""
+        if value is None and self.second is None:
+            return
+        self.second = None if key is None or value is None else Prop(key, value)
         self.contents_changed.emit()
 
     def set_environment(self, key: str, environment: PreparedEnvironment) -> None:

@@ -13,7 +13,9 @@ from PySide6.QtWidgets import QWidget
 from brdf_suite.realtime.context import Context
 from brdf_viewer.camera_presets import PRESETS
 from brdf_viewer.commands import ViewerCommands
+from brdf_viewer.overlay import PictureOverlay
 from brdf_viewer.sections.camera import CameraSection
+from brdf_viewer.sections.compare import CompareSection
 from brdf_viewer.sections.environment import EnvironmentSection
 from brdf_viewer.sections.fresnel import FresnelSection
 from brdf_viewer.sections.lighting import LightingSection
@@ -42,6 +44,7 @@ class ViewerWindow(SuiteWindow):
         # The renderer averages four samples a pixel by itself, in linear light as the eye does.
         self.picture = GlSurface(make_drawer, samples=0)
         self.picture.setAccessibleName("Picture")
+        self.overlay = PictureOverlay(self.picture)
         self.set_centre(self.picture, tab_hides_panels=True)
         self.environment = EnvironmentSection()
         self.lighting = LightingSection()
@@ -50,18 +53,21 @@ class ViewerWindow(SuiteWindow):
         self.camera = CameraSection({key: title for key, (title, _, _) in PRESETS.items()})
         self.fresnel = FresnelSection()
         self.tone = ToneSection()
+        self.compare = CompareSection()
         for section in (
             self.environment,
             self.lighting,
             self.surface,
             self.paint,
-            self.camera,
             self.fresnel,
             self.tone,
+            self.compare,
+            self.camera,
         ):
             self.inspector.add_section(section)
         self.commands = ViewerCommands(self)
-        self.picture.addAction(self.commands.turntable)
+        for action in self.commands.on_picture:
+            self.picture.addAction(action)
         self._busy: dict[str, tuple[float, str]] = {}
         self._busy_shown = ""
         self._busy_delay = QTimer(self, singleShot=True, interval=_BUSY_AFTER_MS, timeout=self._show_busy)

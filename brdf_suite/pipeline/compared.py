@@ -1,0 +1,69 @@
+"""What a paint is compared with: another paint, a measured file, or a picture."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from brdf_suite.errors import FileError
+from brdf_suite.progress import Progress, report
+from brdf_suite.realtime.comparison import ComparedPicture
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.any_fit import AnyFit
+
+LIGHT_ENDING = ".exr"
+SHOWN_ENDING = ".png"
+PICTURE_ENDINGS = (LIGHT_ENDING, SHOWN_ENDING)
+
+
+def is_picture(name_or_path: str | os.PathLike[str]) -> bool:
+    """Tell by its ending whether a picture is meant, and not a paint.
+
+    >>> is_picture("/pictures/reference.EXR"), is_picture("blue")
+    (True, False)
+    """
+    return Path(name_or_path).suffix.lower() in PICTURE_ENDINGS
+
+
+def load_compared(
+    name_or_path: str | os.PathLike[str], progress: Progress | None = None
+) -> AnyFit | ComparedPicture:
+    """Return the fit of a paint or of a measured file, or a picture.
+
+    Raises
+    ------
+    SuiteError
+        It cannot be read, or no lobes can be fitted; the message says why.
+    Cancelled
+        The progress callback asked for it.
+    """
+    if is_picture(name_or_path):
+        report(progress, 0.0, "reading the picture")
+        return read_compared_picture(name_or_path)
+    # Measured data are much to import, and few compare.
+    from brdf_suite.pipeline.any_fit import fit_any
+
+    return fit_any(name_or_path, errors=False, progress=progress)
+
+
+def read_compared_picture(path: str | os.PathLike[str]) -> ComparedPicture:
+    """Return the picture in an EXR file, taken for light, or in a PNG, taken for what a screen shows (sRGB).
+
+    Raises :class:`FileError` where it cannot be read.
+    """
+    if Path(path).suffix.lower() == LIGHT_ENDING:
+        from brdf_suite.files.images import read_environment_image
+
+        return ComparedPicture(read_environment_image(path).pixels, is_light=True)
+    from PIL import Image, UnidentifiedImageError
+
+    try:
+        with Image.open(path, formats=("PNG",)) as image:
+            pixels = np.asarray(image.convert("RGB"))
+    except (OSError, SyntaxError, UnidentifiedImageError, Image.DecompressionBombError) as error:
+        raise FileError(path, f"is no PNG picture that can be read ({error})") from error
+    return ComparedPicture(pixels, is_light=False)
