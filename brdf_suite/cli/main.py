@@ -25,6 +25,8 @@ from brdf_suite.cli import (
     prefilter,
     programs,
     render,
+    sheet,
+    turntable,
 )
 from brdf_suite.errors import Cancelled, SuiteError
 
@@ -72,6 +74,8 @@ def parser() -> argparse.ArgumentParser:
     for module in (
         programs,
         render,
+        turntable,
+        sheet,
         measure,
         compare,
         convert,

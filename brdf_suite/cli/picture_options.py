@@ -11,17 +11,23 @@ if TYPE_CHECKING:
 _COLOUR_SPACES = ("srgb", "display-p3", "rec2020")
 
 
-def add_picture(command: argparse.ArgumentParser, *, radiance: bool = True) -> None:
-    """Declare what :func:`settings_of` reads; ``radiance``: EXR is offered beside PNG."""
+def add_picture(command: argparse.ArgumentParser, *, radiance: bool = True, sheet: bool = False) -> None:
+    """Declare what :func:`settings_of` reads; ``radiance``: EXR is offered beside PNG; ``sheet``: text is in it."""
     spaces = _COLOUR_SPACES if radiance else _COLOUR_SPACES[:2]
     exr = "; 16 or 32 of an EXR (default: 32)" if radiance else ""
-    command.add_argument(
-        "--bits",
-        type=int,
-        choices=(8, 16, 32) if radiance else (8, 16),
-        default=None,
-        help=f"bits a channel: 8 or 16 of a PNG (default: 8){exr}",
-    )
+    command.set_defaults(bits=None, transparent=False)
+    if not sheet:
+        command.add_argument(
+            "--bits",
+            type=int,
+            choices=(8, 16, 32) if radiance else (8, 16),
+            help=f"bits a channel: 8 or 16 of a PNG (default: 8){exr}",
+        )
+        command.add_argument(
+            "--transparent",
+            action="store_true",
+            help="the object alone, with its share of each pixel as alpha",
+        )
     rest = ", linear; rec2020 for EXR" if radiance else ""
     command.add_argument(
         "--colour-space",
@@ -35,9 +41,6 @@ def add_picture(command: argparse.ArgumentParser, *, radiance: bool = True) -> N
         default=4,
         metavar="N",
         help="samples per pixel, where the GPU has them (default: 4)",
-    )
-    command.add_argument(
-        "--transparent", action="store_true", help="the object alone, with its share of each pixel as alpha"
     )
 
 

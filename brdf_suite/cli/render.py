@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.cli.export_progress import add_export, export_progress
+from brdf_suite.cli.output import print_json
 from brdf_suite.cli.picture_options import add_picture, settings_of
 from brdf_suite.cli.reference_options import add_reference, run_reference
 from brdf_suite.cli.scene_options import add_scene, view_of
@@ -31,7 +32,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     add_scene(command)
     add_picture(command)
     add_reference(command)
-    command.add_argument("--json", action="store_true", help="print what was done as one JSON object")
+    add_export(command)
     command.set_defaults(run=run)
 
 
@@ -44,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
     view = view_of(options)
     if options.renderer == "reference":
         return run_reference(options, view)
-    with progress_bar("rendering", quiet=options.json) as progress:
+    with export_progress("rendering", options) as progress:
         picture = render_to_file(
             options.paint, view, options.size, options.output, settings_of(options), progress=progress
         )

@@ -19,6 +19,7 @@ from typing import Literal
 import numpy as np
 
 from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.fitter import LobeFitter
@@ -168,16 +169,31 @@ def fit_any(
     else:
         paint = find_any_paint(name_or_path)
         report(progress, 0.1, "fitting")
-        if isinstance(paint, Paint):
-            found = _designed(paint, name_or_path, basis)
-        else:
-            found = _named(path, lambda: fit_reflectance(paint.name, build_reflectance(paint), basis))
+        found = fit_document(paint, name_or_path, basis)
     if errors:
         judging = part(progress, 0.3, 1.0)
         held_out = held_out_errors(found.reflectance, found.weights, basis, judging)
         found = replace(found, held_out=held_out)
     report(progress, 1.0, "done")
     return found
+
+
+def fit_document(
+    paint: AnyPaint, origin: str | os.PathLike[str] | None = None, basis: LobeBasis | None = None
+) -> AnyFit:
+    """Fit lobes to a paint of any kind; ``origin`` is what messages call it, its name if left out.
+
+    Raises
+    ------
+    UnreachableError
+        No such paint can have the gloss or colour that the document asks for.
+    FittingError
+        No lobes can be fitted.
+    """
+    origin = paint.name if origin is None else origin
+    if isinstance(paint, Paint):
+        return _designed(paint, origin, basis)
+    return _named(Path(origin), lambda: fit_reflectance(paint.name, build_reflectance(paint), basis))
 
 
 def fit_reflectance(

@@ -1,0 +1,62 @@
+"""``brdf-suite sheet PALETTE|FOLDER -o out.png``: every paint in the same light, with its figures."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from brdf_suite.cli.export_progress import add_export, export_progress
+from brdf_suite.cli.output import print_json
+from brdf_suite.cli.picture_options import add_picture, settings_of
+from brdf_suite.cli.scene_options import add_scene, view_of
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "sheet",
+        help="render the paints of a palette or a folder to one PNG, with their figures",
+        description="Render every paint of a .brdfpalette file or of a folder on the same surface in the same light, "
+        "each with its name, flop index and L*a*b* at 15, 45 and 110°.",
+    )
+    command.add_argument(
+        "source", type=Path, metavar="PALETTE|FOLDER", help="a palette, or a folder of .brdfpaint"
+    )
+    command.add_argument("-o", "--output", type=Path, required=True, metavar="FILE", help="the sheet (.png)")
+    command.add_argument(
+        "--columns", type=int, default=None, metavar="N", help="in a row (default: a sheet of 4 to 3)"
+    )
+    add_scene(command, (360, 240))
+    add_picture(command, radiance=False, sheet=True)
+    add_export(command)
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Render and write; print a line or a JSON object. 1 where a paint could not be drawn."""
+    from dataclasses import asdict
+
+    from brdf_suite.pipeline.contact_sheet import write_sheet
+
+    view = view_of(options)
+    with export_progress("sheet", options) as progress:
+        made = write_sheet(
+            options.source,
+            view,
+            options.size,
+            options.output,
+            options.columns,
+            settings_of(options),
+            progress=progress,
+        )
+    if options.json:
+        facts = asdict(made)
+        facts["output"] = str(facts.pop("path"))
+        print_json(facts)
+    else:
+        for notice in made.notices:
+            print(f"note: {notice}")
+        for problem in made.problems:
+            print(f"not drawn: {problem}")
+        print(f"{made.path}: {made.paints} paints, {made.width}×{made.height}")
+    return 1 if made.problems else 0

@@ -1,0 +1,61 @@
+"""``brdf-suite turntable FILE|PAINT -o out.mp4``: one turn of the object, as a video or a folder of pictures."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from brdf_suite.cli.export_progress import add_export, export_progress
+from brdf_suite.cli.output import print_json
+from brdf_suite.cli.picture_options import add_picture, settings_of
+from brdf_suite.cli.scene_options import add_scene, view_of
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "turntable",
+        help="render one turn of the object to a video or a folder of PNG",
+        description="Render one turn of the object before a camera and a light that stand still: to an .mp4 or .webm "
+        "(needs the optional part “video”), or to a new folder of PNG pictures.",
+    )
+    command.add_argument(
+        "paint",
+        metavar="FILE|PAINT",
+        help="a .brdfpaint or measured file, or the name of a shipped or Table 1 paint",
+    )
+    command.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="PATH", help="an .mp4, a .webm, or a new folder"
+    )
+    command.add_argument("--frames", type=int, default=120, metavar="N", help="of the turn (default: 120)")
+    command.add_argument(
+        "--fps", type=float, default=30.0, metavar="N", help="frames a second of a video (default: 30)"
+    )
+    command.add_argument("--clockwise", action="store_true", help="seen from above")
+    add_scene(command)
+    add_picture(command, radiance=False)
+    add_export(command)
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Render and write; print a line or a JSON object."""
+    from dataclasses import asdict
+
+    from brdf_suite.pipeline.turntable import Turn, write_turntable
+
+    view = view_of(options)
+    turn = Turn(options.frames, options.fps, options.clockwise)
+    with export_progress("turntable", options) as progress:
+        made = write_turntable(
+            options.paint, view, options.size, options.output, turn, settings_of(options), progress=progress
+        )
+    if options.json:
+        facts = asdict(made)
+        facts["output"] = str(facts.pop("path"))
+        print_json(facts)
+        return 0
+    for notice in made.notices:
+        print(f"note: {notice}")
+    print(f"{made.path}: {made.frames} frames of {made.width}×{made.height}, {made.paint}")
+    return 0

@@ -1,0 +1,346 @@
+"""A contact sheet: every paint of a palette or a folder on the same form in the same light, with its figures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.flop import flop_index
+from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
+from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint
+from brdf_suite.documents.view import View
+from brdf_suite.errors import FileError, SuiteError, ValueRangeError
+from brdf_suite.pipeline.exposure import metered
+from brdf_suite.pipeline.picture_file import PictureSettings, check_target
+from brdf_suite.pipeline.sheet_text import font_for, shortened
+from brdf_suite.pipeline.still import LoadedScene, loaded_scene
+from brdf_suite.progress import Progress, part, report
+from brdf_suite.realtime.display import Display
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.any_fit import AnyFit
+
+Size = tuple[int, int]
+MOST_PAINTS = 5000
+MOST_COLUMNS = 40
+ANGLES_DEG = (15.0, 45.0, 110.0)
+_SAME_ANGLE_DEG = 0.5
+
+_GREY = 119
+"""L* 50, the grey against which paint is judged."""
+_BLACK, _SOFT = 0, 40
+_MARGIN = 16
+
+
+@dataclass(frozen=True)
+class SheetItem:
+    """A paint of a sheet, or why there is none; ``group`` is the heading that it stands under."""
+
+    name: str
+    group: str
+    paint: AnyPaint | None
+    problem: str = ""
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """What was written. ``problems`` tell of the paints that could not be drawn, by name."""
+
+    path: Path
+    width: int
+    height: int
+    paints: int
+    problems: tuple[str, ...]
+    notices: tuple[str, ...]
+
+
+def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
+    """Return the title and the paints of a palette file, a paint file, or a folder of paints, by name.
+
+    A paint of a folder that cannot be read is an item with its problem.
+
+    Raises
+    ------
+    FileError
+        There is no such file or folder, or nothing in it.
+    """
+    if source.is_dir():
+        files = sorted(source.glob(f"*{PAINT_ENDING}"), key=lambda path: path.name.casefold())
+        if not files:
+            raise FileError(source, f"holds no {PAINT_ENDING} file")
+        if len(files) > MOST_PAINTS:
+            raise FileError(source, f"holds {len(files)} paints; a sheet takes {MOST_PAINTS}")
+        return source.absolute().name, [_item_of(file) for file in files]
+    if source.suffix.lower() == PALETTE_ENDING:
+        palette = load_palette(source)
+        items = [SheetItem(swatch.name, "", swatch.paint) for swatch in palette.swatches]
+        for group in palette.groups:
+            items += [SheetItem(swatch.name, group.name, swatch.paint) for swatch in group.swatches]
+        if not items:
+            raise FileError(source, "holds no paint")
+        return palette.name, items
+    paint = load_any_paint(source)
+    return paint.name, [SheetItem(paint.name, "", paint)]
+
+
+def _item_of(file: Path) -> SheetItem:
+    try:
+        paint = load_any_paint(file)
+    except FileError as error:
+        return SheetItem(file.stem, "", None, error.reason)
+    return SheetItem(paint.name, "", paint)
+
+
+def write_sheet(
+    source: Path,
+    view: View,
+    cell: Size,
+    path: Path,
+    columns: int | None = None,
+    settings: PictureSettings | None = None,
+    *,
+    progress: Progress | None = None,
+) -> Sheet:
+    """Draw every paint of ``source`` (:func:`sheet_items`) and write the sheet as PNG, row by row.
+
+    ``cell`` is the size of one picture in pixels. Each has its name, the flop index and L*a*b* at 15, 45 and 110°
+    below it: of a designed paint its readings, of any other what its reflectance gives. Automatic exposure is
+    measured for the first paint, so that all stand in the same light. A paint that cannot be drawn has its reason in
+    the picture's place.
+
+    Raises
+    ------
+    FileError
+        As :func:`sheet_items` and :func:`~brdf_suite.pipeline.still.render_to_file`.
+    Cancelled
+        The progress callback asked for it; the old file stays.
+    """
+    from brdf_suite.files.images import write_png_strips
+
+    settings = settings or PictureSettings()
+    if path.suffix.lower() != ".png" or settings.bits not in (None, 8):
+        raise FileError(path, "sheets are written as PNG of 8 bits; give a name that ends in .png")
+    _, space = settings.of_file(path)
+    check_target(path)
+    if columns is not None and not 1 <= columns <= MOST_COLUMNS:
+        raise ValueRangeError("columns", f"1 to {MOST_COLUMNS} stand in a row, not {columns}")
+    title, items = sheet_items(source)
+    columns = min(len(items), columns or max(1, round(math.sqrt(len(items) * cell[1] * 1.3 / cell[0]))))
+    layout = _Layout.of(title, _subtitle(view), items, cell, columns)
+    problems: list[str] = []
+    with loaded_scene(view, part(progress, 0.0, 0.2)) as loaded:
+        painter = _Painter(loaded, view, settings, Display(space), layout, problems)
+        rows = painter.strips(part(progress, 0.2, 1.0))
+        metadata = {
+            "Software": "BRDF Suite",
+            "Title": title,
+            "Description": f"{len(items)} paints, {_subtitle(view)}",
+        }
+        write_png_strips(path, layout.size, rows, metadata, space)
+        notices = (*loaded.prepared.environment.notes, *loaded.mesh.notes)
+    report(progress, 1.0, "written")
+    if layout.missing:
+        notices = (*notices, f"no font of this system has the letters {layout.missing}")
+    return Sheet(path, *layout.size, len(items), tuple(problems), notices)
+
+
+def _subtitle(view: View) -> str:
+    return (
+        f"{Path(view.surface).stem} in {Path(view.environment).stem}, {view.exposure_ev:+g} EV, "
+        f"tone curve {view.tone_curve}; L*a*b* D65, 10°, light at 45°"
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Layout:
+    """Where everything stands, in pixels; rows are headings and lines of cells."""
+
+    title: str
+    subtitle: str
+    cell: Size
+    columns: int
+    rows: tuple[str | tuple[SheetItem, ...], ...]
+    fonts: dict[str, Any]
+    missing: str
+
+    @staticmethod
+    def of(title: str, subtitle: str, items: Sequence[SheetItem], cell: Size, columns: int) -> _Layout:
+        text_px = int(min(22, max(10, cell[0] / 18)))
+        texts = [
+            title,
+            subtitle,
+            *(text for item in items for text in (item.name, item.group, item.problem)),
+            _FIGURES,
+        ]
+        font, missing = font_for(texts, text_px)
+        fonts = {
+            "text": font,
+            "name": font_for(texts, round(1.2 * text_px))[0],
+            "title": font_for(texts, round(1.8 * text_px))[0],
+        }
+        rows: list[str | tuple[SheetItem, ...]] = []
+        for group in dict.fromkeys(item.group for item in items):
+            members = [item for item in items if item.group == group]
+            if group:
+                rows.append(group)
+            rows += [tuple(members[i : i + columns]) for i in range(0, len(members), columns)]
+        return _Layout(title, subtitle, cell, columns, tuple(rows), fonts, missing)
+
+    def line(self, kind: str) -> int:
+        """Return the height of a line of text."""
+        return round(1.35 * float(self.fonts[kind].size))
+
+    @property
+    def head(self) -> int:
+        """Height of title and subtitle."""
+        return _MARGIN + self.line("title") + self.line("text") + _MARGIN
+
+    def height(self, row: str | tuple[SheetItem, ...]) -> int:
+        """Return the height of a heading or of a line of cells, with the room below."""
+        if isinstance(row, str):
+            return self.line("name") + _MARGIN // 2
+        return self.cell[1] + 4 + self.line("name") + 4 * self.line("text") + _MARGIN
+
+    @property
+    def size(self) -> Size:
+        """Of the whole sheet."""
+        width = _MARGIN + self.columns * (self.cell[0] + _MARGIN)
+        return width, self.head + sum(self.height(row) for row in self.rows)
+
+
+_FIGURES = "flop L*a*b* 0123456789.,-+°: ()"
+
+
+class _Painter:
+    """Draws the sheet's strips; one paint after the other is shown in the one scene."""
+
+    def __init__(
+        self,
+        loaded: LoadedScene,
+        view: View,
+        settings: PictureSettings,
+        display: Display,
+        layout: _Layout,
+        problems: list[str],
+    ) -> None:
+        self._loaded, self._settings, self._display = loaded, settings, display
+        self._layout, self._problems = layout, problems
+        self._view = replace(loaded.composed(view, layout.cell), clipping_marks=False, gamut_marks=False)
+        self._done = 0
+
+    def strips(self, progress: Progress | None) -> Iterator[NDArray[np.uint8]]:
+        """Yield the head, then a strip for each heading and each line of cells."""
+        layout = self._layout
+        yield self._text_strip(
+            layout.head,
+            [(layout.title, "title", _MARGIN), (layout.subtitle, "text", _MARGIN + layout.line("title"))],
+        )
+        paints = sum(len(row) for row in layout.rows if not isinstance(row, str))
+        for row in layout.rows:
+            if isinstance(row, str):
+                yield self._text_strip(layout.height(row), [(row, "name", 0)])
+            else:
+                yield self._cells(row, paints, progress)
+
+    def _text_strip(self, height: int, lines: list[tuple[str, str, int]]) -> NDArray[np.uint8]:
+        from PIL import Image, ImageDraw
+
+        width = self._layout.size[0]
+        image = Image.new("RGB", (width, height), (_GREY,) * 3)
+        draw = ImageDraw.Draw(image)
+        for text, kind, y in lines:
+            font = self._layout.fonts[kind]
+            draw.text((_MARGIN, y), shortened(text, font, width - 2 * _MARGIN), (_BLACK,) * 3, font)
+        return np.asarray(image)
+
+    def _cells(self, row: tuple[SheetItem, ...], paints: int, progress: Progress | None) -> NDArray[np.uint8]:
+        from PIL import Image, ImageDraw
+
+        layout = self._layout
+        image = Image.new("RGB", (layout.size[0], layout.height(row)), (_GREY,) * 3)
+        draw = ImageDraw.Draw(image)
+        for column, item in enumerate(row):
+            report(progress, self._done / paints, f"{item.name}, {self._done + 1} of {paints}")
+            left = _MARGIN + column * (layout.cell[0] + _MARGIN)
+            lines = self._draw_item(item, image, left)
+            y = layout.cell[1] + 4
+            for number, text in enumerate([item.name, *lines]):
+                kind, shade = ("name", _BLACK) if number == 0 else ("text", _SOFT)
+                font = layout.fonts[kind]
+                draw.text((left, y), shortened(text, font, layout.cell[0]), (shade,) * 3, font)
+                y += layout.line(kind)
+            self._done += 1
+        return np.asarray(image)
+
+    def _draw_item(self, item: SheetItem, image: Any, left: int) -> list[str]:
+        """Put the paint's picture into the sheet and return the lines below its name."""
+        from PIL import Image
+
+        from brdf_suite.pipeline.any_fit import fit_document
+
+        try:
+            if item.paint is None:
+                raise SuiteError(f"{item.name}: {item.problem}")
+            fit = fit_document(item.paint)
+            self._loaded.scene.set_paint_fit(fit)
+            renderer = self._loaded.scene.renderer
+            self._view = metered(renderer, self._view, self._layout.cell)
+            pixels = renderer.render_image(
+                self._view, self._layout.cell, self._settings.samples, display=self._display
+            )
+        except SuiteError as error:
+            self._problems.append(str(error))
+            return [
+                "could not be drawn:",
+                *_wrapped(str(error), self._layout.fonts["text"], self._layout.cell[0], 3),
+            ]
+        image.paste(Image.fromarray(pixels), (left, 0))
+        return caption(fit)
+
+
+def caption(fit: AnyFit) -> list[str]:
+    """Return the flop index and L*a*b* at 15, 45 and 110° with the light at 45°, as lines of text."""
+    found = _readings(fit)
+    lines = []
+    if len(found) == len(ANGLES_DEG):
+        index = flop_index(*(found[angle][0] for angle in ANGLES_DEG))
+        lines.append("flop -" if math.isnan(index.value) else f"flop {index.value:.1f}")
+    for angle, (lightness, a, b) in found.items():
+        # A minus that every font has.
+        lines.append(f"{angle:g}°: L* {lightness:.1f}  a* {a:.1f}  b* {b:.1f}")
+    return lines
+
+
+def _readings(fit: AnyFit) -> dict[float, tuple[float, float, float]]:
+    if fit.paint_fit is not None:
+        measured = [(m.illumination_deg, m.aspecular_deg, m.lab) for m in fit.paint_fit.paint.measurements]
+    else:
+        measured = [(angle.illumination_deg, angle.aspecular_deg, angle.lab) for angle in fit.angles]
+    found = {}
+    for wanted in ANGLES_DEG:
+        for light, aspecular, lab in measured:
+            if abs(light - 45.0) < _SAME_ANGLE_DEG and abs(aspecular - wanted) < _SAME_ANGLE_DEG:
+                found[wanted] = lab
+                break
+    return found
+
+
+def _wrapped(text: str, font: Any, width: int, lines: int) -> list[str]:
+    """Return a text broken into so many lines at most, the last one shortened."""
+    words, wrapped = text.split(), [""]
+    for word in words:
+        longer = f"{wrapped[-1]} {word}".strip()
+        if wrapped[-1] and font.getlength(longer) > width and len(wrapped) < lines:
+            wrapped.append(word)
+        else:
+            wrapped[-1] = longer
+    return [shortened(line, font, width) for line in wrapped]
+
+
+__all__ = ["MOST_COLUMNS", "Sheet", "SheetItem", "caption", "sheet_items", "write_sheet"]

@@ -1,0 +1,67 @@
+"""Text on pictures: a font of the system that has the letters, or the plain one that comes with the library."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from PIL.ImageFont import FreeTypeFont
+
+_FONTS = (
+    "DejaVuSans.ttf",
+    "NotoSans-Regular.ttf",
+    "LiberationSans-Regular.ttf",
+    "segoeui.ttf",
+    "Arial.ttf",
+    "arial.ttf",
+    "Helvetica.ttc",
+    "Arial Unicode.ttf",
+    "NotoSansCJK-Regular.ttc",
+    "PingFang.ttc",
+    "msyh.ttc",
+)
+"""Names of fonts that systems have, the ones with many letters first; looked for where the system keeps fonts."""
+
+_NO_LETTER = "\uffff"
+
+
+def font_for(texts: Iterable[str], size: int) -> tuple[FreeTypeFont, str]:
+    """Return the font of ``size`` pixels that has the most letters of ``texts``, and those that it has not."""
+    # Much to import, and only sheets have text.
+    from PIL import ImageFont
+
+    letters = sorted({letter for text in texts for letter in text if not letter.isspace()})
+    best: FreeTypeFont | None = None
+    missing = ""
+    for name in (*_FONTS, None):
+        try:
+            font = ImageFont.load_default(size) if name is None else ImageFont.truetype(name, size)
+        except OSError:
+            continue  # this system has not got it
+        if not isinstance(font, ImageFont.FreeTypeFont):
+            continue
+        found = _missing(font, letters)
+        if best is None or len(found) < len(missing):
+            best, missing = font, found
+        if not found:
+            break
+    if best is None:
+        raise RuntimeError("the picture library was built without fonts")
+    return best, missing
+
+
+def _missing(font: FreeTypeFont, letters: list[str]) -> str:
+    box = bytes(font.getmask(_NO_LETTER))
+    return "".join(letter for letter in letters if bytes(font.getmask(letter)) == box)
+
+
+def shortened(text: str, font: FreeTypeFont, width: int) -> str:
+    """Return ``text``, or as much of it as fits into ``width`` pixels with three dots after it."""
+    if font.getlength(text) <= width:
+        return text
+    low, high = 0, len(text)
+    while low < high:
+        middle = (low + high + 1) // 2
+        low, high = (middle, high) if font.getlength(text[:middle] + "...") <= width else (low, middle - 1)
+    return text[:low].rstrip() + "..."
