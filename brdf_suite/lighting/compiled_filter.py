@@ -40,11 +40,14 @@ _Item = TypeVar("_Item")
 def analyse(
     pixels: NDArray[np.float32], weights: Floats, bandlimit: int, progress: Progress | None = None
 ) -> NDArray[np.complex128]:
-    """Return coefficients (m, k, 3) of a map (rings, columns, 3), as :func:`.harmonics.analyse` does."""
+    """Return the coefficients of a map (rings, columns, 3) up to a bandlimit, for :func:`cube`.
+
+    They are those of :func:`.harmonics.analyse`, one order after the other without the empty half of that table.
+    """
     rings, columns = pixels.shape[:2]
     half = (rings + 1) // 2
     theta = ring_angles(rings)
-    result = np.zeros((bandlimit + 1, bandlimit + 1, 6))
+    result = np.zeros((_count(bandlimit), 6))
     starts = legendre_starts(bandlimit)
     size = _RING_PAIRS
     first_angle = float(column_angles(columns)[0])
@@ -67,7 +70,7 @@ def analyse(
                 cosines = np.cos(theta[north])
                 end = first + _ORDERS
                 compiled_legendre.analyse_rings(
-                    spectrum, weight, cosines, columns, first_angle, starts, first, end, result
+                    spectrum, weight, cosines, columns, first_angle, starts, first, end, bandlimit, result
                 )
 
             _all(pool, transform, range(6))
@@ -83,7 +86,7 @@ def cube(
     progress: Progress | None = None,
     room: Singles | None = None,
 ) -> Singles:
-    """Return the cube map (6, size, size, 3) of coefficients (m, k, 3) times a gain for each degree.
+    """Return the cube map (6, size, size, 3) of coefficients times a gain for each degree.
 
     The error is 2e-7 of the largest value: what is interpolated is float32. ``room`` (≥ 18·size²,) is memory for the
     result: what is used again need not be fetched from the system for every map.
@@ -153,31 +156,48 @@ def _fine_rings(
     cosines = np.cos(ring_angles(rings))[half - 1 :: -1]
     starts = legendre_starts(bandlimit)
     pairs = coefficients.view(np.float64)
+    analysed = _bandlimit(len(pairs))
     bounds = np.linspace(0, half, -(-half // _BLOCK_RINGS) + 1).astype(int).tolist()
     divided = np.zeros(rings + 1)
     frequencies = np.arange(bandlimit + 1, dtype=np.float64)
     divided[: bandlimit + 1] = 1.0 / kernel_transform(frequencies, 2 * fine)
     result = np.empty((fine, 3, bandlimit + 1), dtype=np.complex64)
+    # Taken once for each thread: memory from the system for every piece of work took a quarter of the time.
+    room = [
+        (np.empty((2, rings, 3, _ORDERS // 2, 2)), np.empty((fine, 3, _ORDERS // 2, 2)))
+        for _ in range(worker_count())
+    ]
 
     def work(first: int) -> None:
         end = min(first + _ORDERS, bandlimit + 1)
-        orders = np.empty((2, rings, 3, (end - first + 1) // 2, 2))
+        orders, finer = mine = room.pop()
         for begin, stop in pairwise(bounds):
             compiled_legendre.synthesise_rings(
-                pairs, gains, cosines[begin:stop].copy(), begin, starts, first, end, orders
+                pairs, analysed, gains, cosines[begin:stop].copy(), begin, starts, first, end, orders
             )
         for odd, (there, back) in enumerate(((dct, dct), (dst, dst))):
             along = divided[first + odd : end : 2, None]
-            if not along.size:
-                continue
             series = there(orders[odd, :, :, : along.size], type=2, axis=0, overwrite_x=True)
             # Row i of a cosine series is frequency i, of a sine series frequency i + 1.
-            series *= divided[odd : rings + odd, None, None, None] * along / (2.0 * rings)
-            finer = back(series, type=3, n=fine, axis=0)
-            result[:, :, first + odd : end : 2] = finer.view(np.complex128)[..., 0]
+            factors = divided[odd : rings + odd, None, None, None] * along / (2.0 * rings)
+            np.multiply(series, factors, out=finer[:rings, :, : along.size])
+            finer[rings:] = 0.0
+            found = back(finer[:, :, : along.size], type=3, axis=0, overwrite_x=True)
+            result[:, :, first + odd : end : 2] = found.view(np.complex128)[..., 0]
+        room.append(mine)
 
     _all(pool, work, range(0, bandlimit + 1, _ORDERS), progress, "filtering")
     return result
+
+
+def _count(bandlimit: int) -> int:
+    """Return how many coefficients there are up to a bandlimit, orders from 0 on."""
+    return (bandlimit + 1) * (bandlimit + 2) // 2
+
+
+def _bandlimit(count: int) -> int:
+    """Return the bandlimit of so many coefficients."""
+    return int(np.sqrt(2.0 * count)) - 1
 
 
 def _faces(

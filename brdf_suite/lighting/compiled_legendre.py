@@ -18,6 +18,12 @@ _LIFT = 400.0
 
 
 @compiled
+def order_start(m: int, limit: int) -> int:
+    """Return where the coefficients of an order begin: one order after the other, degrees m … limit of each."""
+    return m * (2 * limit + 3 - m) // 2
+
+
+@compiled
 def _reached(m: int, limit: int, cosine: Array) -> int:
     """Return how many rings, from the equator on, order m matters on: P̄_lm is nothing where m ≫ l·sinθ."""
     low = (m - 24.0 - 6.0 * limit ** (1.0 / 3.0)) / max(limit, 1)
@@ -128,6 +134,7 @@ def analyse_rings(
     log_start: Array,
     first: int,
     end: int,
+    limit: int,
     result: Array,
 ) -> None:
     """Add what a block of ring pairs gives to the coefficients of orders ``first`` … ``end - 1``.
@@ -141,10 +148,10 @@ def analyse_rings(
         (rings,) quadrature weights times 2π, and cosθ ≥ 0, descending angles from the equator.
     first_angle
         φ of the first column.
-    result
-        (bandlimit+1 (m), bandlimit+1 (k), 6): three channels as pairs of real and imaginary part.
+    limit, result
+        The bandlimit, and ((limit+1)·(limit+2)/2, 6): three channels as pairs of real and imaginary part, for
+        each order m the limit - m + 1 degrees from m on (:func:`order_start`).
     """
-    limit = result.shape[0] - 1
     rings = cosine.size
     light = np.empty((12, rings))
     p = np.empty((4, rings))
@@ -178,10 +185,11 @@ def analyse_rings(
                 light[7 + 2 * c, r] = odd * turned + odd_i * turn
         _start(m, count, log_start, sine_log, twice, last)
         _factors(m, limit, 4, factors)
+        row = result[order_start(m, limit) : order_start(m + 1, limit)]
         for k in range(0, limit - m + 1, 4):
             _advance(count, m, k, twice, last, p, 0)
-            _collect(count, p, 0, light, result[m], k, factors)
-            _collect(count, p, 1, light, result[m], k, factors)
+            _collect(count, p, 0, light, row, k, factors)
+            _collect(count, p, 1, light, row, k, factors)
 
 
 @compiled
@@ -209,6 +217,7 @@ def _spread(count: int, p: Array, parity: int, sums: Array, terms: Array) -> Non
 @compiled
 def synthesise_rings(
     coefficients: Array,
+    analysed: int,
     gains: Array,
     cosine: Array,
     from_equator: int,
@@ -221,8 +230,8 @@ def synthesise_rings(
 
     Parameters
     ----------
-    coefficients
-        (≥ bandlimit+1 (m), ≥ bandlimit+1 (k), 6), as :func:`analyse_rings` leaves them.
+    coefficients, analysed
+        What :func:`analyse_rings` leaves, and the bandlimit there, at least that of ``gains``.
     gains
         (bandlimit+1,): what each degree is multiplied by.
     cosine
@@ -246,6 +255,7 @@ def synthesise_rings(
         sums[...] = 0.0
         _start(m, count, log_start, sine_log, twice, last)
         _factors(m, limit, 8, factors)
+        row = coefficients[order_start(m, analysed) : order_start(m + 1, analysed)]
         if count > 0:
             for k in range(0, limit - m + 1, 8):
                 _advance(count, m, k, twice, last, p, 0)
@@ -255,7 +265,7 @@ def synthesise_rings(
                     for i in range(6):
                         terms[step, i] = 0.0
                         if degree <= limit:
-                            terms[step, i] = coefficients[m, k + step, i] * gains[degree] * factors[k + step]
+                            terms[step, i] = row[k + step, i] * gains[degree] * factors[k + step]
                 _spread(count, p, 0, sums, terms)
                 _spread(count, p, 1, sums, terms)
         parity = (m - first) % 2

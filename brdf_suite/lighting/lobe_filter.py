@@ -50,6 +50,7 @@ class LobeFilter:
         self._bright: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
         self._spectrum: NDArray[np.complex128] | None = None
         self._coefficients: NDArray[np.complex128] | None = None
+        self._bandlimit = -1
         self._kernels = None if plain else kernels(progress, wait=self.rings >= _WAIT_RINGS)
 
     @property
@@ -65,7 +66,7 @@ class LobeFilter:
     @property
     def bandlimit(self) -> int:
         """The degree up to which the environment has been analysed, -1 before that."""
-        return -1 if self._coefficients is None else self._coefficients.shape[0] - 1
+        return self._bandlimit
 
     def analyse(self, bandlimit: int, progress: Progress | None = None) -> None:
         """Analyse the environment up to a degree, where that has not been done."""
@@ -76,6 +77,7 @@ class LobeFilter:
         else:
             orders = self._orders(bandlimit)
             self._coefficients = analyse(orders, self._weights, np.cos(self._theta), bandlimit, progress)
+        self._bandlimit = bandlimit
 
     def lobe(
         self,
@@ -136,7 +138,11 @@ class LobeFilter:
         angles, tail = lobe_tail(exponent, bandlimit)
         texels = texel_directions(size).reshape(-1, 3)
         between = np.arccos(np.clip(texels @ towards.T, -1.0, 1.0))
-        added: NDArray[np.float64] = np.interp(between, angles, tail) @ flux
+        # The angles are evenly spaced: no search for the two beside each.
+        steps = between * ((angles.size - 1) / np.pi)
+        below = np.minimum(steps.astype(np.int64), angles.size - 2)
+        values = tail[below] + (steps - below) * np.diff(tail)[below]
+        added: NDArray[np.float64] = values @ flux
         return added.reshape(6, size, size, 3)
 
     def _brightest(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -25,7 +25,7 @@ ALGORITHM_VERSION = 4
 DIFFUSE_EXPONENT = 1.0
 MIN_FACE = 64
 MAX_FACE = 2048
-_TEXELS_PER_WIDTH = 10.2  # face size over √exponent: bilinear look-up errs by at most 1 % of the lobe's peak
+_TEXELS_PER_WIDTH = 9.2  # face size over √exponent: bilinear look-up errs by less than 1 % of the lobe's peak
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,10 +62,10 @@ def background_size(environment: Environment) -> int:
 
 
 def face_size(exponent: float) -> int:
-    """Return the face size for an exponent: 2^k or 3·2^k, at least 10.2·√exponent, 64…2,048.
+    """Return the face size for an exponent: 2^k or 3·2^k, at least 9.2·√exponent, 64…2,048.
 
-    A bilinear look-up in the middle of a face errs by E/F² of the lobe's peak; :mod:`.cube_edges` keeps it
-    below that near the edges, too.
+    A bilinear look-up in the middle of a face errs by E/(2F²) of the lobe's peak (:mod:`.texel_values`), one at an
+    edge of the cube by up to 0.9 % (:mod:`.cube_edges`).
     """
     wanted = _TEXELS_PER_WIDTH * np.sqrt(exponent)
     sizes = sorted(base << shift for base in (64, 96) for shift in range(6))

@@ -22,7 +22,8 @@ from brdf_suite.lighting.zonal import lobe_bandlimit
 ERROR_EXPONENTS = (5.0, 20.0, 80.0, 320.0, 1280.0, 5120.0)
 DIRECTIONS = 340  # for each exponent: 2,040 in all
 LOCAL_DIRECTIONS = 60
-LOOK_UP_EXPONENTS = (1.0, 5.0, 20.0, 80.0, 320.0, 1280.0, 5120.0, 10673.0)
+WORST_EXPONENTS = (108.0, 1742.0)  # just below those that get the next larger faces
+LOOK_UP_EXPONENTS = (1.0, 5.0, 20.0, *WORST_EXPONENTS, 5120.0, 10673.0)
 SHARP = ((50_000.0, 1024), (116_000.0, 2048))
 """Exponents whose maps are held to 2,048 texels, each with the rings of a map that they are filtered from."""
 

@@ -43,14 +43,14 @@ def test_high_degrees_obey_the_addition_theorem(degree: int) -> None:
     from brdf_suite.lighting import compiled_legendre
     from brdf_suite.lighting.harmonics import legendre_starts
 
-    coefficients = np.zeros((degree + 1, degree + 1, 6))
-    m = np.arange(degree + 1)
-    coefficients[m, degree - m, 0] = 1.0
+    coefficients = np.zeros(((degree + 1) * (degree + 2) // 2, 6))
+    for m in range(degree + 1):
+        coefficients[compiled_legendre.order_start(m + 1, degree) - 1, 0] = 1.0
     orders = np.empty((2, 300, 3, degree // 2 + 1, 2))
     cosines = np.cos(ring_angles(300))[149::-1].copy()
     starts = legendre_starts(degree)
     compiled_legendre.synthesise_rings(
-        coefficients, np.ones(degree + 1), cosines, 0, starts, 0, degree + 1, orders
+        coefficients, degree, np.ones(degree + 1), cosines, 0, starts, 0, degree + 1, orders
     )
     values = np.empty((300, degree + 1))
     values[:, ::2] = orders[0, :, 0, :, 0]

@@ -17,7 +17,7 @@ from brdf_suite.realtime.context import create_context
 
 SEAMLESS = 0x884F
 SIZE = 64
-EXPONENT = (SIZE / 10.2) ** 2  # the sharpest lobe that gets faces of 64
+EXPONENT = (SIZE / 9.2) ** 2  # the sharpest lobe that gets faces of 64
 
 VERTEX = """
 #version 330

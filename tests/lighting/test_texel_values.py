@@ -20,7 +20,7 @@ def lobe(towards: np.ndarray, exponent: float) -> np.ndarray:
 
 def test_texels_and_what_lies_between_share_the_error() -> None:
     """A bilinear look-up errs by E/F² of the peak at most; by half of that where texels hold less than their value."""
-    exponent = (SIZE / 10.2) ** 2
+    exponent = (SIZE / 9.2) ** 2
     faces = np.repeat(lobe(texel_directions(SIZE), exponent)[..., None], 3, axis=-1)
     stored = (faces - BEND_SHARE * bends(faces))[4, ..., 0]
     line = (2.0 * np.arange(SIZE) + 1.0) / SIZE - 1.0
