@@ -25,6 +25,7 @@ from brdf_suite.cli import (
     prefilter,
     programs,
     render,
+    shading_table,
     sheet,
     turntable,
 )
@@ -85,6 +86,7 @@ def parser() -> argparse.ArgumentParser:
         prefilter,
         environment,
         cache,
+        shading_table,
         bench,
     ):
         module.add(commands)

@@ -15,7 +15,7 @@ exponent E + 1. Over the cosine c = N·R, b is a polynomial of second order; e a
 
 from __future__ import annotations
 
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,7 +45,7 @@ _LOWEST_COSINE = 1e-3
 def typical_power(degrees: int) -> Floats:
     """Return the power per degree l = 0 … ``degrees`` of typical light over that of its mean.
 
-    0.15 l^-1.1 is the course of the geometric mean over the environments that the suite ships and nine real ones.
+    0.15 l^-1.1 is about the course of the geometric mean over nine environments, rooms and skies.
     """
     l = np.maximum(np.arange(degrees + 1), 1)  # noqa: E741  (the degree has this name everywhere)
     power: Floats = 0.15 * l**-1.1
@@ -110,7 +110,7 @@ def _crossing(cosine: Floats) -> Floats:
     return np.asarray((1.0 - fresnel_dielectric(cosine, COAT_IOR)) / at_fit)
 
 
-def shading_table(progress: Progress | None = None) -> dict[str, object]:
+def shading_table(progress: Progress | None = None) -> dict[str, Any]:
     """Return the table as plain values: by target and exponent ``toward_normal`` (3), ``exponent``, ``amplitude``.
 
     ``toward_normal`` holds b's coefficients of c⁰, c¹, c²; ``exponent`` and ``amplitude`` are at ``cosines``.
@@ -127,7 +127,7 @@ def shading_table(progress: Progress | None = None) -> dict[str, object]:
                 (step + index / len(EXPONENTS)) / len(TARGETS),
                 f"{target} lobe of exponent {exponent:.3g}",
             )
-            rows.append(_row(search, target, exponent, cosines))
+            rows.append(lobe_row(search, target, exponent, cosines))
         targets[target] = rows
     report(progress, 1.0, "the table is made")
     gain, amplitude = search.gain(np.tile((search.mu * _crossing(search.mu))[:, None], (1, _PHI)))
@@ -142,7 +142,8 @@ def shading_table(progress: Progress | None = None) -> dict[str, object]:
     }
 
 
-def _row(search: LeastSquares, target: Target, exponent: float, cosines: Floats) -> dict[str, object]:
+def lobe_row(search: LeastSquares, target: Target, exponent: float, cosines: Floats) -> dict[str, Any]:
+    """Return one lobe's row of the table, at ``cosines`` (n,)."""
     held = np.maximum(cosines, _LOWEST_COSINE)
     found = [search.gain(search.values(target, exponent, float(c))) for c in held]
     sines = np.sqrt(1.0 - held**2)
