@@ -61,7 +61,7 @@ class SceneRenderer:
 
         ``material`` is the one that is given it: the surface's paint, or the one that it is compared with.
         """
-        self._renderer.set_material(material, _material(fit.weights))
+        self._renderer.set_material(material, material_weights(fit.weights))
 
     def set_environment(self, prepared: PreparedEnvironment) -> None:
         """Show this environment; its maps must have been made for the exponents of the paint's fit."""
@@ -150,7 +150,8 @@ def gl_renderer_name() -> str:
         context.release()
 
 
-def _material(weights: LobeWeights) -> MaterialWeights:
+def material_weights(weights: LobeWeights) -> MaterialWeights:
+    """Return fitted weights as the renderer takes them."""
     return MaterialWeights(
         exponents=tuple(weights.exponents.tolist()),
         kd=weights.kd,
