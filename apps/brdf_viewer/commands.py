@@ -149,6 +149,8 @@ class ViewerCommands(QObject):
             "Save the picture as PNG, at its full number of pixels, with paint and settings noted in it",
         )
         menu.addSeparator()
+        self.studio = menu.addMenu("S&tudio")
+        menu.addSeparator()
         self._recent = {
             kind: menu.addMenu(title)
             for kind, title in (

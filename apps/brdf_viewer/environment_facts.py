@@ -9,7 +9,9 @@ def environment_facts(prepared: PreparedEnvironment, loading: bool) -> str:
     """Return the lines under the chooser; ``loading``: whether the missing maps are on their way."""
     rows, columns = prepared.environment.radiance.shape[:2]
     lines = [f"{columns} × {rows} pixels", *map(_sentence, prepared.environment.notes)]
-    if not prepared.is_final:
+    if prepared.draft:
+        lines.append("A draft; the light as it will be follows when the hand rests.")
+    elif not prepared.is_final:
         made = prepared.wanted - prepared.missing
         what = f"{made} of {prepared.wanted} maps are there; "
         if loading:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from brdf_qt.gl_surface import Drawer, GlSurface
 from brdf_qt.main_window import SuiteWindow
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPalette
 from PySide6.QtWidgets import QWidget
 
@@ -22,6 +22,7 @@ from brdf_viewer.sections.lighting import LightingSection
 from brdf_viewer.sections.paint import PaintSection
 from brdf_viewer.sections.surface import SurfaceSection
 from brdf_viewer.sections.tone import ToneSection
+from brdf_viewer.studio.panel import StudioPanel
 
 _BUSY_AFTER_MS = 200
 """Work that is done sooner shows no progress: a strip that flashes up says nothing."""
@@ -66,6 +67,10 @@ class ViewerWindow(SuiteWindow):
         ):
             self.inspector.add_section(section)
         self.commands = ViewerCommands(self)
+        self.studio = StudioPanel()
+        self.studio_dock = self.add_panel("Studio", self.studio, Qt.DockWidgetArea.LeftDockWidgetArea)
+        self.studio_dock.hide()
+        self.close_guards: list[Callable[[], bool]] = []
         for action in self.commands.on_picture:
             self.picture.addAction(action)
         self._busy: dict[str, tuple[float, str]] = {}
@@ -120,6 +125,11 @@ class ViewerWindow(SuiteWindow):
             event.acceptProposedAction()
             self.files_dropped.emit(paths)
 
+    def may_close(self) -> bool:
+        """Whether nothing that is unsaved is lost, or the user gives it up."""
+        return all(guard() for guard in self.close_guards)
+
     def closeEvent(self, event: QCloseEvent) -> None:
-        self.closing.emit()
         super().closeEvent(event)
+        if event.isAccepted():
+            self.closing.emit()

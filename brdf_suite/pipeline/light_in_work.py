@@ -26,8 +26,13 @@ def prepare_light(
     A draft never says that it is final; ``partial`` as for :func:`brdf_suite.pipeline.scene.load_environment`.
     """
     made = draw_light(light, part(progress, 0.0, _DRAWING_SHARE), draft=draft)
+
+    def hand_out(value: PreparedEnvironment) -> None:
+        if partial is not None:
+            partial(replace(value, draft=draft))
+
     environment = Environment(light.name, made.radiance, (made.comment.rstrip("."),))
     prepared = prepare_environment(
-        light.name, environment, prefilter, part(progress, _DRAWING_SHARE, 1.0), partial=partial
+        light.name, environment, prefilter, part(progress, _DRAWING_SHARE, 1.0), partial=hand_out
     )
-    return replace(prepared, missing=1) if draft else prepared
+    return replace(prepared, draft=draft)

@@ -27,6 +27,7 @@ def test_a_draft_is_near_the_whole_and_says_what_it_is() -> None:
     assert not draft.is_final
     assert whole.is_final
     assert partial
+    assert all(part.draft for part in partial)
     assert not any(part.is_final for part in partial)
     assert draft.environment.radiance.shape[0] == DRAFT_ROWS < whole.environment.radiance.shape[0]
     np.testing.assert_allclose(draft.environment.average(), whole.environment.average(), rtol=0.02)

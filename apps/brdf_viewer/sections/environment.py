@@ -5,7 +5,7 @@ from __future__ import annotations
 from brdf_qt.form import Form
 from brdf_qt.section import Section
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QWidget
+from PySide6.QtWidgets import QComboBox, QToolButton, QWidget
 
 from brdf_suite.documents.view import PARAMETERS
 from brdf_viewer.environment_figures import EnvironmentFigures
@@ -35,6 +35,7 @@ class EnvironmentSection(Section):
     exposure_edited = Signal(float)
     background_edited = Signal(str)
     layout_edited = Signal(str)
+    edit_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Environment", "environment", parent)
@@ -55,11 +56,16 @@ class EnvironmentSection(Section):
         self.layout_list.activated.connect(
             lambda index: self.layout_edited.emit(self.layout_list.itemData(index))
         )
+        self.edit = QToolButton()
+        self.edit.setText("Edit the light")
+        self.edit.setToolTip("Edit this studio or sky in a panel of its own")
+        self.edit.clicked.connect(lambda _=False: self.edit_wanted.emit())
         self.facts = note()
         self.figures = EnvironmentFigures()
         form = Form()
         form.add_row("Light", self.chooser, "A high-dynamic-range panorama, or a studio, lights the surface")
         form.add_row("Layout", self.layout_list, "How a file's image is laid out, where its shape misleads")
+        form.add_row("", self.edit)
         form.add_wide(self.facts)
         form.add_wide(self.figures)
         form.add_row("Rotation", self.rotation, PARAMETERS["rotation_deg"].meaning + " (Alt + drag)")
@@ -75,3 +81,7 @@ class EnvironmentSection(Section):
         """Show the present layout; only a file of pixels has a choice of it."""
         self.layout_list.setCurrentIndex(self.layout_list.findData(key))
         self.layout_list.setEnabled(choosable)
+
+    def set_editable(self, editable: bool) -> None:
+        """Offer to edit the light where it has a description."""
+        self.edit.setVisible(editable)

@@ -6,9 +6,10 @@ import dataclasses
 
 from brdf_suite.documents.light_store import LightDocument
 from brdf_suite.documents.studio import Backdrop, Lamp, Point, Room, Sky, Studio
-from brdf_viewer.studio.places import held_in, moved, point_at, polar
+from brdf_viewer.studio.places import angle_of, held_in, moved, point_at, polar, size_at
 from brdf_viewer.studio.templates import NEW_LAMPS
 
+LARGEST_DEG = 170.0
 _BESIDE_DEG = 20.0
 
 
@@ -42,6 +43,14 @@ def removed(studio: Studio, index: int) -> Studio:
 def placed(studio: Studio, index: int, position: Point) -> Studio:
     """Return the studio with a lamp moved to a position, or as far towards it as its room goes."""
     return with_lamp(studio, index, moved(studio.lamps[index], held_in(studio.room, position)))
+
+
+def scaled(lamp: Lamp, factor: float) -> Lamp:
+    """Return the lamp with both of its angles a factor larger, up to 170°."""
+    distance = polar(lamp.position_m)[2]
+    angles = (min(LARGEST_DEG, angle_of(size, distance) * factor) for size in lamp.size_m)
+    first, second = (size_at(angle, distance) for angle in angles)
+    return dataclasses.replace(lamp, size_m=(first, second))
 
 
 def with_room(studio: Studio, has_room: bool) -> Studio:
