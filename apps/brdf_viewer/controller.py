@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from functools import partial
 
+from brdf_qt.dialogs import Dialogs, QtDialogs
 from brdf_qt.link import LiveLink
 from brdf_qt.message_bar import Message
 from brdf_qt.settings import settings
@@ -30,6 +31,7 @@ from brdf_viewer.remembered import remember
 from brdf_viewer.scene_control import SHIPPED_TITLES, SceneControl
 from brdf_viewer.source_chooser import title_of
 from brdf_viewer.stage import Stage
+from brdf_viewer.studio.control import StudioControl
 from brdf_viewer.window import ViewerWindow
 
 _PUBLISH_MS = 50
@@ -66,6 +68,7 @@ class ViewerController(QObject):
         follow: bool = True,
         ask: AskFile = ask_file,
         ask_picture: AskPicture = ask_picture,
+        dialogs: Dialogs | None = None,
     ) -> None:
         super().__init__()
         self.stage = Stage(view, self)
@@ -86,6 +89,9 @@ class ViewerController(QObject):
         self.export = PictureExport(self.stage, self.window, ask_picture, self)
         self._connect()
         self._show_view(None, view)
+        self.studio = StudioControl(
+            self.stage, self.window, self.scene, dialogs or QtDialogs(self.window), self
+        )
         self.lighting = LightingControl(self.stage, self.window, lambda: self.drawer, self)
         self.compare = CompareControl(self.stage, self.window, self._tasks, ask, self)
         self.window.picture.set_view(view)
@@ -218,6 +224,7 @@ class ViewerController(QObject):
         remember(settings(), self.stage.view)
         self.link.close()
         self.paint.close()
+        self.studio.close()
         self.compare.close()
         self._loader.stop()
         self.window.picture.release()

@@ -53,6 +53,7 @@ class SceneControl(QObject):
         self._names = {ENVIRONMENT: environment_names(), SURFACE: surface_names()}
         self._recent = {kind: RecentFiles(kind) for kind in self._choosers}
         self._loading: dict[str, str] = {}
+        self._edited = ""  # the title of a light that is shown and edited, and that the view cannot name
         self._layout = stage.view.environment_layout
         self._watch = FileWatch(self)
         self._watch.changed.connect(self._changed_on_disk)
@@ -130,6 +131,7 @@ class SceneControl(QObject):
     def _loaded(self, kind: str, key: str, value: PreparedEnvironment | Mesh) -> None:
         if kind == ENVIRONMENT:
             first = not self._drawn_key(ENVIRONMENT)
+            self._edited = ""
             self._stage.set_environment(key, value)
             change = self._stage.follow_view if first else self._stage.change_view
             change(environment=key, environment_layout=self._layout)
@@ -149,8 +151,35 @@ class SceneControl(QObject):
             self._list(kind)
         self._show(kind)
 
+    def show_edited(self, key: str, prepared: PreparedEnvironment) -> None:
+        """Show a light that is being edited: under its file's path, or under its name while it has none.
+
+        The view goes on to name what it did; it cannot name what no file holds.
+        """
+        if ENVIRONMENT in self._loading:
+            self._loader.cancel(ENVIRONMENT)
+        self._edited = key
+        self._stage.set_environment(key, prepared)
+        self._show_facts()
+        self._show(ENVIRONMENT)
+        if prepared.is_final:
+            self._loader.count(key, prepared.environment)
+
+    def name_edited(self, path: str) -> None:
+        """The light that was edited is now what a file holds: the view names it."""
+        present = self._stage.environment
+        if present is not None and self._edited:
+            self._stage.set_environment(path, present.value)
+        self._edited = ""
+        self._layout = AUTOMATIC
+        self._recent[ENVIRONMENT].add(path)
+        self._list(ENVIRONMENT)
+        self._stage.change_view(environment=path, environment_layout=AUTOMATIC)
+        self._show(ENVIRONMENT)
+
     def _partly_loaded(self, key: str, prepared: PreparedEnvironment) -> None:
         """Show what there is of an environment that is on its way; the view names it when it is whole."""
+        self._edited = ""
         self._stage.set_environment(key, prepared)
         self._show_facts()
         self._show_environment_cell()
@@ -166,7 +195,7 @@ class SceneControl(QObject):
         set_note(self._window.environment.facts, text)
 
     def _counted(self, key: str, statistics: EnvironmentStatistics) -> None:
-        if key == self._drawn_key(ENVIRONMENT):
+        if self._stage.environment is not None and key == self._stage.environment.key:
             self._window.environment.figures.set_statistics(statistics)
 
     def _not_loaded(self, kind: str, key: str, error: Exception) -> None:
@@ -211,6 +240,8 @@ class SceneControl(QObject):
         self._show(kind)
 
     def _drawn_key(self, kind: str) -> str:
+        if kind == ENVIRONMENT and self._edited:
+            return self._stage.view.environment
         present = self._stage.environment if kind == ENVIRONMENT else self._stage.surface
         return "" if present is None else present.key
 
@@ -221,8 +252,8 @@ class SceneControl(QObject):
         self._window.commands.set_recent(kind, files)
 
     def _show(self, kind: str) -> None:
-        key = self._loading.get(kind) or getattr(self._stage.view, kind)
-        self._show_choice(kind, key)
+        edited = self._edited if kind == ENVIRONMENT else ""
+        self._show_choice(kind, self._loading.get(kind) or edited or getattr(self._stage.view, kind))
 
     def _show_choice(self, kind: str, key: str) -> None:
         if kind == ENVIRONMENT:
@@ -260,12 +291,15 @@ class SceneControl(QObject):
 
     def _show_environment_cell(self) -> None:
         loading = self._loading.get(ENVIRONMENT)
-        title = title_of(loading or self._stage.view.environment, SHIPPED_TITLES)
+        title = title_of(loading or self._edited or self._stage.view.environment, SHIPPED_TITLES)
         cell, present = self._window.status.cell("environment"), self._stage.environment
         if present is None or present.value.is_final:
             cell.set(title, "Being loaded" if loading else "The light", "stale" if loading else "fresh")
             return
         title = title_of(present.key, SHIPPED_TITLES)
+        if present.value.draft:
+            cell.set(f"{title}, draft", "The light as it will be follows when the hand rests", "stale")
+            return
         counts = f"maps {present.value.wanted - present.value.missing} of {present.value.wanted}"
         tip = "Sharp reflections follow" if loading else "Stopped; choose the light again to finish it"
         cell.set(f"{title}, {counts}", tip, "stale")
