@@ -129,7 +129,9 @@ class SceneLoader(QObject):
 
 
 def _environment(request: EnvironmentRequest, progress: Progress) -> PreparedEnvironment:
-    return load_environment(request.key, progress, layout=request.layout, partial=request.partial)
+    prepared = load_environment(request.key, progress, layout=request.layout, partial=request.partial)
+    _ = prepared.glint_lights  # found here, so that the first frame does not wait for them
+    return prepared
 
 
 def _statistics(environment: Environment, _progress: Progress) -> EnvironmentStatistics:

@@ -18,7 +18,7 @@ from typing import Literal
 
 import numpy as np
 
-from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.paint import Flakes, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.basis import LobeBasis
@@ -56,7 +56,7 @@ class AnyFit:
 
     ``l1_errors``: per part of the fit and channel, Σ w·|M x - b| over Σ w·b. ``held_out`` is None where there are
     too few samples to leave some out. ``incidences_deg`` are those of the fit. ``paint_fit`` is there for the
-    documents of designed paints. ``fit_seconds``: samples in hand to weights.
+    documents of designed paints, ``flakes`` where the paint has some. ``fit_seconds``: samples in hand to weights.
     """
 
     name: str
@@ -72,6 +72,7 @@ class AnyFit:
     notices: tuple[str, ...]
     fit_seconds: float
     paint_fit: PaintFit | None = None
+    flakes: Flakes | None = None
 
     @property
     def time_limited(self) -> bool:
@@ -192,8 +193,10 @@ def fit_document(
     """
     origin = paint.name if origin is None else origin
     if isinstance(paint, Paint):
-        return _designed(paint, origin, basis)
-    return _named(Path(origin), lambda: fit_reflectance(paint.name, build_reflectance(paint), basis))
+        found = _designed(paint, origin, basis)
+    else:
+        found = _named(Path(origin), lambda: fit_reflectance(paint.name, build_reflectance(paint), basis))
+    return replace(found, flakes=paint.flakes)
 
 
 def fit_reflectance(

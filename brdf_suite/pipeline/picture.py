@@ -17,6 +17,7 @@ from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.context import Context, create_context
 from brdf_suite.realtime.gpu_objects import Counters
+from brdf_suite.realtime.light_block import NO_LIGHTS
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, GroundField, MaterialWeights, MeshPart
 from brdf_suite.surface.mesh import Mesh
@@ -62,6 +63,7 @@ class SceneRenderer:
         ``material`` is the one that is given it: the surface's paint, or the one that it is compared with.
         """
         self._renderer.set_material(material, material_weights(fit.weights))
+        self._renderer.set_flakes(material, fit.flakes)
 
     def set_environment(self, prepared: PreparedEnvironment) -> None:
         """Show this environment; its maps must have been made for the exponents of the paint's fit."""
@@ -72,7 +74,8 @@ class SceneRenderer:
                 lobes=tuple(_faces(lobe) for lobe in maps.lobes),
                 diffuse=_faces(maps.diffuse),
                 background=_faces(maps.background),
-            )
+            ),
+            prepared.glint_lights if prepared.is_final else NO_LIGHTS,
         )
 
     def set_surface(self, mesh: Mesh, baked: BakedMesh | None = None) -> None:

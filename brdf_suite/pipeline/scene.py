@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 from brdf_suite.documents.paint import Paint
@@ -16,6 +17,7 @@ from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.face_array import FaceArray
+from brdf_suite.lighting.lights.glinting import GlintLights, glint_lights
 from brdf_suite.lighting.prefilter import LobeMaps, Ready
 from brdf_suite.pipeline.environments import AUTOMATIC, read_environment
 from brdf_suite.pipeline.partial_maps import PartialMaps
@@ -141,6 +143,11 @@ class PreparedEnvironment:
     missing: int = 0
     wanted: int = 0
     draft: bool = False
+
+    @cached_property
+    def glint_lights(self) -> GlintLights:
+        """Its lights in which single flakes glint; found at the first call, in about a tenth of a second."""
+        return glint_lights(self.environment)
 
     @property
     def is_final(self) -> bool:

@@ -29,6 +29,7 @@ class MeshBuffers:
         self._arrays: dict[moderngl.Program, list[moderngl.VertexArray]] = {}
         self.names: tuple[str, ...] = ()
         self.materials: tuple[str, ...] = ()
+        self.has_uv: tuple[bool, ...] = ()
         self.bounds = Bounds.of([])
         self.triangle_count = 0
         self.generation = 0
@@ -47,6 +48,7 @@ class MeshBuffers:
             self._buffers.append((buffer(vertices.tobytes()), buffer(part.triangles.tobytes()), light))
         self.names = tuple(part.name for part in parts)
         self.materials = tuple(part.material for part in parts)
+        self.has_uv = tuple(part.uvs is not None for part in parts)
         self.bounds = Bounds.of(part.positions for part in parts)
         self.triangle_count = sum(len(part.triangles) for part in parts)
 
@@ -73,6 +75,7 @@ class MeshBuffers:
         self._buffers = []
         self.names = ()
         self.materials = ()
+        self.has_uv = ()
 
 
 def _described(

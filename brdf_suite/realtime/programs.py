@@ -9,11 +9,15 @@ from pathlib import Path
 import moderngl
 
 from brdf_suite.realtime.gpu_objects import GpuObjects
+from brdf_suite.realtime.light_lobes import COLUMNS
 from brdf_suite.realtime.look_up_table import RAMP_NODES
 from brdf_suite.realtime.material_ramp import MAX_BROAD, MAX_ROWS, MAX_SHARP
 from brdf_suite.realtime.shader_source import SHADERS, compose, look_up_defines
 
 MATERIAL_BINDING = 0
+LIGHTS_BINDING = 3
+_BLOCKS = {"Material": MATERIAL_BINDING, "Lights": LIGHTS_BINDING}
+LIGHT_LOBES_UNIT = 15
 
 ScreenProgram = tuple[moderngl.Program, moderngl.VertexArray]
 
@@ -86,6 +90,7 @@ class Programs:
                 "MAX_SHARP": str(MAX_SHARP),
                 "RAMP_ROWS": str(MAX_ROWS),
                 "RAMP_NODES": str(RAMP_NODES),
+                "LIGHT_LOBE_COLUMNS": str(COLUMNS),
             }
             fragment = compose(
                 self._surface_shader.name,
@@ -93,9 +98,12 @@ class Programs:
                 (self._surface_shader.parent, SHADERS),
             )
             program = self._objects.program(compose("mesh.vert.glsl", words), fragment)
-            block = program.get("Material", None)
-            if isinstance(block, moderngl.UniformBlock):
-                block.binding = MATERIAL_BINDING
+            for name, binding in _BLOCKS.items():
+                block = program.get(name, None)
+                if isinstance(block, moderngl.UniformBlock):
+                    block.binding = binding
+            # At once: two kinds of samplers must never stand at one unit, not even while a program warms up.
+            assign(program, {"light_lobes": LIGHT_LOBES_UNIT})
             self._surfaces[key] = program
         return self._surfaces[key]
 

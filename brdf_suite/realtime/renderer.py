@@ -24,8 +24,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.light_matrix import light_matrix
+from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError, ValueRangeError
+from brdf_suite.lighting.lights.glinting import GlintLights
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.display import LINEAR, SRGB, Display, Unshowable
@@ -34,6 +36,7 @@ from brdf_suite.realtime.features import surface_features
 from brdf_suite.realtime.finish import FinishPass
 from brdf_suite.realtime.gpu_objects import Counters, GpuObjects
 from brdf_suite.realtime.ground import GroundShadow
+from brdf_suite.realtime.light_block import NO_LIGHTS
 from brdf_suite.realtime.material_set import MaterialSet, Modes
 from brdf_suite.realtime.mesh_buffers import MeshBuffers
 from brdf_suite.realtime.programs import (
@@ -44,6 +47,7 @@ from brdf_suite.realtime.programs import (
     Programs,
     assign,
 )
+from brdf_suite.realtime.single_lights import SingleLights
 from brdf_suite.realtime.strips import LARGEST_TILE, draw_strips, tile_limit
 from brdf_suite.realtime.target import LightTarget, PictureTarget
 from brdf_suite.realtime.values import EnvironmentMaps, GroundField, MaterialWeights, MeshPart
@@ -70,6 +74,7 @@ class Renderer:
         self._environment = EnvironmentTextures(self._objects)
         self._mesh = MeshBuffers(self._objects)
         self._materials = MaterialSet(self._objects)
+        self._single_lights = SingleLights(self._objects)
         self._light = LightTarget(self._objects)
         self._tile = LightTarget(self._objects)
         self._picture = PictureTarget(self._objects)
@@ -105,15 +110,24 @@ class Renderer:
         """Replace the ground that a view may ask for; None: there is none."""
         self._ground.set_field(field)
 
-    def set_environment(self, maps: EnvironmentMaps) -> None:
-        """Replace the light. Materials must then have the same exponents; stock ones follow by themselves."""
+    def set_environment(self, maps: EnvironmentMaps, lights: GlintLights = NO_LIGHTS) -> None:
+        """Replace the light. Materials must then have the same exponents; stock ones follow by themselves.
+
+        ``lights`` are those of its lights in which single flakes glint.
+        """
         self._ground.set_environment(maps.background)
         self._environment.load(maps)
         self._materials.set_exponents(maps.exponents)
+        self._single_lights.set_environment(lights, maps.exponents)
 
     def set_material(self, name: str, weights: MaterialWeights) -> None:
         """Give a material its weights; from the second time on this writes one small buffer and no more."""
         self._materials.set(name, weights)
+        self._single_lights.set_material(name, weights)
+
+    def set_flakes(self, name: str, flakes: Flakes | None) -> None:
+        """Give a material the flakes that sparkle in it, or none."""
+        self._single_lights.set_flakes(name, flakes)
 
     def camera_matrices(self, view: View, size: Size) -> CameraMatrices:
         """Return the matrices that :meth:`render` uses, for picking and gestures."""
@@ -303,6 +317,7 @@ class Renderer:
         self.context.depth_func = "<="
         self._environment.bind()
         features = surface_features(view, knows_light=self._mesh.knows_light)
+        features |= self._single_lights.features(view)
         self._warm_up(samples, features)
         framebuffer.clear(depth=1.0)
         self._draw_mesh(view, features, camera, crop(size, corner, tile), materials)
@@ -329,16 +344,22 @@ class Renderer:
             }
         )
         ready: set[LookUps] = set()
+        lit = bool(self._single_lights.features(view))
+        if lit:
+            self._single_lights.bind(view)
         modes = Modes(view.fresnel, view.look_up)
         chosen = {item.part: item.material for item in view.surface_look.materials}
         for part, own in enumerate(self._mesh.materials):
             name = chosen.get(self._mesh.names[part], own)
-            material = self._materials.find(materials.get(name, name), modes, self._environment.ladder)
+            name = materials.get(name, name)
+            material = self._materials.find(name, modes, self._environment.ladder)
             program = self._programs.surface(material.look_ups, features)
             if material.look_ups not in ready:
                 assign(program, common)
                 ready.add(material.look_ups)
             assign(program, self._environment.use_sharp(material.sharp))
+            if lit:
+                assign(program, self._single_lights.uniforms(name, view, has_uv=self._mesh.has_uv[part]))
             material.ramp.use(RAMP_UNIT)
             material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
             self._mesh.arrays(program)[part].render(moderngl.TRIANGLES)

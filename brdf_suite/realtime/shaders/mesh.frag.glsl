@@ -4,6 +4,12 @@ uniform vec3 eye;
 
 #include "surface_point.glsl"
 #include "lobes.glsl"
+#if defined(LAMPS) || defined(SPARKLE_GLINTS) || defined(SPARKLE_TEXTURE)
+#include "lit.glsl"
+#define LIT(p, radiance) lit_radiance(p, radiance)
+#else
+#define LIT(p, radiance) (radiance)
+#endif
 #include "exposed.glsl"
 
 out vec4 fragment;
@@ -11,5 +17,5 @@ out vec4 fragment;
 void main()
 {
     SurfacePoint p = surface_point(eye);
-    fragment = vec4(exposed_light(reflected_radiance(p)), 1.0);
+    fragment = vec4(exposed_light(LIT(p, reflected_radiance(p))), 1.0);
 }
