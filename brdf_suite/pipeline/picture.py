@@ -12,14 +12,22 @@ from brdf_suite.documents.view import View
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.pipeline.exposure import metered
-from brdf_suite.pipeline.paint import PaintFit
+from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit
+from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.context import Context, create_context
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.light_block import NO_LIGHTS
 from brdf_suite.realtime.renderer import Renderer
-from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, GroundField, MaterialWeights, MeshPart
+from brdf_suite.realtime.values import (
+    CubeFaces,
+    EnvironmentMaps,
+    GroundField,
+    MaterialWeights,
+    MeshPart,
+    OverAngle,
+)
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh, GroundLight
 
@@ -39,8 +47,9 @@ class SceneRenderer:
     paint fit writes one small buffer; setting an environment or a surface uploads.
     """
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: Context, angles: PaintAngles | None = None) -> None:
         self._renderer = Renderer(context)
+        self._angles = angles or PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S)
 
     @property
     def bounds(self) -> Bounds:
@@ -60,9 +69,10 @@ class SceneRenderer:
     def set_paint_fit(self, fit: PaintFit | AnyFit, material: str = PAINT_MATERIAL) -> None:
         """Show this paint or measured reflectance from the next frame on; no allocation, no file, no texture.
 
-        ``material`` is the one that is given it: the surface's paint, or the one that it is compared with.
+        ``material`` is the one that is given it: the surface's paint, or the one that it is compared with. Its fit at
+        several incidences is made when a view first asks for it.
         """
-        self._renderer.set_material(material, material_weights(fit.weights))
+        self._renderer.set_material(material, material_weights(fit.weights, self._angles.of(fit)))
         self._renderer.set_flakes(material, fit.flakes)
 
     def set_environment(self, prepared: PreparedEnvironment) -> None:
@@ -93,6 +103,7 @@ class SceneRenderer:
 
     def release(self) -> None:
         """Give every OpenGL object back."""
+        self._angles.close()
         self._renderer.release()
 
 
@@ -153,8 +164,8 @@ def gl_renderer_name() -> str:
         context.release()
 
 
-def material_weights(weights: LobeWeights) -> MaterialWeights:
-    """Return fitted weights as the renderer takes them."""
+def material_weights(weights: LobeWeights, over_angle: OverAngle | None = None) -> MaterialWeights:
+    """Return fitted weights as the renderer takes them; ``over_angle`` is asked for those at several incidences."""
     return MaterialWeights(
         exponents=tuple(weights.exponents.tolist()),
         kd=weights.kd,
@@ -163,6 +174,7 @@ def material_weights(weights: LobeWeights) -> MaterialWeights:
         theta_fit_rad=weights.theta_fit_rad,
         ior=weights.ior,
         coat="dielectric" if weights.base_under_coat else "facets",
+        over_angle=over_angle,
     )
 
 

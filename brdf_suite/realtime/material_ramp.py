@@ -18,11 +18,11 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.view import FresnelMode
 from brdf_suite.documents.view import LookUp as LookUpMode
-from brdf_suite.errors import GraphicsError
+from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.lobe_stack import BROADEST_SHARP, Ladder
 from brdf_suite.realtime.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
-from brdf_suite.realtime.values import MaterialWeights
+from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
 
 Floats: TypeAlias = NDArray[np.float64]
 
@@ -51,13 +51,22 @@ class Ramp:
     sharp: tuple[float, ...]
 
 
-def make_ramp(weights: MaterialWeights, fresnel: FresnelMode, look_up: LookUpMode, ladder: Ladder) -> Ramp:
+def make_ramp(
+    weights: MaterialWeights,
+    fresnel: FresnelMode,
+    look_up: LookUpMode,
+    ladder: Ladder,
+    over_angle: WeightsOverAngle | None = None,
+) -> Ramp:
     """Return the ramp of ``weights`` in these modes for a stack of broad lobes.
 
-    ``multi_angle`` takes the weights' own table over the incidence; a material without one is raised instead, and one
-    with such a table is never raised on top of it.
+    ``over_angle``, the material's weights over the incidence, takes the place of the single fit and is never raised on
+    top. Without it ``multi_angle`` is ``raised``.
     """
-    over_angle = weights.over_angle if fresnel == "multi_angle" else None
+    if over_angle is not None and over_angle.kdd.shape[1] != len(weights.exponents):
+        raise ValueRangeError(
+            "over_angle", f"{len(weights.exponents)} lobes are wanted, as in the single fit"
+        )
     raised = fresnel != "off" and over_angle is None
     shifted = look_up == "shifted"
     under_coat = shifted and fresnel != "off" and weights.coat == "dielectric" and weights.ior > 1.0

@@ -16,7 +16,7 @@ from brdf_suite.realtime.material_buffer import BLOCK_SIZE, pack
 from brdf_suite.realtime.material_ramp import MAX_ROWS, make_ramp
 from brdf_suite.realtime.programs import LookUps
 from brdf_suite.realtime.stock_materials import stock_materials
-from brdf_suite.realtime.values import MaterialWeights
+from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class MaterialOnGpu:
     ramp: moderngl.Texture
     sharp: tuple[float, ...] = ()
     look_ups: LookUps = field(default=LookUps(0, 1))
-    made_for: tuple[MaterialWeights, Modes, Ladder] | None = None
+    made_for: tuple[MaterialWeights, WeightsOverAngle | None, Modes, Ladder] | None = None
 
 
 class MaterialSet:
@@ -78,9 +78,12 @@ class MaterialSet:
                 self._objects.ramp((RAMP_NODES, MAX_ROWS)),
             )
         written = self._written[known]
-        made = written.made_for
-        if made is None or made[0] is not weights or made[1:] != (modes, ladder):
-            self._write(known, written, weights, modes, ladder)
+        table = None
+        if modes.fresnel == "multi_angle" and weights.over_angle is not None:
+            table = weights.over_angle.weights()
+        wanted = (weights, table, modes, ladder)
+        if written.made_for != wanted:
+            self._write(known, written, *wanted)
         if not set(written.sharp) <= set(self._exponents):
             raise GraphicsError(
                 f"The material {name} was fitted to {_list(weights.exponents)}, but the environment was "
@@ -89,15 +92,21 @@ class MaterialSet:
         return written
 
     def _write(
-        self, name: str, written: MaterialOnGpu, weights: MaterialWeights, modes: Modes, ladder: Ladder
+        self,
+        name: str,
+        written: MaterialOnGpu,
+        weights: MaterialWeights,
+        over_angle: WeightsOverAngle | None,
+        modes: Modes,
+        ladder: Ladder,
     ) -> None:
-        ramp = make_ramp(weights, modes.fresnel, modes.look_up, ladder)
+        ramp = make_ramp(weights, modes.fresnel, modes.look_up, ladder, over_angle)
         with graphics_errors(self._objects.context, f"writing the weights of {name}"):
             written.buffer.write(pack(weights, ramp))
             written.ramp.write(ramp.rows, viewport=(0, 0, RAMP_NODES, len(ramp.rows)))
         written.sharp = ramp.sharp
         written.look_ups = LookUps.enough_for(ramp.base + ramp.coat, len(ramp.sharp))
-        written.made_for = (weights, modes, ladder)
+        written.made_for = (weights, over_angle, modes, ladder)
         self._objects.counters.buffer_writes += 1
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeAlias, get_args
+from typing import Any, Literal, Protocol, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -172,6 +172,14 @@ class WeightsOverAngle:
             object.__setattr__(self, name, value)
 
 
+class OverAngle(Protocol):
+    """Whoever can say a material's weights over the incidence; asked only by the mode that takes them."""
+
+    def weights(self) -> WeightsOverAngle | None:
+        """Return them, the same object until there are others; None: there are none yet, the single fit holds."""
+        ...
+
+
 @dataclass(frozen=True, eq=False)
 class MaterialWeights:
     """Lobe weights of one material, in the sense of the lobe sum
@@ -193,7 +201,7 @@ class MaterialWeights:
         F(θ)/F(θ_fit), the base stays; ``metal``: gloss rises from its own albedo to 1 at grazing; ``none``: the
         weights hold at every angle.
     over_angle
-        Weights fitted at several incidences, for the Fresnel mode that takes them; None: there are none.
+        Who has weights of this material fitted at several incidences, for the same lobes; None: nobody.
     """
 
     exponents: tuple[float, ...]
@@ -203,7 +211,7 @@ class MaterialWeights:
     theta_fit_rad: float = field(default=float(np.pi / 4))
     ior: float = 1.5
     coat: Coat = "dielectric"
-    over_angle: WeightsOverAngle | None = None
+    over_angle: OverAngle | None = None
 
     def __post_init__(self) -> None:
         exponents = checked_exponents(self.exponents)
@@ -219,8 +227,6 @@ class MaterialWeights:
             raise ValueRangeError("ior", f"1 to 100 is wanted, not {self.ior!r}")
         if self.coat not in get_args(Coat):
             raise ValueRangeError("coat", f"none, dielectric, facets or metal is wanted, not {self.coat!r}")
-        if self.over_angle is not None and self.over_angle.kdd.shape[1] != len(exponents):
-            raise ValueRangeError("over_angle", f"{len(exponents)} lobes are wanted, as in the single fit")
 
 
 def checked_exponents(exponents: ArrayLike) -> tuple[float, ...]:

@@ -1,0 +1,152 @@
+"""A paint's weights over the incidence, fitted when a picture asks for them: only where that mode is on.
+
+The renderer asks when it draws a material in the mode ``multi_angle`` for the first time: then the paint is fitted at
+16 incidences (1.2 ms in the median, hard limit 16 ms) and the weights are brought to the cosines of its ramp. In the
+other modes nothing is fitted, and an edit costs what it always did.
+
+The solver's models take a quarter of a second to be set up. Where a window waits, that happens on a thread, and the
+picture shows the raised weights until it is done.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from brdf_suite.fitting.lobes.basis import LobeBasis
+from brdf_suite.realtime.look_up_table import RAMP_COSINES
+from brdf_suite.realtime.values import WeightsOverAngle
+
+if TYPE_CHECKING:
+    from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleWeights
+    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.paint import PaintFit
+    from brdf_suite.reflectance.protocol import Layered
+
+_Key = tuple[tuple[float, ...], bool]
+
+
+class PaintAngles:
+    """Keeps the fitters, one for each basis and kind of base.
+
+    Parameters
+    ----------
+    time_limit_s
+        Limit of a fit; None: that of an edit.
+    changed
+        Where given, fitters are set up on a thread, and this is called (on any thread) whenever asking again gives
+        something else: a fitter is ready, or an optimum has come after the limit. Else whoever asks waits.
+    """
+
+    def __init__(
+        self, *, time_limit_s: float | None = None, changed: Callable[[], None] | None = None
+    ) -> None:
+        self._time_limit_s = time_limit_s
+        self._changed = changed
+        self._fitters: dict[_Key, AngleFitter] = {}
+        self._begun: set[_Key] = set()
+        self._lock = threading.Lock()
+
+    def of(self, fit: PaintFit | AnyFit) -> FitOverAngle | None:
+        """Return what the renderer asks for the weights of ``fit``; None where nothing divides it into layers."""
+        from brdf_suite.reflectance.layers import layered  # with models that no start needs
+
+        layers = layered(fit.reflectance)
+        return None if layers is None else FitOverAngle(self, layers, tuple(fit.weights.exponents.tolist()))
+
+    def close(self) -> None:
+        """End the solvers; nobody is called any more."""
+        with self._lock:
+            self._changed = None
+            for fitter in self._fitters.values():
+                fitter.close()
+            self._fitters = {}
+
+    def fitter(self, exponents: tuple[float, ...], facets: bool) -> AngleFitter | None:
+        """Return the fitter for a basis; None while it is set up on its thread."""
+        key = (exponents, facets)
+        with self._lock:
+            if key in self._fitters or key in self._begun:
+                return self._fitters.get(key)
+            if self._changed is not None:
+                self._begun.add(key)
+                threading.Thread(target=self._set_up, args=(key,), name="angle fitter", daemon=True).start()
+                return None
+        self._set_up(key)
+        return self._fitters[key]
+
+    def tell(self) -> None:
+        """Say that something has changed, where anybody wants to know."""
+        with self._lock:
+            changed = self._changed
+        if changed is not None:
+            changed()
+
+    def _set_up(self, key: _Key) -> None:
+        # The solver is imported with it, which is much for the start of a program.
+        from brdf_suite.fitting.lobes.angles.fitter import TIME_LIMIT_S, AngleFitter
+
+        limit = TIME_LIMIT_S if self._time_limit_s is None else self._time_limit_s
+        fitter = AngleFitter(LobeBasis(key[0]), facets=key[1], time_limit_s=limit)
+        with self._lock:
+            self._fitters[key] = fitter
+        self.tell()
+
+
+class FitOverAngle:
+    """The weights of one paint over the incidence, fitted when first asked for; see ``values.OverAngle``."""
+
+    def __init__(self, angles: PaintAngles, layers: Layered, exponents: tuple[float, ...]) -> None:
+        self._angles = angles
+        self._layers = layers
+        self._exponents = exponents
+        self._fit: AngleFit | None = None
+        self._weights: WeightsOverAngle | None = None
+        self._late: AngleFit | None = None
+
+    @property
+    def fit(self) -> AngleFit | None:
+        """The fit that :meth:`weights` gave last."""
+        return self._fit
+
+    def weights(self) -> WeightsOverAngle | None:
+        """Return the weights at the ramp's cosines, the same object until there are better ones; None: not yet."""
+        if self._late is not None:
+            self._take(self._late)
+            self._late = None
+        if self._weights is None:
+            fitter = self._angles.fitter(self._exponents, not self._layers.base_under_coat)
+            if fitter is None:
+                return None
+            self._take(fitter.fit(self._layers))
+        return self._weights
+
+    def _take(self, fit: AngleFit) -> None:
+        self._fit = fit
+        self._weights = at_ramp(fit.weights)
+        if fit.exact is not None:
+            fit.exact.add_done_callback(self._arrived)
+
+    def _arrived(self, future: object) -> None:
+        """On the fitter's thread: the optimum of a fit that met its limit, unless a newer one has overtaken it."""
+        from concurrent.futures import Future
+
+        if isinstance(future, Future) and not future.cancelled() and future.exception() is None:
+            self._late = future.result()
+            self._angles.tell()
+
+
+def at_ramp(weights: AngleWeights) -> WeightsOverAngle:
+    """Return the table of weights at the cosines of the renderer's ramp, mixed as the table says."""
+    lower, share = weights.grid.shares(RAMP_COSINES)
+
+    def mixed(
+        table: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
+    ) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+        part = share.reshape(share.shape + (1,) * (table.ndim - 1))
+        return np.asarray((1.0 - part) * table[lower] + part * table[lower + 1])
+
+    return WeightsOverAngle(mixed(weights.kd), mixed(weights.kdd), mixed(weights.kg))
