@@ -124,6 +124,21 @@ class GlSurface(QWidget):
             self._canvas.doneCurrent()
         self.redraw()
 
+    def look(self, work: Callable[[], None]) -> None:
+        """Run ``work``, which draws elsewhere and reads, with the context current; no new frame follows.
+
+        Without a picture nothing is done. What goes wrong is shown in the picture's place, as for :meth:`with_context`.
+        """
+        if self._failure or not self._canvas.isValid() or self._canvas.drawer is None:
+            return
+        self._canvas.makeCurrent()
+        try:
+            work()
+        except Exception as error:  # noqa: BLE001 - whatever went wrong, the user must see it
+            self._fail(_told(error, "The picture could not be read"))
+        finally:
+            self._canvas.doneCurrent()
+
     def grab_image(self) -> QImage:
         """Draw a frame now and return it, in device pixels; a null image where there is no picture."""
         if self._failure or not self._canvas.isValid():

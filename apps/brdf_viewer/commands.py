@@ -35,6 +35,8 @@ class ViewerCommands(QObject):
         A shipped environment or surface.
     compare_wanted(mode), blink_wanted(), flip_wanted(), freeze_wanted()
         Two paints: how they are shown; to begin or end a blink; the other one, by hand; keep the paint as the second.
+    figures_wanted(bool)
+        The figures over the picture.
     undo_wanted(), redo_wanted()
         A step of the view.
     """
@@ -57,6 +59,7 @@ class ViewerCommands(QObject):
     blink_wanted = Signal()
     flip_wanted = Signal()
     freeze_wanted = Signal()
+    figures_wanted = Signal(bool)
     undo_wanted = Signal()
     redo_wanted = Signal()
 
@@ -207,6 +210,11 @@ class ViewerCommands(QObject):
             menu.addMenu("&Background"), BACKGROUND_TITLES, self.background_wanted
         )
         self._add_compare()
+        self.figures = self._window.add_action(
+            menu, "Figures over the &Picture", None, "H", tip="Frame time, lobes, tone curve and readout"
+        )
+        self.figures.setCheckable(True)
+        self.figures.triggered.connect(self.figures_wanted)
         self.fresnel = self._window.add_action(menu, "Fres&nel")
         self.fresnel.setCheckable(True)
         self.fresnel.triggered.connect(lambda on: self.fresnel_wanted.emit("raised" if on else "off"))

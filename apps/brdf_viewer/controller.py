@@ -21,12 +21,14 @@ from brdf_suite.realtime.context import Context
 from brdf_viewer.camera_control import CameraControl
 from brdf_viewer.compare_control import KIND, CompareControl
 from brdf_viewer.drawing import StageDrawer
+from brdf_viewer.figures_overlay import FiguresOverlay
 from brdf_viewer.file_kinds import AskFile, AskPicture, all_endings, ask_file, ask_picture, kind_of
 from brdf_viewer.frame_meter import FrameMeter
 from brdf_viewer.lighting_control import LightingControl
 from brdf_viewer.loading import SceneLoader
 from brdf_viewer.paint_control import PaintControl
 from brdf_viewer.picture_export import PictureExport
+from brdf_viewer.readout import Readout
 from brdf_viewer.remembered import remember
 from brdf_viewer.scene_control import SHIPPED_TITLES, SceneControl
 from brdf_viewer.source_chooser import title_of
@@ -94,6 +96,8 @@ class ViewerController(QObject):
         )
         self.lighting = LightingControl(self.stage, self.window, lambda: self.drawer, self)
         self.compare = CompareControl(self.stage, self.window, self._tasks, ask, self)
+        self.readout = Readout(self.stage, self.window, lambda: self.drawer, self)
+        self.figures = FiguresOverlay(self.stage, self.window, self._meter, self.readout, self)
         self.window.picture.set_view(view)
         self.paint.start_with(paint, follow=follow)
         self.scene.load_first()

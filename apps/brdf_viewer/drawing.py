@@ -12,6 +12,7 @@ from brdf_suite.pipeline.picture import PAINT_MATERIAL, SECOND_MATERIAL, SceneRe
 from brdf_suite.realtime.comparison import ComparedPicture, Comparison
 from brdf_suite.realtime.context import Context
 from brdf_suite.realtime.gpu_objects import Counters
+from brdf_suite.realtime.probe import PixelProbe
 from brdf_suite.realtime.renderer import Renderer
 from brdf_viewer.stage import Prop, Stage
 
@@ -50,6 +51,7 @@ class StageDrawer:
         self._fit: object = None
         self._second: Prop[Any] | None = None
         self._comparison: Comparison | None = None
+        self._probe: PixelProbe | None = None
 
     @property
     def counters(self) -> Counters:
@@ -60,6 +62,13 @@ class StageDrawer:
     def renderer(self) -> Renderer:
         """The renderer below, for whoever draws or reads beside the frames; its context must be current."""
         return self._renderer.renderer
+
+    @property
+    def probe(self) -> PixelProbe:
+        """Reads single pixels; the context must be current."""
+        if self._probe is None:
+            self._probe = PixelProbe(self._renderer.renderer)
+        return self._probe
 
     @property
     def is_complete(self) -> bool:

@@ -38,6 +38,11 @@ class FrameMeter(QObject):
         self._timer.stop()
         self._cell.set("")
 
+    @property
+    def words(self) -> str:
+        """The frame time as it is shown; empty while there is none."""
+        return self._cell.text()
+
     def _show(self) -> None:
         typical, slowest = median(self._frames), max(self._frames)
         tip = f"Time to draw a frame: median of the last {len(self._frames)}; slowest {slowest:.1f} ms"

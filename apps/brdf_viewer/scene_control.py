@@ -136,6 +136,7 @@ class SceneControl(QObject):
             change = self._stage.follow_view if first else self._stage.change_view
             change(environment=key, environment_layout=self._layout)
             self._show_facts()
+            self._stage.light_figures = None
             self._window.environment.figures.set_statistics(None)
             self._loader.count(key, value.environment)
         else:
@@ -196,6 +197,7 @@ class SceneControl(QObject):
 
     def _counted(self, key: str, statistics: EnvironmentStatistics) -> None:
         if self._stage.environment is not None and key == self._stage.environment.key:
+            self._stage.light_figures = statistics
             self._window.environment.figures.set_statistics(statistics)
 
     def _not_loaded(self, kind: str, key: str, error: Exception) -> None:

@@ -17,6 +17,7 @@ from brdf_viewer.view_history import ViewHistory
 
 if TYPE_CHECKING:
     from brdf_suite.documents.store import AnyPaint
+    from brdf_suite.lighting.statistics import EnvironmentStatistics
     from brdf_suite.pipeline.any_fit import AnyFit
     from brdf_suite.realtime.comparison import ComparedPicture
 
@@ -55,6 +56,7 @@ class Stage(QObject):
         self.second: Prop[AnyFit | ComparedPicture] | None = None
         self.shows_second = False
         self.metered_ev: float | None = None
+        self.light_figures: EnvironmentStatistics | None = None
         self._environment: Prop[PreparedEnvironment] | None = None
         self._whole_environment: Prop[PreparedEnvironment] | None = None
         self._surface: Prop[Mesh] | None = None

@@ -78,7 +78,8 @@ class ViewerWindow(SuiteWindow):
         self._busy_delay = QTimer(self, singleShot=True, interval=_BUSY_AFTER_MS, timeout=self._show_busy)
         for name in ("frame", "lobes", "fit", "exposure", "environment"):
             self.status.cell(name)
-        self.status.cell("link", right=True)
+        for name in ("readout", "link"):
+            self.status.cell(name, right=True)
         self.restore_layout()
         self.picture.setFocus()
 
