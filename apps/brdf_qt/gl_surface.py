@@ -107,10 +107,11 @@ class GlSurface(QWidget):
         """Draw again: something other than the view has changed."""
         self._canvas.update()
 
-    def with_context(self, work: Callable[[], None]) -> None:
+    def with_context(self, work: Callable[[], None], *, redraw: bool = True) -> None:
         """Run ``work`` (an upload) with the context current, and show why it failed if it does.
 
-        Without a context nothing is done: the factory will be asked for a drawer when there is one.
+        ``redraw`` is False for what only reads. Without a context nothing is done: the factory will be asked for a
+        drawer when there is one.
         """
         if self._failure or not self._canvas.isValid() or self._canvas.drawer is None:
             return
@@ -122,7 +123,8 @@ class GlSurface(QWidget):
             return
         finally:
             self._canvas.doneCurrent()
-        self.redraw()
+        if redraw:
+            self.redraw()
 
     def look(self, work: Callable[[], None]) -> None:
         """Run ``work``, which draws elsewhere and reads, with the context current; no new frame follows.

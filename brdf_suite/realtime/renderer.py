@@ -64,7 +64,8 @@ _AS_THEY_ARE: Mapping[str, str] = MappingProxyType({})
 class Renderer:
     """All state of one OpenGL context; every call must come with that context current, from one thread.
 
-    ``surface_shader`` is a fragment shader file to draw surfaces with instead of ours: for measurements.
+    ``surface_shader`` is a fragment shader file to draw surfaces with instead of ours: for measurements. ``screen`` is
+    what frames are drawn for: sRGB until it is set to the monitor that they are seen on.
     """
 
     def __init__(self, context: moderngl.Context, surface_shader: Path | None = None) -> None:
@@ -79,6 +80,7 @@ class Renderer:
         self._tile = LightTarget(self._objects)
         self._picture = PictureTarget(self._objects)
         self._finish = FinishPass(self._objects, self._programs)
+        self.screen: Display = SRGB
         self._ground = GroundShadow(self._objects)
         self._warm: tuple[int, int, Features] | None = None
 
@@ -142,7 +144,7 @@ class Renderer:
         *,
         materials: Mapping[str, str] = _AS_THEY_ARE,
         region: Region | None = None,
-        display: Display = SRGB,
+        display: Display | None = None,
     ) -> None:
         """Draw one frame into ``framebuffer`` (an object of this context or its number, as Qt gives it).
 
@@ -157,7 +159,7 @@ class Renderer:
         region
             Left, lower edge, width and height in pixels: nothing outside it is drawn, nor paid for.
         display
-            What is written: codes of a screen, or (``LINEAR``) radiance.
+            What is written: codes of a screen, or (``LINEAR``) radiance; left out: codes of ``screen``.
 
         Raises
         ------
@@ -172,7 +174,7 @@ class Renderer:
                 view, self._light, size, samples, size, materials=materials, region=region
             )
             self._bind(framebuffer, size, region)
-            self._finish.draw(light, view, display)
+            self._finish.draw(light, view, display or self.screen)
             self.context.scissor = None
 
     def finish(
@@ -183,12 +185,12 @@ class Renderer:
         size: Size,
         *,
         region: Region | None = None,
-        display: Display = SRGB,
+        display: Display | None = None,
     ) -> None:
         """Finish ``light``, exposed radiance of any number of samples, as :meth:`render` does with what it drew."""
         with graphics_errors(self.context, "finishing a picture"):
             self._bind(framebuffer, checked_size(size), region)
-            self._finish.draw(light, view, display)
+            self._finish.draw(light, view, display or self.screen)
             self.context.scissor = None
 
     def count_unshowable(self, view: View, size: Size, display: Display = SRGB) -> Unshowable:
