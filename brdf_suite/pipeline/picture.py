@@ -18,7 +18,7 @@ from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.context import Context, create_context
 from brdf_suite.realtime.gpu_objects import Counters
-from brdf_suite.realtime.light_block import NO_LIGHTS
+from brdf_suite.realtime.light_block import NO_LIGHTS, DistantLights
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.values import (
     CubeFaces,
@@ -85,7 +85,7 @@ class SceneRenderer:
                 diffuse=_faces(maps.diffuse),
                 background=_faces(maps.background),
             ),
-            prepared.glint_lights if prepared.is_final else NO_LIGHTS,
+            _distant(prepared),
         )
 
     def set_surface(self, mesh: Mesh, baked: BakedMesh | None = None) -> None:
@@ -176,6 +176,14 @@ def material_weights(weights: LobeWeights, over_angle: OverAngle | None = None) 
         coat="dielectric" if weights.base_under_coat else "facets",
         over_angle=over_angle,
     )
+
+
+def _distant(prepared: PreparedEnvironment) -> DistantLights:
+    """The lights that flakes glint in; a draft is not worth a search for them."""
+    if not prepared.is_final:
+        return NO_LIGHTS
+    lights = prepared.glint_lights
+    return DistantLights(lights.directions, lights.strengths, lights.spreads)
 
 
 def _faces(array: FaceArray) -> CubeFaces:

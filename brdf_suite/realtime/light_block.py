@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.appearance.colour_temperature import lamp_colour
 from brdf_suite.appearance.light_matrix import light_matrix
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
-from brdf_suite.lighting.lights.glinting import GlintLights
+from brdf_suite.errors import ValueRangeError
 
 MOST_LIGHTS = 24
 """Sixteen of the environment and eight lamps."""
@@ -23,10 +24,43 @@ _OF_ENVIRONMENT, _DIRECTIONAL, _POINT = 0.0, 1.0, 2.0
 Floats = NDArray[np.float64]
 
 
-NO_LIGHTS = GlintLights(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
+@dataclass(frozen=True, eq=False)
+class DistantLights:
+    """Lights of an environment, from infinitely far away; the one in which flakes glint most comes first.
+
+    Attributes
+    ----------
+    directions
+        (l, 3) unit vectors to the lights, in the world before any turn.
+    strengths
+        (l, 3) irradiance on a surface that faces the light, working space, never negative.
+    spreads
+        (l,) standard deviation of its directions along an axis, radians.
+    """
+
+    directions: Floats
+    strengths: Floats
+    spreads: Floats
+
+    def __post_init__(self) -> None:
+        count = len(self.spreads)
+        for name, shape in (("directions", (count, 3)), ("strengths", (count, 3)), ("spreads", (count,))):
+            object.__setattr__(self, name, _checked(getattr(self, name), shape, name))
 
 
-def light_block(view: View, environment: GlintLights = NO_LIGHTS) -> bytes:
+def _checked(values: ArrayLike, shape: tuple[int, ...], name: str) -> Floats:
+    array = np.ascontiguousarray(values, np.float64)
+    if array.shape != shape or not np.isfinite(array).all():
+        raise ValueRangeError(name, f"finite numbers of the shape {shape} are wanted, not {array.shape}")
+    if name != "directions" and (array < 0).any():
+        raise ValueRangeError(name, "must not be negative")
+    return array
+
+
+NO_LIGHTS = DistantLights(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
+
+
+def light_block(view: View, environment: DistantLights = NO_LIGHTS) -> bytes:
     """Return the block, :data:`BLOCK_SIZE` bytes: the environment's lights, turned with it, and the view's lamps."""
     block = np.zeros((1 + 2 * MOST_LIGHTS, 4), np.float32)
     count = 0 if view.sparkle.mode == "off" else min(view.sparkle.light_count, len(environment.spreads))

@@ -27,7 +27,6 @@ from brdf_suite.appearance.light_matrix import light_matrix
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError, ValueRangeError
-from brdf_suite.lighting.lights.glinting import GlintLights
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.display import LINEAR, SRGB, Display, Unshowable
@@ -36,7 +35,7 @@ from brdf_suite.realtime.features import surface_features
 from brdf_suite.realtime.finish import FinishPass
 from brdf_suite.realtime.gpu_objects import Counters, GpuObjects
 from brdf_suite.realtime.ground import GroundShadow
-from brdf_suite.realtime.light_block import NO_LIGHTS
+from brdf_suite.realtime.light_block import NO_LIGHTS, DistantLights
 from brdf_suite.realtime.material_set import MaterialSet, Modes
 from brdf_suite.realtime.mesh_buffers import MeshBuffers
 from brdf_suite.realtime.programs import (
@@ -112,7 +111,7 @@ class Renderer:
         """Replace the ground that a view may ask for; None: there is none."""
         self._ground.set_field(field)
 
-    def set_environment(self, maps: EnvironmentMaps, lights: GlintLights = NO_LIGHTS) -> None:
+    def set_environment(self, maps: EnvironmentMaps, lights: DistantLights = NO_LIGHTS) -> None:
         """Replace the light. Materials must then have the same exponents; stock ones follow by themselves.
 
         ``lights`` are those of its lights in which single flakes glint.

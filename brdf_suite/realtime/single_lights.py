@@ -10,10 +10,9 @@ import moderngl
 
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
-from brdf_suite.lighting.lights.glinting import GlintLights
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.gpu_objects import GpuObjects
-from brdf_suite.realtime.light_block import BLOCK_SIZE, NO_LIGHTS, light_block
+from brdf_suite.realtime.light_block import BLOCK_SIZE, NO_LIGHTS, DistantLights, light_block
 from brdf_suite.realtime.light_lobes import COLUMNS, ROWS, light_lobes
 from brdf_suite.realtime.programs import LIGHT_LOBES_UNIT, LIGHTS_BINDING, Features
 from brdf_suite.realtime.stock_materials import stock_materials
@@ -37,7 +36,7 @@ class SingleLights:
         self._buffer: moderngl.Buffer | None = None
         self._block = b""
 
-    def set_environment(self, lights: GlintLights, exponents: tuple[float, ...]) -> None:
+    def set_environment(self, lights: DistantLights, exponents: tuple[float, ...]) -> None:
         """Replace the environment's lights; stock materials follow its lobes."""
         self._environment = lights
         self._stock = stock_materials(exponents)

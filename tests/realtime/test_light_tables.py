@@ -9,8 +9,7 @@ from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp, LightColour, Sparkle
-from brdf_suite.lighting.lights.glinting import GlintLights
-from brdf_suite.realtime.light_block import BLOCK_SIZE, light_block
+from brdf_suite.realtime.light_block import BLOCK_SIZE, DistantLights, light_block
 from brdf_suite.realtime.light_lobes import column_angles, light_lobes
 from brdf_suite.reflectance.flakes.share import LARGEST_SHARE, countable_lobe, covered
 from brdf_suite.reflectance.flakes.tilt import tilt_bell
@@ -21,7 +20,7 @@ def rows(block):
 
 
 def two_lights():
-    return GlintLights(
+    return DistantLights(
         np.array([[0.0, 0.6, 0.8], [1.0, 0.0, 0.0]]),
         np.array([[3.0, 2.0, 1.0], [0.5] * 3]),
         np.array([0.01, 0.2]),
