@@ -259,13 +259,14 @@ class SceneControl(QObject):
 
     def _show_choice(self, kind: str, key: str) -> None:
         if kind == ENVIRONMENT:
-            described = key.lower().endswith(STUDIO_ENDING)
+            on_disk = key.lower().endswith(STUDIO_ENDING)
+            described = on_disk or key == self._edited
             loading = ENVIRONMENT in self._loading
             layout = self._layout if loading else self._stage.view.environment_layout
             self._window.environment.set_layout(layout, not described and key not in self._names[kind])
             # An edit that makes it faulty keeps picture and watch: the next save may put it right.
-            if (key if described else "") != self._watch.path and (described or not loading):
-                self._watch.watch(key if described else "")
+            if (key if on_disk else "") != self._watch.path and (on_disk or not loading):
+                self._watch.watch(key if on_disk else "")
         self._choosers[kind].show_source(key, title_of(key, SHIPPED_TITLES))
         self._window.commands.show_source(kind, key)
         self._show_environment_cell()
