@@ -39,6 +39,7 @@ class SuiteWindow(QMainWindow):
         self.resize(min(1440, round(0.9 * room.width())), min(900, round(0.9 * room.height())))
         self._program = name
         self._painted = False
+        self._put_away: list[QDockWidget] = []
         self.file_menu, self.edit_menu, self.view_menu, self.paint_menu, self.window_menu, self.help_menu = (
             self.menuBar().addMenu(title)
             for title in ("&File", "&Edit", "&View", "&Paint", "&Window", "&Help")
@@ -115,11 +116,11 @@ class SuiteWindow(QMainWindow):
             shortcut.activated.connect(self.toggle_panels)
 
     def toggle_panels(self) -> None:
-        """Hide every panel, or show them all where all are hidden."""
-        docks = self.findChildren(QDockWidget)
-        show = all(dock.isHidden() for dock in docks)
-        for dock in docks:
-            dock.setVisible(show)
+        """Hide every panel, or show again those that were hidden so."""
+        shown = [dock for dock in self.findChildren(QDockWidget) if not dock.isHidden()]
+        for dock in shown or self._put_away or [self.inspector_dock]:
+            dock.setVisible(not shown)
+        self._put_away = shown
 
     def may_close(self) -> bool:
         """Return whether the window may close now; a program asks here about unsaved work."""

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
+from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer
 
 from brdf_suite.documents.view import View
 from brdf_suite.pipeline.exposure import exposed
+from brdf_suite.pipeline.scene import environment_names
 from brdf_viewer.drawing import StageDrawer
 from brdf_viewer.lighting_presets import preset_of, with_preset
 from brdf_viewer.sections.lamps import placed, polar
@@ -97,7 +99,14 @@ class LightingControl(QObject):
         if new.exposure_mode == "automatic" and metered_part(old) != metered_part(new):
             self._meter.start()
 
+    def _show_preset(self) -> None:
+        """A light that is edited is none of the presets, whatever the view goes on to name."""
+        view, present = self._stage.view, self._stage.environment
+        edited = present is not None and not names_a_light(present.key)
+        self._window.lighting.show_preset("" if edited else preset_of(view))
+
     def _contents_changed(self) -> None:
+        self._show_preset()
         if self._stage.view.exposure_mode == "automatic":
             self._meter.start()
 
@@ -110,7 +119,7 @@ class LightingControl(QObject):
 
     def _show(self, view: View) -> None:
         section = self._window.lighting
-        section.show_preset(preset_of(view))
+        self._show_preset()
         section.show_colour(view.light_colour, False)
         section.show_exposure_mode(view.exposure_mode)
         section.lamps.set_lamps(view.lamps)
@@ -125,6 +134,11 @@ class LightingControl(QObject):
             cell.set(
                 f"{total:+.1f} EV automatic", f"Exposure: measured, and {view.exposure_ev:+.1f} EV to it"
             )
+
+
+def names_a_light(key: str) -> bool:
+    """Whether a view can name the light: a shipped one or a file, not one that is edited and in no file yet."""
+    return key in environment_names() or Path(key).is_absolute()
 
 
 def metered_part(view: View) -> View:

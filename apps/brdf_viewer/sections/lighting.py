@@ -99,6 +99,9 @@ class LightingSection(Section):
         """Press the button of the present light; none where the key is empty."""
         for name, button in self._buttons.items():
             button.setChecked(name == key)
+            font = button.font()
+            font.setBold(name == key)  # what is chosen is told by more than a shade of grey
+            button.setFont(font)
 
     def show_colour(self, colour: LightColour, has_spectra: bool) -> None:
         """Show the light's colour, and what it can say about the paint."""

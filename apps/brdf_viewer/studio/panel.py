@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from brdf_qt.icons import icon
 from brdf_qt.text_fields import TextLine
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -101,6 +101,19 @@ class StudioPanel(QScrollArea):
         box.addStretch(1)
         self.setWidget(inside)
         self.set_light(None, -1)
+
+    def sizeHint(self) -> QSize:
+        return QSize(self._inner_width(), 640)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(self._inner_width(), 120)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.setMinimumWidth(self._inner_width())  # it never scrolls sideways
+
+    def _inner_width(self) -> int:
+        return self.widget().minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width() + 2
 
     def set_light(self, light: LightDocument | None, index: int) -> None:
         """Show a light and its lamp of that index, without a signal; None offers to begin one."""
