@@ -175,6 +175,7 @@ class SceneControl(QObject):
         self._layout = AUTOMATIC
         self._recent[ENVIRONMENT].add(path)
         self._list(ENVIRONMENT)
+        self._watch.watch(path)  # what it holds now is what is shown: only a later change is one
         self._stage.change_view(environment=path, environment_layout=AUTOMATIC)
         self._show(ENVIRONMENT)
 
