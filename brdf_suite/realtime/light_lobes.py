@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.paint import Flakes
+from brdf_suite.realtime.flake_share import countable_lobe
 from brdf_suite.realtime.values import MaterialWeights
-from brdf_suite.reflectance.flakes.share import countable_lobe
 
 COLUMNS = 160
 """A lobe of exponent 50,000 is then right to 0.5 % of its peak between columns."""

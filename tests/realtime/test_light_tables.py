@@ -9,9 +9,10 @@ from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp, LightColour, Sparkle
+from brdf_suite.realtime.flake_share import LARGEST_SHARE, countable_lobe, covered, seen_tilts
 from brdf_suite.realtime.light_block import BLOCK_SIZE, DistantLights, light_block
 from brdf_suite.realtime.light_lobes import column_angles, light_lobes
-from brdf_suite.reflectance.flakes.share import LARGEST_SHARE, countable_lobe, covered
+from brdf_suite.reflectance.flake_rule import squared_tilt
 from brdf_suite.reflectance.flakes.tilt import tilt_bell
 
 
@@ -88,3 +89,9 @@ def test_countable_flakes_send_what_they_cover_and_never_most_of_the_base():
     strong = countable_lobe(flakes, gamma, base, 0.0, 1.5, strength=1e6)
     np.testing.assert_allclose(strong, LARGEST_SHARE * base)
     assert covered(Flakes(1e5, 2000.0)) == pytest.approx(1.0)
+
+
+def test_the_tilts_seen_are_those_of_the_flake_rule_and_of_the_shader():
+    gamma = np.linspace(0, np.pi / 2, 50)
+    want = tilt_bell(squared_tilt(gamma, np.pi / 4, 1.5), 0.16)
+    np.testing.assert_allclose(seen_tilts(gamma, np.pi / 4, 1.5, 0.16), want, rtol=1e-12)

@@ -22,8 +22,6 @@ import numpy as np
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.reflectance.flake_rule import squared_tilt
-from brdf_suite.reflectance.flakes.tilt import tilt_bell
 
 FLAKE_REFLECTANCE = 0.9
 """Of an aluminium flake, the usual one; published values of the metal are 0.87 to 0.92 over the visible."""
@@ -50,6 +48,16 @@ def countable_lobe(
     through = (1.0 - float(fresnel_dielectric(math.cos(theta), ior))) ** 2
     m2 = flakes.roughness**2
     peak = covered(flakes) * FLAKE_REFLECTANCE * through / (8.0 * math.pi * m2 * n2 * cos2_below)
-    wanted = strength * peak * tilt_bell(squared_tilt(gamma, theta, ior), flakes.roughness)
+    wanted = strength * peak * seen_tilts(gamma, theta, ior, flakes.roughness)
     share = np.minimum(wanted / np.maximum(base.max(axis=-1), 1e-12), LARGEST_SHARE)
     return np.asarray(base * share[:, None])
+
+
+def seen_tilts(gamma: Floats, theta: float, ior: float, roughness: float) -> Floats:
+    """Return how many flakes are tilted as γ (n,) radians sees, over how many lie flat: the bell of flake_tilt.glsl.
+
+    In the plane of incidence, with the light at ``theta``: δ = (asin(sin θ / n) - asin(sin(θ - γ) / n)) / 2.
+    """
+    tilt = 0.5 * (math.asin(math.sin(theta) / ior) - np.arcsin(np.sin(theta - gamma) / ior))
+    squared = np.tan(tilt) ** 2
+    return np.asarray(((1.0 + squared / roughness**2) / (1.0 + squared)) ** -1.5)
