@@ -42,20 +42,27 @@ def _taps(position: float, table: Array, weights: Array) -> int:
 
 
 @compiled
-def _along(weights: Array, source: Array, first: int, target: Array) -> None:
-    """Set target (24) to the weighted sum of eight rows of source (n, 24)."""
+def _along(weights: Array, source: Array, at: int, target: Array, to: int) -> None:
+    """Set target[to : to + 24] to the weighted sum of eight rows of 24 of source (n,), the first at ``at``.
+
+    Flat arrays and unsigned places: with rows cut out of arrays, and places that may be negative, it takes 28 ns
+    instead of 8.
+    """
     w_0, w_1, w_2, w_3 = weights[0], weights[1], weights[2], weights[3]
     w_4, w_5, w_6, w_7 = weights[4], weights[5], weights[6], weights[7]
-    for q in range(_LANES):
-        target[q] = (
-            w_0 * source[first, q]
-            + w_1 * source[first + 1, q]
-            + w_2 * source[first + 2, q]
-            + w_3 * source[first + 3, q]
-            + w_4 * source[first + 4, q]
-            + w_5 * source[first + 5, q]
-            + w_6 * source[first + 6, q]
-            + w_7 * source[first + 7, q]
+    first, goal = np.uint64(at), np.uint64(to)
+    for lane in range(_LANES):
+        q = np.uint64(lane)
+        p = first + q
+        target[goal + q] = (
+            w_0 * source[p]
+            + w_1 * source[p + np.uint64(24)]
+            + w_2 * source[p + np.uint64(48)]
+            + w_3 * source[p + np.uint64(72)]
+            + w_4 * source[p + np.uint64(96)]
+            + w_5 * source[p + np.uint64(120)]
+            + w_6 * source[p + np.uint64(144)]
+            + w_7 * source[p + np.uint64(168)]
         )
 
 
@@ -146,10 +153,12 @@ def side_band(
     """
     size = faces.shape[1]
     half = size // 2
+    width = north.shape[1]
+    flat_north, flat_south = north.reshape(north.size), south.reshape(south.size)
     across = np.empty(8, dtype=np.float32)
     down = np.empty(8, dtype=np.float32)
-    upper = np.empty((north.shape[0], _LANES), dtype=np.float32)
-    lower = np.empty((north.shape[0], _LANES), dtype=np.float32)
+    upper = np.empty(north.shape[0] * _LANES, dtype=np.float32)
+    lower = np.empty(north.shape[0] * _LANES, dtype=np.float32)
     above = np.empty(_LANES, dtype=np.float32)
     below = np.empty(_LANES, dtype=np.float32)
     for i in range(half):
@@ -162,12 +171,13 @@ def side_band(
         lowest = math.ceil(_side_ring(s, begin, size, rings) - 4.0) - first
         highest = math.ceil(_side_ring(s, stop - 1, size, rings) - 4.0) - first
         for ring in range(lowest, highest + 8):
-            _along(across, north[ring], column, upper[ring])
-            _along(across, south[ring], column, lower[ring])
+            at = (ring * width + column) * _LANES
+            _along(across, flat_north, at, upper, ring * _LANES)
+            _along(across, flat_south, at, lower, ring * _LANES)
         for j in range(begin, stop):
             ring = _taps(_side_ring(s, j, size, rings), table, down) - first
-            _along(down, upper, ring, above)
-            _along(down, lower, ring, below)
+            _along(down, upper, ring * _LANES, above, 0)
+            _along(down, lower, ring * _LANES, below, 0)
             for turn in range(4):
                 face = _SIDES[turn]
                 for c in range(3):
@@ -189,10 +199,12 @@ def polar_band(
     """
     size = faces.shape[1]
     half = size // 2
+    width = north.shape[1]
+    flat_north, flat_south = north.reshape(north.size), south.reshape(south.size)
     across = np.empty(8, dtype=np.float32)
     along = np.empty(8, dtype=np.float32)
-    upper = np.empty((8, _LANES), dtype=np.float32)
-    lower = np.empty((8, _LANES), dtype=np.float32)
+    upper = np.empty(8 * _LANES, dtype=np.float32)
+    lower = np.empty(8 * _LANES, dtype=np.float32)
     above = np.empty(_LANES, dtype=np.float32)
     below = np.empty(_LANES, dtype=np.float32)
     for outer in range(half):
@@ -204,10 +216,11 @@ def polar_band(
             ring = _taps(_polar_ring(p, inner, size, rings), table, along) - first
             column = _taps(math.atan(q / p) * period / (2.0 * math.pi), table, across) + MARGIN
             for t in range(8):
-                _along(across, north[ring + t], column, upper[t])
-                _along(across, south[ring + t], column, lower[t])
-            _along(along, upper, 0, above)
-            _along(along, lower, 0, below)
+                at = ((ring + t) * width + column) * _LANES
+                _along(across, flat_north, at, upper, t * _LANES)
+                _along(across, flat_south, at, lower, t * _LANES)
+            _along(along, upper, 0, above, 0)
+            _along(along, lower, 0, below, 0)
             for turn in range(4):
                 for side in range(2):
                     # x = -sinθ sinφ and z = sinθ cosφ, in half texels; a quarter turn takes (x, z) to (-z, x).
