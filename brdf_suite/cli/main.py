@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from importlib.metadata import version
 
 from brdf_suite.cli import (
+    agreement,
     basis,
     bench,
     cache,
@@ -87,6 +88,7 @@ def parser() -> argparse.ArgumentParser:
         environment,
         cache,
         shading_table,
+        agreement,
         bench,
     ):
         module.add(commands)

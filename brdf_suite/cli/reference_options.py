@@ -21,7 +21,7 @@ def add_reference(command: argparse.ArgumentParser) -> None:
         "extra; an EXR then holds its variance too",
     )
     command.add_argument(
-        "--spp", type=_samples, default=None, metavar="N", help="reference: samples a pixel (default: 256)"
+        "--spp", type=samples, default=None, metavar="N", help="reference: samples a pixel (default: 256)"
     )
     command.add_argument(
         "--time", type=_seconds, default=None, metavar="S", help="reference: seconds to trace at most"
@@ -68,7 +68,8 @@ def run_reference(options: argparse.Namespace, view: View) -> int:
     return 0
 
 
-def _samples(text: str) -> int:
+def samples(text: str) -> int:
+    """Parse a number of samples a pixel (an argparse type)."""
     if not (text.isascii() and text.isdigit() and 1 <= int(text) <= 1_000_000):
         raise argparse.ArgumentTypeError(f"{text!r} is not a number of samples from 1 to 1,000,000")
     return int(text)

@@ -6,7 +6,6 @@ the render that was never interrupted.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from time import perf_counter
@@ -47,10 +46,14 @@ class Estimate:
 
     @property
     def noise(self) -> float:
-        """The root mean square standard error of the pixels' luminance, as a share of their mean luminance."""
+        """The median over the object's pixels of the standard error of the luminance, as a share of the luminance."""
         y = np.array([0.2627, 0.678, 0.0593])
-        mean = float((self.radiance @ y).mean())
-        return math.sqrt(float((self.variance @ y**2).mean())) / mean if mean > 0.0 else 0.0
+        luminance = (self.radiance @ y)[self.coverage > 0.0]
+        if not len(luminance):
+            return 0.0
+        # The channels' errors go together, as those of one light do.
+        error = (np.sqrt(self.variance) @ y)[self.coverage > 0.0]
+        return float(np.median(error / np.maximum(luminance, 1e-3 * luminance.mean() + 1e-30)))
 
     def with_pass(self, radiance: Pixels, coverage: Pixels, samples: int, seconds: float) -> Estimate:
         """Return the estimate with one pass more, of as many samples as each before."""

@@ -109,7 +109,7 @@ def _sensor(eye: Eye, size: tuple[int, int]) -> dict[str, Any]:
         "to_world": mi.ScalarTransform4f().look_at(
             origin=eye.place.tolist(), target=target.tolist(), up=eye.axes[:, 1].tolist()
         ),
-        "sampler": {"type": "independent"},
+        "sampler": {"type": "multijitter"},
         "film": {
             "type": "hdrfilm",
             "width": size[0],

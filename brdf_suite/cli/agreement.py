@@ -1,0 +1,111 @@
+"""``brdf-suite agreement``: the real-time picture against the path-traced one, with figures, pictures and a page."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from brdf_suite.cli.output import print_json, progress_bar, size
+from brdf_suite.cli.reference_options import samples
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "agreement",
+        help="compare the real-time picture with the path-traced one",
+        description="Render paints in environments on a sphere with both renderers; print ΔE00 and FLIP by effect, and "
+        "with -o write a page with pictures. What is path-traced can be kept, and is then not traced again.",
+    )
+    command.add_argument(
+        "--paints",
+        nargs="+",
+        metavar="FILE|PAINT",
+        default=None,
+        help="default: all shipped designed paints",
+    )
+    command.add_argument(
+        "--environments",
+        nargs="+",
+        metavar="FILE|NAME",
+        default=None,
+        help="default: all shipped environments",
+    )
+    command.add_argument(
+        "--mesh", default="sphere", metavar="FILE|NAME", help="the surface (default: sphere)"
+    )
+    command.add_argument(
+        "--size", type=size, default=(128, 128), metavar="WxH", help="pixels (default: 128x128)"
+    )
+    command.add_argument(
+        "--spp",
+        type=samples,
+        default=512,
+        metavar="N",
+        help="samples a pixel of the path tracer (default: 512)",
+    )
+    command.add_argument(
+        "--lobes",
+        action="store_true",
+        help="trace the fitted lobes too: tells the fit's error from the look-up's",
+    )
+    command.add_argument(
+        "--keep", type=Path, default=None, metavar="FOLDER", help="keep what is traced in this folder"
+    )
+    command.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        default=None,
+        metavar="FILE",
+        help="a page (.md) to write; its pictures go into images/ beside it",
+    )
+    command.add_argument("--json", action="store_true", help="print every figure as one JSON object")
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Compare; print a table or a JSON object, and write the page."""
+    from brdf_suite.pipeline.agreement import Order, compare, summary
+    from brdf_suite.pipeline.agreement_page import check_page, write_page
+    from brdf_suite.pipeline.scene import environment_names, paint_names
+
+    if options.output is not None:
+        check_page(options.output)
+    order = Order(
+        paints=options.paints or paint_names(),
+        environments=options.environments or environment_names(),
+        size=options.size,
+        samples=options.spp,
+        lobes=options.lobes,
+        surface=options.mesh,
+        keep=options.keep,
+    )
+    with progress_bar("comparing", quiet=options.json) as progress:
+        cases = list(compare(order, progress))
+    if options.output is not None:
+        write_page(options.output, cases, order)
+    if options.json:
+        print_json(
+            {
+                "summary": {form: summary(cases, form) for form in cases[0].errors},
+                "cases": [case.to_json() for case in cases],
+            }
+        )
+        return 0
+    print(f"{'paint':24} {'environment':18} {'ΔE00':>6} {'99 %':>6} {'FLIP':>6} {'noise':>6}")
+    for case in cases:
+        e = case.errors[order.forms[0]]
+        print(
+            f"{case.paint[:24]:24} {case.environment[:18]:18} {e.mean:6.2f} {e.p99:6.2f} {e.flip:6.3f} "
+            f"{case.noise.mean:6.2f}"
+        )
+    for form in cases[0].errors:
+        s = summary(cases, form)
+        print(
+            f"{form}: mean ΔE00 {s['de00_mean']:.2f}, worst paint {s['de00_worst']:.2f}, "
+            f"99th percentile {s['de00_p99']:.2f}, FLIP {s['flip']:.3f}"
+        )
+    if options.output is not None:
+        print(f"{options.output}: written")
+    return 0
