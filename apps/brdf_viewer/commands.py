@@ -29,8 +29,8 @@ class ViewerCommands(QObject):
         The camera.
     tone_curve_wanted(key), background_wanted(key), fresnel_wanted(key)
         How the picture is shown.
-    copy_wanted(), picture_wanted()
-        The picture goes to the clipboard, or to a file.
+    copy_wanted(), picture_wanted(), export_wanted(kind)
+        The picture goes to the clipboard, or to a file; a ``picture``, ``turntable`` or ``sheet`` is to be exported.
     source_wanted(kind, key)
         A shipped environment or surface.
     compare_wanted(mode), blink_wanted(), flip_wanted(), freeze_wanted()
@@ -54,6 +54,7 @@ class ViewerCommands(QObject):
     fresnel_wanted = Signal(str)
     copy_wanted = Signal()
     picture_wanted = Signal()
+    export_wanted = Signal(str)
     source_wanted = Signal(str, str)
     compare_wanted = Signal(str)
     blink_wanted = Signal()
@@ -151,6 +152,19 @@ class ViewerCommands(QObject):
             "floppy-disk",
             "Save the picture as PNG, at its full number of pixels, with paint and settings noted in it",
         )
+        for text, kind, keys, tip in (
+            ("E&xport Picture…", "picture", "Ctrl+Shift+X", "A picture of any size, as PNG or EXR"),
+            (
+                "Export &Turntable…",
+                "turntable",
+                None,
+                "One turn of the object, as a video or a folder of pictures",
+            ),
+            ("Export &Contact Sheet…", "sheet", None, "All paints of a palette or a folder in this light"),
+        ):
+            self._window.add_action(
+                menu, text, lambda kind=kind: self.export_wanted.emit(kind), keys, "export", tip
+            )
         menu.addSeparator()
         self.studio = menu.addMenu("S&tudio")
         menu.addSeparator()

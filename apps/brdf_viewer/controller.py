@@ -21,6 +21,7 @@ from brdf_suite.realtime.context import Context
 from brdf_viewer.camera_control import CameraControl
 from brdf_viewer.compare_control import KIND, CompareControl
 from brdf_viewer.drawing import StageDrawer
+from brdf_viewer.export_control import ExportControl
 from brdf_viewer.figures_overlay import FiguresOverlay
 from brdf_viewer.file_kinds import AskFile, AskPicture, all_endings, ask_file, ask_picture, kind_of
 from brdf_viewer.frame_meter import FrameMeter
@@ -34,6 +35,7 @@ from brdf_viewer.scene_control import SHIPPED_TITLES, SceneControl
 from brdf_viewer.source_chooser import title_of
 from brdf_viewer.stage import Stage
 from brdf_viewer.studio.control import StudioControl
+from brdf_viewer.tone_control import ToneControl
 from brdf_viewer.window import ViewerWindow
 
 _PUBLISH_MS = 50
@@ -88,7 +90,9 @@ class ViewerController(QObject):
         self.paint = PaintControl(self.stage, self.window, self.link, PaintFitter(), self)
         self._meter = FrameMeter(self.window.status.cell("frame"), self)
         self._meter.shown.connect(self.settled)
-        self.export = PictureExport(self.stage, self.window, ask_picture, self)
+        self.tone = ToneControl(self.stage, self.window, lambda: self.drawer, self)
+        self.save = PictureExport(self.stage, self.window, ask_picture, self.tone.grab_srgb, self)
+        self.export = ExportControl(self.stage, self.window, self)
         self._connect()
         self._show_view(None, view)
         self.studio = StudioControl(
@@ -132,8 +136,6 @@ class ViewerController(QObject):
             signal.connect(lambda key: stage.change_view(background=key))
         for signal in (window.fresnel.fresnel_edited, commands.fresnel_wanted):
             signal.connect(lambda key: stage.change_view(fresnel=key))
-        for signal in (window.tone.tone_curve_edited, commands.tone_curve_wanted):
-            signal.connect(lambda key: stage.change_view(tone_curve=key))
         for kind in ("environment", "surface", "paint"):
             chooser = getattr(window, kind).chooser
             chooser.browse.connect(lambda kind=kind: self._browse(kind))
@@ -147,6 +149,7 @@ class ViewerController(QObject):
 
     def _make_drawer(self, context: Context) -> StageDrawer:
         self.drawer = StageDrawer(context, self.stage, self.window.surround, self._refused)
+        self.tone.prepare(self.drawer)
         return self.drawer
 
     def _refused(self, kind: str, error: SuiteError) -> None:
@@ -161,7 +164,6 @@ class ViewerController(QObject):
         window.environment.exposure.set_value(new.exposure_ev)
         window.environment.set_background(new.background)
         window.fresnel.set_mode(new.fresnel)
-        window.tone.set_curve(new.tone_curve)
         window.commands.show_state(tone_curve=new.tone_curve, background=new.background, fresnel=new.fresnel)
         if not self._publish.isActive():
             self._publish.start()
@@ -202,7 +204,7 @@ class ViewerController(QObject):
             self.scene.open(kind, path)
 
     def _copy_picture(self) -> None:
-        image = self.window.picture.grab_image()
+        image = self.tone.grab_srgb()
         if not image.isNull():
             QGuiApplication.clipboard().setImage(image)
 
@@ -230,5 +232,6 @@ class ViewerController(QObject):
         self.paint.close()
         self.studio.close()
         self.compare.close()
+        self.export.close()
         self._loader.stop()
         self.window.picture.release()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -22,20 +23,28 @@ _TOLD_MS = 6000
 
 
 class PictureExport(QObject):
-    """File ▸ Save Picture: every pixel of the picture, with paint and settings as text in the file."""
+    """File ▸ Save Picture: every pixel of the picture, with paint and settings as text in the file.
+
+    ``grab`` returns the picture in sRGB.
+    """
 
     def __init__(
-        self, stage: Stage, window: ViewerWindow, ask: AskPicture, parent: QObject | None = None
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        ask: AskPicture,
+        grab: Callable[[], QImage],
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._stage, self._window, self._ask = stage, window, ask
+        self._stage, self._window, self._ask, self._grab = stage, window, ask, grab
         window.commands.picture_wanted.connect(self.save)
 
     def save(self) -> None:
         """Ask for a file and write the picture to it; what goes wrong is told in the window."""
         fit, messages = self._stage.fit, self._window.messages
         # As it was when the user asked: the paint may change while the dialog is open.
-        view, image = self._stage.view, self._window.picture.grab_image()
+        view, image = self._stage.exposed_view, self._grab()
         if fit is None or not self._stage.is_complete or image.isNull():
             todo = "Wait until paint, surface and environment are there, and save it then."
             messages.show_message(Message(_KEY, "There is no picture yet.", todo=todo, severity="error"))

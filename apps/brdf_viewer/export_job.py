@@ -1,0 +1,109 @@
+"""What is to be exported, as a frozen value, and the command that does it."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from brdf_suite.documents.store import PAINT_ENDING, VIEW_ENDING, AnyPaint, save_paint, save_view
+from brdf_suite.documents.view import View
+
+Kind = Literal["picture", "turntable", "sheet"]
+KIND_TITLES: dict[str, str] = {"picture": "Picture", "turntable": "Turntable", "sheet": "Contact sheet"}
+
+
+@dataclass(frozen=True)
+class Format:
+    """A kind of file: its title, the ending of its name (empty: a folder), bits a channel where there is a choice."""
+
+    title: str
+    ending: str
+    bits: int | None = None
+    colour_spaces: tuple[str, ...] = ("srgb",)
+    transparent: bool = False
+
+
+_BOTH = ("srgb", "display-p3")
+FORMATS: dict[str, tuple[Format, ...]] = {
+    "picture": (
+        Format("PNG, 8 bits", ".png", 8, _BOTH, True),
+        Format("PNG, 16 bits", ".png", 16, _BOTH, True),
+        Format("EXR, radiance, 32 bits", ".exr", 32, ("rec2020", *_BOTH), True),
+        Format("EXR, radiance, 16 bits", ".exr", 16, ("rec2020", *_BOTH), True),
+    ),
+    "turntable": (
+        Format("MP4 video", ".mp4"),
+        Format("WebM video", ".webm"),
+        Format("Folder of PNG, 8 bits", "", 8, _BOTH, True),
+        Format("Folder of PNG, 16 bits", "", 16, _BOTH, True),
+    ),
+    "sheet": (Format("PNG, 8 bits", ".png", None, _BOTH),),
+}
+
+
+@dataclass(frozen=True)
+class ExportSettings:
+    """What the dialog asks for. ``source`` is the palette or folder of a sheet; ``columns`` 0: as many as fit."""
+
+    kind: Kind
+    form: Format
+    size: tuple[int, int]
+    colour_space: str = "srgb"
+    samples: int = 4
+    transparent: bool = False
+    frames: int = 120
+    frames_per_second: float = 30.0
+    source: str = ""
+    columns: int = 0
+
+
+class ExportJob:
+    """An export to ``path`` with the scene written to files of its own, so that edits after its start change nothing.
+
+    ``paint`` is None where only a file is known, ``paint_key``, a measured one. The files go with :meth:`tidy`.
+    """
+
+    def __init__(
+        self, settings: ExportSettings, path: Path, view: View, paint: AnyPaint | None, paint_key: str
+    ) -> None:
+        self.settings, self.path = settings, path
+        self._folder = Path(tempfile.mkdtemp(prefix="brdf-export-"))
+        self._view = self._folder / f"view{VIEW_ENDING}"
+        save_view(view, self._view)
+        self._paint = paint_key
+        if paint is not None:
+            self._paint = str(self._folder / f"paint{PAINT_ENDING}")
+            save_paint(paint, self._paint)
+
+    def arguments(self) -> list[str]:
+        """Return the arguments of ``brdf-suite`` that do it."""
+        s = self.settings
+        width, height = s.size
+        words = {
+            "picture": ["render", self._paint],
+            "turntable": ["turntable", self._paint, f"--frames={s.frames}", f"--fps={s.frames_per_second:g}"],
+            "sheet": ["sheet", s.source, *([f"--columns={s.columns}"] if s.columns else [])],
+        }[s.kind]
+        words += ["-o", str(self.path), "--view", str(self._view), f"--size={width}x{height}"]
+        words += [f"--samples={s.samples}", "--follow"]
+        if len(s.form.colour_spaces) > 1:
+            words.append(f"--colour-space={s.colour_space}")
+        if s.form.bits is not None:
+            words.append(f"--bits={s.form.bits}")
+        if s.transparent and s.form.transparent:
+            words.append("--transparent")
+        return words
+
+    def leftovers(self) -> list[Path]:
+        """Return what an export that was ended by force may have left beside its target."""
+        stem = self.path.name if not self.settings.form.ending else self.path.stem
+        return list(self.path.parent.glob(f".{stem[:80]}.{'[0-9a-f]' * 16}*"))
+
+    def tidy(self) -> None:
+        """Take the scene's files away."""
+        shutil.rmtree(
+            self._folder, ignore_errors=True
+        )  # in the system's temporary folder, which is emptied anyway
