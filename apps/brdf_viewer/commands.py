@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QMenu
 from brdf_viewer.camera_presets import PRESETS
 from brdf_viewer.sections.compare import MODE_TITLES
 from brdf_viewer.sections.environment import BACKGROUND_TITLES
+from brdf_viewer.sections.fresnel import FRESNEL_TITLES, LOOK_UP_TITLES
 from brdf_viewer.sections.tone import TONE_TITLES
 from brdf_viewer.source_chooser import Source
 
@@ -27,7 +28,7 @@ class ViewerCommands(QObject):
         A shipped paint; Designer is to be followed or not; Designer is to be started.
     preset_wanted(key), frame_wanted(), turntable_wanted(bool)
         The camera.
-    tone_curve_wanted(key), background_wanted(key), fresnel_wanted(key)
+    tone_curve_wanted(key), background_wanted(key), fresnel_wanted(key), look_up_wanted(key)
         How the picture is shown.
     copy_wanted(), picture_wanted(), export_wanted(kind)
         The picture goes to the clipboard, or to a file; a ``picture``, ``turntable`` or ``sheet`` is to be exported.
@@ -52,6 +53,7 @@ class ViewerCommands(QObject):
     tone_curve_wanted = Signal(str)
     background_wanted = Signal(str)
     fresnel_wanted = Signal(str)
+    look_up_wanted = Signal(str)
     copy_wanted = Signal()
     picture_wanted = Signal()
     export_wanted = Signal(str)
@@ -131,12 +133,17 @@ class ViewerCommands(QObject):
         for action in self._source_groups[kind].actions():
             action.setChecked(action.data() == key)
 
-    def show_state(self, *, tone_curve: str, background: str, fresnel: str) -> None:
+    def show_state(self, *, tone_curve: str, background: str, fresnel: str, look_up: str) -> None:
         """Tick what the view has."""
-        for group, key in ((self._tone, tone_curve), (self._background, background)):
+        shown = (
+            (self._tone, tone_curve),
+            (self._background, background),
+            (self._fresnel, fresnel),
+            (self._look_up, look_up),
+        )
+        for group, key in shown:
             for action in group.actions():
                 action.setChecked(action.data() == key)
-        self.fresnel.setChecked(fresnel != "off")
 
     def _add_file(self) -> None:
         menu = self._window.file_menu
@@ -229,9 +236,8 @@ class ViewerCommands(QObject):
         )
         self.figures.setCheckable(True)
         self.figures.triggered.connect(self.figures_wanted)
-        self.fresnel = self._window.add_action(menu, "Fres&nel")
-        self.fresnel.setCheckable(True)
-        self.fresnel.triggered.connect(lambda on: self.fresnel_wanted.emit("raised" if on else "off"))
+        self._fresnel = self._choices(menu.addMenu("Fres&nel"), FRESNEL_TITLES, self.fresnel_wanted)
+        self._look_up = self._choices(menu.addMenu("&Look-up"), LOOK_UP_TITLES, self.look_up_wanted)
 
     def _add_compare(self) -> None:
         menu = self._window.view_menu.addMenu("&Compare")

@@ -136,6 +136,8 @@ class ViewerController(QObject):
             signal.connect(lambda key: stage.change_view(background=key))
         for signal in (window.fresnel.fresnel_edited, commands.fresnel_wanted):
             signal.connect(lambda key: stage.change_view(fresnel=key))
+        for signal in (window.fresnel.look_up_edited, commands.look_up_wanted):
+            signal.connect(lambda key: stage.change_view(look_up=key))
         for kind in ("environment", "surface", "paint"):
             chooser = getattr(window, kind).chooser
             chooser.browse.connect(lambda kind=kind: self._browse(kind))
@@ -164,7 +166,13 @@ class ViewerController(QObject):
         window.environment.exposure.set_value(new.exposure_ev)
         window.environment.set_background(new.background)
         window.fresnel.set_mode(new.fresnel)
-        window.commands.show_state(tone_curve=new.tone_curve, background=new.background, fresnel=new.fresnel)
+        window.fresnel.set_look_up(new.look_up)
+        window.commands.show_state(
+            tone_curve=new.tone_curve,
+            background=new.background,
+            fresnel=new.fresnel,
+            look_up=new.look_up,
+        )
         if not self._publish.isActive():
             self._publish.start()
 

@@ -14,6 +14,7 @@ from brdf_suite.realtime.context import Context
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.probe import PixelProbe
 from brdf_suite.realtime.renderer import Renderer
+from brdf_viewer.angle_fits import AngleFits
 from brdf_viewer.stage import Prop, Stage
 
 Grey = tuple[float, float, float]
@@ -42,7 +43,9 @@ class StageDrawer:
         self._stage = stage
         self._surround = surround
         self._refused = refused
-        self._renderer = SceneRenderer(context)
+        self.angle_fits = AngleFits(stage)
+        self.angle_fits.arrived.connect(stage.contents_changed)
+        self._renderer = SceneRenderer(context, self.angle_fits.angles)
         self._uploads: dict[str, Callable[[Any], None]] = {
             "environment": self._renderer.set_environment,
             "surface": self._renderer.set_surface,

@@ -10,6 +10,7 @@ from brdf_qt.command_palette import commands
 from PIL import Image
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMenu
 
 from brdf_suite.pipeline.picture_file import picture_metadata
 
@@ -59,13 +60,51 @@ def test_tone_curve(viewer, index) -> None:
     assert curve.currentIndex() == index
 
 
+def choose(box, key) -> None:
+    box.activated.emit(box.findData(key))
+
+
+def menu_action(viewer, menu, key):
+    return next(
+        a
+        for m in viewer.window.view_menu.findChildren(QMenu)
+        if m.title() == menu
+        for a in m.actions()
+        if a.data() == key
+    )
+
+
 def test_fresnel_from_the_box_and_from_the_menu(viewer) -> None:
-    assert changes(viewer, viewer.window.fresnel.on.click) > 3
+    box = viewer.window.fresnel.mode
+    assert changes(viewer, lambda: choose(box, "off")) > 3
     assert viewer.view.fresnel == "off"
-    assert not viewer.window.commands.fresnel.isChecked()
-    viewer.window.commands.fresnel.trigger()
+    assert menu_action(viewer, "Fres&nel", "off").isChecked()
+    menu_action(viewer, "Fres&nel", "raised").trigger()
     assert viewer.view.fresnel == "raised"
-    assert viewer.window.fresnel.on.isChecked()
+    assert box.currentData() == "raised"
+
+
+def test_several_angles_are_fitted_on_a_thread_and_then_shown(viewer, qtbot) -> None:
+    choose(viewer.window.fresnel.mode, "off")
+    off = viewer.pixels()
+    choose(viewer.window.fresnel.mode, "raised")
+    raised = viewer.pixels()
+    with qtbot.waitSignal(viewer.controller.drawer.angle_fits.arrived, timeout=60_000):
+        choose(viewer.window.fresnel.mode, "multi_angle")
+        viewer.pixels()
+    several = viewer.pixels()
+    assert viewer.window.fresnel.mode.currentData() == "multi_angle"
+    away = np.abs(several.astype(int) - off).mean()
+    assert 0 < np.abs(several.astype(int) - raised).mean() < 0.5 * away
+
+
+def test_look_up(viewer) -> None:
+    box = viewer.window.fresnel.look_up
+    assert changes(viewer, lambda: choose(box, "paper")) > 1
+    assert viewer.view.look_up == "paper"
+    menu_action(viewer, "&Look-up", "shifted").trigger()
+    assert viewer.view.look_up == "shifted"
+    assert box.currentData() == "shifted"
 
 
 def test_the_picture_goes_to_the_clipboard(viewer, qapp) -> None:

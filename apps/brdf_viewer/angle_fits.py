@@ -1,0 +1,26 @@
+"""Fits at several incidences for the window: set up on a thread, and told of on the window's own."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from brdf_suite.pipeline.paint_angles import PaintAngles
+
+
+class AngleFits(QObject):
+    """Holds :class:`PaintAngles` that let nobody wait.
+
+    Signals
+    -------
+    arrived()
+        The same paint is to be drawn anew: the fitter is ready, or an optimum has come after the time limit.
+    """
+
+    arrived = Signal()
+    _changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        # The fitters call on their own threads.
+        self._changed.connect(self.arrived, Qt.ConnectionType.QueuedConnection)
+        self.angles = PaintAngles(changed=self._changed.emit)
