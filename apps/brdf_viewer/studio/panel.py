@@ -5,7 +5,7 @@ from __future__ import annotations
 from brdf_qt.icons import icon
 from brdf_qt.text_fields import TextLine
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -108,10 +108,6 @@ class StudioPanel(QScrollArea):
     def minimumSizeHint(self) -> QSize:
         return QSize(self._inner_width(), 120)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self.setMinimumWidth(self._inner_width())  # it never scrolls sideways
-
     def _inner_width(self) -> int:
         return self.widget().minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width() + 2
 
@@ -138,6 +134,7 @@ class StudioPanel(QScrollArea):
             self.preview.set_chosen(index)
         finally:
             self._quiet = False
+        self.setMinimumWidth(self._inner_width())  # it never scrolls sideways
 
     def set_state(self, text: str, can_undo: bool, can_redo: bool) -> None:
         """Say whether it is saved, and where."""
