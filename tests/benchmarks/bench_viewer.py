@@ -11,9 +11,11 @@ from __future__ import annotations
 from pathlib import Path
 from statistics import median
 from time import perf_counter
+from types import SimpleNamespace
 
 import numpy as np
 
+from brdf_suite.cli.bench import load_module
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.fitting.lobes.basis import default_basis
@@ -21,10 +23,12 @@ from brdf_suite.lighting.prefilter import face_size
 from brdf_suite.pipeline.paint import PaintFitter
 from brdf_suite.pipeline.scene import default_paint
 from brdf_suite.pipeline.shading_maps import map_exponents
-from brdf_suite.progress import report
+from brdf_suite.progress import part, report
 from brdf_suite.realtime.context import create_context
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
+
+_sparkle = load_module(Path(__file__).with_name("viewer_sparkle.py"))
 
 NAME = "viewer"
 BOUNDS = {
@@ -32,7 +36,7 @@ BOUNDS = {
     "all_lobes_ratio": ("", None, "", "the same with a weight on every lobe of the basis, which no fit has"),
     "weights_change_ms": ("<=", 0.5, "ms", "weights changed, next frame at 64x64: extra cost, median"),
     "baseline_frame_ms": ("", None, "ms", "the baseline's frame, median"),
-}
+} | _sparkle.BOUNDS
 
 BASELINE = Path(__file__).with_name("baseline.frag.glsl")
 SIZE = (1280, 720)
@@ -46,6 +50,11 @@ ROUNDS = 60
 
 def run(progress=None):
     """Return the figures of :data:`BOUNDS`."""
+    found = _shading(part(progress, 0.0, 0.6))
+    return found | _sparkle.figures(SimpleNamespace(**globals()), part(progress, 0.6, 1.0))
+
+
+def _shading(progress=None):
     context = create_context()
     ours, every_lobe, baseline = (Renderer(context), Renderer(context), Renderer(context, BASELINE))
     view = View(Camera(azimuth_deg=0, elevation_deg=0, distance=_distance(), target=(0.0, 0.0, 0.0)))
