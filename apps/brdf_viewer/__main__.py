@@ -19,7 +19,9 @@ from PySide6.QtCore import Qt, QTimer
 if TYPE_CHECKING:
     from brdf_viewer.controller import ViewerController
 
+from brdf_suite.documents.store import load_view
 from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS, View
+from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.scene import default_paint_name, environment_names, name_in_view, surface_names
 
 _SETTLE_MS = 200
@@ -38,7 +40,8 @@ def parser() -> argparse.ArgumentParser:
         "paint",
         nargs="?",
         metavar="PAINT",
-        help="a .brdfpaint file or a shipped paint's name; it stays, Designer is offered and not followed",
+        help="a .brdfpaint file, a measured file, a .brdfpalette or a shipped paint's name; it stays, Designer is "
+        "offered and not followed",
     )
     parser.add_argument(
         "--follow", action="store_true", help="show PAINT only until Designer has one, and follow it"
@@ -56,6 +59,7 @@ def parser() -> argparse.ArgumentParser:
         help=f"how the environment's image is laid out: {', '.join(ENVIRONMENT_LAYOUTS)}",
     )
     parser.add_argument("--surface", metavar="NAME|FILE", help="a shipped surface, or a mesh file")
+    parser.add_argument("--view", metavar="FILE", help="a .brdfview file: camera, light and all settings")
     parser.add_argument("--theme", choices=THEMES, help="grey of the window, for this run")
     parser.add_argument("--size", metavar="WxH", type=window_size, help="size of the window in pixels")
     parser.add_argument("--screenshot", metavar="FILE", help="save the window as PNG once complete, and end")
@@ -76,7 +80,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     from brdf_viewer.controller import ViewerController
 
     follow = options.follow or options.paint is None
-    controller = ViewerController(_first_view(options), options.paint or default_paint_name(), follow=follow)
+    try:
+        view = _first_view(options)
+    except SuiteError as error:
+        print(f"brdf-viewer: {error}", file=sys.stderr)
+        return 1
+    controller = ViewerController(view, options.paint or default_paint_name(), follow=follow)
     window = controller.window
     if options.size:
         window.resize(*options.size)
@@ -97,7 +106,8 @@ def _first_view(options: argparse.Namespace) -> View:
     }
     if wanted["environment"]:
         wanted["environment_layout"] = options.layout
-    return dataclasses.replace(recall(settings()), **{k: v for k, v in wanted.items() if v})
+    start = load_view(options.view) if options.view else recall(settings())
+    return dataclasses.replace(start, **{k: v for k, v in wanted.items() if v})
 
 
 def _report_startup(controller: ViewerController) -> None:

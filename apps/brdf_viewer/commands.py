@@ -36,6 +36,10 @@ class ViewerCommands(QObject):
         A shipped environment or surface.
     compare_wanted(mode), blink_wanted(), flip_wanted(), freeze_wanted()
         Two paints: how they are shown; to begin or end a blink; the other one, by hand; keep the paint as the second.
+    step_wanted(step), palette_close_wanted()
+        The next paint (1) or the one before (-1); the palette is to be closed.
+    view_save_wanted(), view_save_as_wanted()
+        The view goes to its file, or to another one.
     figures_wanted(bool)
         The figures over the picture.
     undo_wanted(), redo_wanted()
@@ -63,6 +67,10 @@ class ViewerCommands(QObject):
     flip_wanted = Signal()
     freeze_wanted = Signal()
     figures_wanted = Signal(bool)
+    step_wanted = Signal(int)
+    palette_close_wanted = Signal()
+    view_save_wanted = Signal()
+    view_save_as_wanted = Signal()
     undo_wanted = Signal()
     redo_wanted = Signal()
 
@@ -150,6 +158,20 @@ class ViewerCommands(QObject):
         self.open_paint = self._open(menu, "&Open Paint…", "paint", QKeySequence.StandardKey.Open)
         self._open(menu, "Open &Environment…", "environment", "Ctrl+Shift+E")
         self._open(menu, "Open &Surface…", "surface", "Ctrl+M")
+        self._open(menu, "Open Pa&lette…", "palette", "Ctrl+Shift+L")
+        self._open(menu, "Open &View…", "view", "Ctrl+Shift+O")
+        menu.addSeparator()
+        add = self._window.add_action
+        save = QKeySequence.StandardKey.Save
+        add(
+            menu,
+            "&Save View",
+            self.view_save_wanted.emit,
+            save,
+            "floppy-disk",
+            "Camera, light and all settings",
+        )
+        add(menu, "Save View &As…", self.view_save_as_wanted.emit, "Ctrl+Shift+S")
         menu.addSeparator()
         self._window.add_action(
             menu,
@@ -179,6 +201,8 @@ class ViewerCommands(QObject):
             kind: menu.addMenu(title)
             for kind, title in (
                 ("paint", "Recent &Paints"),
+                ("palette", "Recent Pale&ttes"),
+                ("view", "Recent Vie&ws"),
                 ("environment", "Recent E&nvironments"),
                 ("surface", "Recent S&urfaces"),
             )
@@ -282,6 +306,19 @@ class ViewerCommands(QObject):
         )
         self.follow.setCheckable(True)
         self.follow.triggered.connect(self.follow_wanted)
+        menu.addSeparator()
+        for text, step, key in (("&Next Paint", 1, "Right"), ("&Previous Paint", -1, "Left")):
+            action = self._window.add_action(
+                menu,
+                text,
+                lambda step=step: self.step_wanted.emit(step),
+                key,
+                tip="Of the palette, or as shipped",
+            )
+            # Arrows move in lists and numbers; they are the paints' on the picture only.
+            action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            self.on_picture.append(action)
+        self.palette_close = self._window.add_action(menu, "&Close Palette", self.palette_close_wanted.emit)
         menu.addSeparator()
         self._paints = menu.addMenu("Open &Shipped Paint")
 

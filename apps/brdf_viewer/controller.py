@@ -36,6 +36,7 @@ from brdf_viewer.source_chooser import title_of
 from brdf_viewer.stage import Stage
 from brdf_viewer.studio.control import StudioControl
 from brdf_viewer.tone_control import ToneControl
+from brdf_viewer.view_files import ViewFiles
 from brdf_viewer.window import ViewerWindow
 
 _PUBLISH_MS = 50
@@ -87,17 +88,17 @@ class ViewerController(QObject):
         self._publish = QTimer(self, singleShot=True, interval=_PUBLISH_MS, timeout=self._publish_view)
         self.camera = CameraControl(self.stage, self.window, self)
         self.scene = SceneControl(self.stage, self.window, self._loader, self)
-        self.paint = PaintControl(self.stage, self.window, self.link, PaintFitter(), self)
+        self.paint = PaintControl(self.stage, self.window, self.link, PaintFitter(), self._tasks, self)
         self._meter = FrameMeter(self.window.status.cell("frame"), self)
         self._meter.shown.connect(self.settled)
         self.tone = ToneControl(self.stage, self.window, lambda: self.drawer, self)
         self.save = PictureExport(self.stage, self.window, ask_picture, self.tone.grab_srgb, self)
         self.export = ExportControl(self.stage, self.window, self)
+        dialogs = dialogs or QtDialogs(self.window)
+        self.views = ViewFiles(self.stage, self.window, dialogs, self)
         self._connect()
         self._show_view(None, view)
-        self.studio = StudioControl(
-            self.stage, self.window, self.scene, dialogs or QtDialogs(self.window), self
-        )
+        self.studio = StudioControl(self.stage, self.window, self.scene, dialogs, self)
         self.lighting = LightingControl(self.stage, self.window, lambda: self.drawer, self)
         self.compare = CompareControl(self.stage, self.window, self._tasks, ask, self)
         self.readout = Readout(self.stage, self.window, lambda: self.drawer, self)
@@ -113,10 +114,12 @@ class ViewerController(QObject):
         kind = kind_of(path)
         if kind is None:
             self.scene.tell_unknown(path, all_endings())
-        elif kind == "paint":
-            self.paint.open(path)
         else:
-            self.scene.open(kind, path)
+            self._open(kind, path)
+
+    def _open(self, kind: str, path: str) -> None:
+        own = {"paint": self.paint.open, "palette": self.paint.open_palette, "view": self.views.open}
+        own.get(kind, partial(self.scene.open, kind))(path)
 
     def _connect(self) -> None:
         window, stage = self.window, self.stage
@@ -142,7 +145,7 @@ class ViewerController(QObject):
             chooser = getattr(window, kind).chooser
             chooser.browse.connect(lambda kind=kind: self._browse(kind))
         commands.open_wanted.connect(self._browse)
-        commands.recent_wanted.connect(lambda _kind, path: self.open_file(path))
+        commands.recent_wanted.connect(self._open)
         commands.copy_wanted.connect(self._copy_picture)
         commands.designer_wanted.connect(self._open_designer)
         commands.undo_wanted.connect(self._undo)
@@ -206,10 +209,8 @@ class ViewerController(QObject):
 
     def _browse(self, kind: str) -> None:
         path = self._ask(self.window, kind)
-        if path and kind == "paint":
-            self.paint.open(path)
-        elif path:
-            self.scene.open(kind, path)
+        if path:
+            self._open(kind, path)
 
     def _copy_picture(self) -> None:
         image = self.tone.grab_srgb()

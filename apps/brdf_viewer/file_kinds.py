@@ -9,21 +9,40 @@ from brdf_qt.settings import settings
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from brdf_suite.documents.light_store import STUDIO_ENDING
-from brdf_suite.documents.store import PAINT_ENDING
+from brdf_suite.documents.palette_store import PALETTE_ENDING
+from brdf_suite.documents.store import PAINT_ENDING, VIEW_ENDING
 from brdf_suite.files.meshes import MESH_ENDINGS
 
 ENDINGS: dict[str, tuple[str, ...]] = {
-    "paint": (PAINT_ENDING,),
+    "paint": (
+        PAINT_ENDING,
+        ".alta",
+        ".astm",
+        ".bin",
+        ".binary",
+        ".brdf",
+        ".brdftable",
+        ".bsdf",
+        ".dat",
+        ".json",
+        ".txt",
+    ),
+    "palette": (PALETTE_ENDING,),
+    "view": (VIEW_ENDING,),
     "environment": (".exr", ".hdr", STUDIO_ENDING),
     "surface": MESH_ENDINGS,
 }
+"""The measured ones among the paints stand here and are not asked of their readers, which are much to import."""
+
 TITLES = {
-    "paint": "Paint",
+    "paint": "Paint or Measured File",
+    "palette": "Palette",
+    "view": "View",
     "environment": "Environment",
     "surface": "Surface",
     "compare": "Second Paint or Picture",
 }
-ASKED: dict[str, tuple[str, ...]] = {**ENDINGS, "compare": (PAINT_ENDING, ".exr", ".png")}
+ASKED: dict[str, tuple[str, ...]] = {**ENDINGS, "compare": (*ENDINGS["paint"], ".exr", ".png")}
 
 AskFile = Callable[[QWidget, str], str]
 AskPicture = Callable[[QWidget, str], str]

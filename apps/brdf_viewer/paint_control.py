@@ -9,14 +9,19 @@ from brdf_qt.exact_fit import ExactFit
 from brdf_qt.fit_error import fit_tips, is_large, marked
 from brdf_qt.link import LiveLink
 from brdf_qt.message_bar import Message, message_of
+from brdf_qt.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
+from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.paint import PaintFit, PaintFitter
 from brdf_suite.pipeline.scene import default_paint_name, paint_names
+from brdf_suite.progress import Progress
 from brdf_viewer.paint_patches import Patch
+from brdf_viewer.paint_sequence import OpenPalette, is_swatch, stepped
 from brdf_viewer.paint_source import DESIGNER, PaintSource
 from brdf_viewer.recent_files import RecentFiles
 from brdf_viewer.sections.note import set_note
@@ -42,14 +47,21 @@ class PaintControl(QObject):
         window: ViewerWindow,
         link: LiveLink,
         fitter: PaintFitter,
+        runner: TaskRunner,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
+        self._runner = runner
+        self._measuring: str | None = None
+        self._palette: OpenPalette | None = None
+        self._paints: dict[str, AnyPaint] = {}
+        self._stepped_to = ""
         self._stage = stage
         self._window = window
         self._link = link
         self._fitter = fitter
         self._recent = RecentFiles(_KEY)
+        self._recent_palettes = RecentFiles("palette")
         self._names = paint_names()
         self._exact = ExactFit(self)
         self._exact.arrived.connect(self._show_exact)
@@ -67,6 +79,9 @@ class PaintControl(QObject):
         window.commands.follow_wanted.connect(self.source.set_following)
         window.commands.paint_wanted.connect(self.open)
         window.commands.set_paints(self._shipped())
+        window.commands.step_wanted.connect(self.step)
+        window.commands.palette_close_wanted.connect(self.close_palette)
+        window.busy_cancelled.connect(self._cancel)
         self._list()
         self._show_following()
 
@@ -78,6 +93,11 @@ class PaintControl(QObject):
         self.source.set_following(follow)
         self._offers = not follow
         self._show_following()
+        ending = Path(name_or_path).suffix.lower()
+        if ending and ending != PAINT_ENDING and Path(name_or_path).is_file():
+            self.source.start_with(default_paint_name())  # until the file is read
+            (self.open_palette if ending == PALETTE_ENDING else self.open)(name_or_path)
+            return
         self._try(self.source.start_with, name_or_path)
         if self._stage.fit is None:
             told = self._window.messages.shown().get(_KEY)
@@ -90,11 +110,86 @@ class PaintControl(QObject):
         if key == DESIGNER:
             self.source.set_following(True)
             return
+        self._stepped_to = key
+        if key in self._paints:
+            self.source.show(self._paints[key], key)
+            return
         shipped = key in self._names
         key = key if shipped else str(Path(key).absolute())
-        if self._try(self.source.choose, key) and not shipped:
-            self._recent.add(key)
-            self._list()
+        if not shipped and Path(key).suffix.lower() != PAINT_ENDING:
+            self._measure(key)
+        elif self._try(self.source.choose, key) and not shipped:
+            self._remember(key)
+
+    def open_palette(self, path: str) -> None:
+        """Go through the paints of a palette from now on, and show its first."""
+        path = str(Path(path).absolute())
+        try:
+            palette = load_palette(path)
+        except SuiteError as error:
+            self._tell(error)
+            return
+        self._palette = OpenPalette(path, palette)
+        self._paints = self._palette.paints
+        self._recent_palettes.add(path)
+        self._window.messages.dismiss(_KEY)
+        self._list()
+        self.step(1)
+
+    def close_palette(self) -> None:
+        """Go through the shipped paints again; the paint on show stays."""
+        self._palette, self._paints = None, {}
+        self._list()
+        self._show_place(self._shown_key)
+
+    def step(self, step: int) -> None:
+        """Show the next paint of the palette, or of the shipped ones; -1 the one before."""
+        keys = tuple(self._paints) if self._palette is not None else tuple(self._names)
+        # From where the last step led, also where that paint could not be fitted.
+        key = stepped(keys, self._stepped_to or self._shown_key, step)
+        if key is not None:
+            self.open(key)
+
+    def _measure(self, key: str) -> None:
+        """Fit a measured file in the background; the paint on show stays until it is there."""
+        self._measuring = key
+        title = title_of(key, {})
+        self._window.messages.dismiss(_KEY)
+        self._window.set_busy(_KEY, 0.0, title)
+        self._runner.submit(
+            _KEY,
+            _fit_measured,
+            key,
+            done=lambda fit: self._measured(key, fit),
+            failed=self._not_measured,
+            progress=lambda fraction, what: self._window.set_busy(_KEY, fraction, f"{title}: {what}"),
+        )
+
+    def _measured(self, key: str, fit: AnyFit) -> None:
+        self._cancel(_KEY)
+        self.source.set_following(False)
+        self._exact.forget()
+        self._stage.set_fit(fit, None, key)
+        self._shown_key = key
+        self._show_fit(fit, key)
+        self._remember(key)
+
+    def _not_measured(self, error: Exception) -> None:
+        self._cancel(_KEY)
+        self._tell(error)
+        self._show_choice()
+
+    def _cancel(self, kind: str) -> None:
+        """Give a measured file up, where one is on its way."""
+        if kind == _KEY and self._measuring is not None:
+            self._measuring = None
+            self._runner.cancel(_KEY)
+            self._window.set_idle(_KEY)
+            self._show_choice()
+
+    def _remember(self, key: str) -> None:
+        self._recent.add(key)
+        self._list()
 
     def _try(self, action: Any, key: str) -> bool:
         try:
@@ -114,6 +209,7 @@ class PaintControl(QObject):
 
     def _take(self, paint: Paint | CookTorrancePaint, key: str) -> None:
         """The edit path: fit and draw; no file, no texture, no import. Only designed paints are edited."""
+        self._cancel(_KEY)
         fit: PaintFit | AnyFit
         try:
             fit = self._fitter.fit(paint) if isinstance(paint, Paint) else _fitted(paint)
@@ -134,7 +230,7 @@ class PaintControl(QObject):
         self._stage.set_fit(fit, fit.paint, self._shown_key)
         self._show_fit(fit, self._shown_key)
 
-    def _tell(self, error: SuiteError) -> None:
+    def _tell(self, error: Exception) -> None:
         fit = self._stage.fit
         shown = default_paint_name().capitalize() if fit is None else fit.name
         todo = f"The picture shows {shown}. Choose another paint, or correct this one."
@@ -142,8 +238,9 @@ class PaintControl(QObject):
 
     def _show_fit(self, fit: PaintFit | AnyFit, key: str) -> None:
         section = self._window.paint
-        section.chooser.show_source(key, self._designer_title() if key == DESIGNER else title_of(key, {}))
+        self._show_choice()
         self._name_designer()
+        self._show_place(key)
         section.patches.set_patches(_patches(fit))
         worst, follows = fit.worst_delta_e, _exact_follows(fit)
         section.set_fit_error(worst, fit.time_limited, follows)
@@ -164,6 +261,16 @@ class PaintControl(QObject):
             "\n".join(tips),
             "warning" if large or fit.time_limited else "fresh",
         )
+
+    def _show_choice(self) -> None:
+        key = self._shown_key
+        title = self._designer_title() if key == DESIGNER else title_of(key, {})
+        self._window.paint.chooser.show_source(key, "" if is_swatch(key) else title)
+
+    def _show_place(self, key: str) -> None:
+        words = "" if self._palette is None else self._palette.words(key)
+        tip = "The open palette; the arrow keys go through it"
+        self._window.status.cell("palette").set(words, tip)
 
     def _designer_title(self) -> str:
         """Return what Designer's paint is called; a program that has gone is not named as if it were there."""
@@ -206,8 +313,13 @@ class PaintControl(QObject):
 
     def _list(self) -> None:
         files = self._recent.paths()
-        self._window.paint.chooser.set_sources(self._shipped(), [Source(p, title_of(p, {})) for p in files])
-        self._window.commands.set_recent(_KEY, files)
+        swatches = [Source(key, paint.name) for key, paint in self._paints.items()]
+        chooser = self._window.paint.chooser
+        chooser.set_sources([*swatches, *self._shipped()], [Source(p, title_of(p, {})) for p in files])
+        commands = self._window.commands
+        commands.set_recent(_KEY, files)
+        commands.set_recent("palette", self._recent_palettes.paths())
+        commands.palette_close.setEnabled(self._palette is not None)
 
 
 def _fitted(paint: CookTorrancePaint) -> AnyFit:
@@ -216,6 +328,13 @@ def _fitted(paint: CookTorrancePaint) -> AnyFit:
     from brdf_suite.reflectance.build import build_reflectance
 
     return fit_reflectance(paint.name, build_reflectance(paint))
+
+
+def _fit_measured(key: str, progress: Progress) -> AnyFit:
+    # Not at the start: what reads measured files is much to import.
+    from brdf_suite.pipeline.any_fit import fit_any
+
+    return fit_any(key, errors=False, progress=progress)
 
 
 def _exact_follows(fit: PaintFit | AnyFit) -> bool:

@@ -7,7 +7,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.store import paint_from_json
+from brdf_suite.documents.store import AnyPaint, paint_from_json
 from brdf_suite.pipeline.scene import find_any_paint
 
 DESIGNER = "designer:"
@@ -54,8 +54,11 @@ class PaintSource(QObject):
         """Show a paint, where Designer is followed until it has another; errors as :func:`find_any_paint`."""
         self.changed.emit(find_any_paint(name_or_path), name_or_path)
 
+    def show(self, paint: AnyPaint, key: str) -> None:
+        """Show this paint and stop following Designer."""
+        self.set_following(False)
+        self.changed.emit(paint, key)
+
     def choose(self, name_or_path: str) -> None:
         """Show a paint and stop following Designer; errors as :func:`find_any_paint`, nothing changed then."""
-        paint = find_any_paint(name_or_path)
-        self.set_following(False)
-        self.changed.emit(paint, name_or_path)
+        self.show(find_any_paint(name_or_path), name_or_path)

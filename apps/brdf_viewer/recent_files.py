@@ -10,7 +10,7 @@ MOST = 8
 
 
 class RecentFiles:
-    """The recent files of one kind (``environment``, ``surface``, ``paint``)."""
+    """The recent files of one kind (``environment``, ``surface``, ``paint`` …)."""
 
     def __init__(self, kind: str) -> None:
         self._key = f"recent/{kind}"

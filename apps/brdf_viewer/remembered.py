@@ -1,4 +1,5 @@
-"""What the Viewer shows when it starts again: the last environment, surface, background, Fresnel and tone curve.
+"""What the Viewer shows when it starts again: the last environment, surface, background, Fresnel and tone curve, the
+speed of the turntable, and how a comparison is shown.
 
 Camera, exposure and the turn of the light start afresh: a picture that opens too dark or from behind would look
 like a fault.
@@ -8,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
+from typing import TypeVar
 
 from PySide6.QtCore import QSettings
 
@@ -15,13 +17,21 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.pipeline.scene import default_view, environment_names, surface_names
 
+T = TypeVar("T")
 _FIELDS = ("environment", "surface", "tone_curve", "background", "environment_layout", "fresnel", "look_up")
+
+
+_COMPARE = ("rate_hz", "scale_delta_e", "basis")
+_NUMBERS = ("rate_hz", "scale_delta_e", "turntable_deg_s")
+"""An INI file gives every number back as text."""
 
 
 def remember(store: QSettings, view: View) -> None:
     """Keep what is worth it."""
-    for name in _FIELDS:
+    for name in (*_FIELDS, "turntable_deg_s"):
         store.setValue(f"view/{name}", getattr(view, name))
+    for name in _COMPARE:
+        store.setValue(f"compare/{name}", getattr(view.compare, name))
 
 
 def recall(store: QSettings) -> View:
@@ -36,8 +46,23 @@ def recall(store: QSettings) -> View:
             view = dataclasses.replace(view, **{field: value})
         except ValueRangeError:
             continue  # an edited settings file, or one of another version
+    view = _with(view, store, "view", ("turntable_deg_s",))
+    view = dataclasses.replace(view, compare=_with(view.compare, store, "compare", _COMPARE))
     if view.environment in names["environment"]:
         view = dataclasses.replace(
             view, environment_layout=default_view().environment_layout
         )  # of a file that is gone
     return view
+
+
+def _with(value: T, store: QSettings, group: str, names: tuple[str, ...]) -> T:
+    """Return ``value`` with those of its fields that were remembered and are valid."""
+    for name in names:
+        found = store.value(f"{group}/{name}")
+        try:
+            if found is not None:
+                found = float(found) if name in _NUMBERS else found
+                value = dataclasses.replace(value, **{name: found})
+        except (ValueError, ValueRangeError):
+            continue  # an edited settings file, or one of another version
+    return value

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from brdf_qt.gl_surface import Drawer, GlSurface
 from brdf_qt.main_window import SuiteWindow
+from brdf_qt.number_field import NumberField
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPalette
 from PySide6.QtWidgets import QWidget
@@ -76,12 +77,17 @@ class ViewerWindow(SuiteWindow):
         self._busy: dict[str, tuple[float, str]] = {}
         self._busy_shown = ""
         self._busy_delay = QTimer(self, singleShot=True, interval=_BUSY_AFTER_MS, timeout=self._show_busy)
-        for name in ("frame", "lobes", "fit", "exposure", "environment"):
+        for name in ("frame", "lobes", "fit", "exposure", "environment", "palette"):
             self.status.cell(name)
         for name in ("readout", "link"):
             self.status.cell(name, right=True)
         self.restore_layout()
         self.picture.setFocus()
+
+    def keep_opened(self) -> None:
+        """Take what is shown for what the view had when it was opened: a double click on a number goes back to it."""
+        for field in self.inspector.findChildren(NumberField):
+            field.set_default(field.value())
 
     def surround(self) -> tuple[float, float, float]:
         """Return the theme's grey, R = G = B, 0…1, for a picture that has nothing to show yet."""

@@ -59,7 +59,10 @@ def test_presets_frame_the_surface_and_keep_the_lens() -> None:
         ("b.hdr", "environment"),
         ("c.glb", "surface"),
         ("d.brdfpaint", "paint"),
-        ("e.txt", None),
+        ("f.BSDF", "paint"),
+        ("g.brdfpalette", "palette"),
+        ("h.brdfview", "view"),
+        ("e.doc", None),
     ],
 )
 def test_a_files_kind(path, kind) -> None:

@@ -23,7 +23,7 @@ class PaintSection(Section):
         self.follow = QCheckBox("Follow Designer")
         self.follow.setToolTip("Show the paint that is being edited in Designer, at every change")
         self.follow.clicked.connect(self.follow_edited)
-        self.chooser = SourceChooser("Open a paint (.brdfpaint)")
+        self.chooser = SourceChooser("Open a paint (.brdfpaint) or a measured file")
         self.patches = PaintPatches()
         self.fit, self.facts = note(), note()
         form = Form()
