@@ -24,6 +24,8 @@ LengthUnit = Literal["file", "m", "cm", "mm", "in"]
 LENGTH_UNITS: tuple[str, ...] = get_args(LengthUnit)
 NormalsMode = Literal["file", "smooth", "flat"]
 NORMALS_MODES: tuple[str, ...] = get_args(NormalsMode)
+MaskProjection = Literal["uv", "side", "front", "top"]
+MASK_PROJECTIONS: tuple[str, ...] = get_args(MaskProjection)
 CompareMode = Literal["off", "side", "swipe", "blink", "difference"]
 COMPARE_MODES: tuple[str, ...] = get_args(CompareMode)
 CompareBasis = Literal["light", "picture"]
@@ -202,16 +204,22 @@ class Relief:
 
 @dataclass(frozen=True)
 class TwoTone:
-    """A second paint where the mask is white; both None: one paint. The mask is a tiled image, by path."""
+    """A second paint where the mask is white; both None: one paint. The mask is an image, by path.
+
+    ``projection``: tiles of ``mask_width_mm`` over the texture coordinates (``uv``), or the image once over the box
+    around the mesh, seen from the side (+x), the front (+z) or the top.
+    """
 
     paint: str | None = None
     mask: str | None = None
     mask_width_mm: float = PARAMETERS["two_tone.mask_width_mm"].default
+    projection: MaskProjection = "uv"
 
     def __post_init__(self) -> None:
         _check_paint(self.paint, "paint")
         check_path(self.mask, "mask")
         _check_numbers(self, "two_tone", ("mask_width_mm",))
+        check_choice(self.projection, "projection", MASK_PROJECTIONS)
 
 
 @dataclass(frozen=True)

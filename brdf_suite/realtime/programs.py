@@ -18,6 +18,7 @@ MATERIAL_BINDING = 0
 LIGHTS_BINDING = 3
 _BLOCKS = {"Material": MATERIAL_BINDING, "Lights": LIGHTS_BINDING}
 LIGHT_LOBES_UNIT = 15
+RELIEF_UNITS = {"normal_slopes": 12, "peel_slopes": 13, "paint_mask": 14}
 
 ScreenProgram = tuple[moderngl.Program, moderngl.VertexArray]
 
@@ -103,7 +104,7 @@ class Programs:
                 if isinstance(block, moderngl.UniformBlock):
                     block.binding = binding
             # At once: two kinds of samplers must never stand at one unit, not even while a program warms up.
-            assign(program, {"light_lobes": LIGHT_LOBES_UNIT})
+            assign(program, {"light_lobes": LIGHT_LOBES_UNIT} | RELIEF_UNITS)
             self._surfaces[key] = program
         return self._surfaces[key]
 

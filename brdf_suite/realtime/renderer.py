@@ -46,12 +46,16 @@ from brdf_suite.realtime.programs import (
     Programs,
     assign,
 )
+from brdf_suite.realtime.relief_textures import ReliefTextures
 from brdf_suite.realtime.single_lights import SingleLights
 from brdf_suite.realtime.strips import LARGEST_TILE, draw_strips, tile_limit
 from brdf_suite.realtime.target import LightTarget, PictureTarget
 from brdf_suite.realtime.values import EnvironmentMaps, GroundField, MaterialWeights, MeshPart
 
 DEFAULT_SAMPLES = 4
+
+PAINT, SECOND_PAINT = "paint", "paint_two"
+"""The material that relief and masks belong to, and the one that is blended over it."""
 
 Size = tuple[int, int]
 Corner = tuple[int, int]
@@ -81,6 +85,7 @@ class Renderer:
         self._finish = FinishPass(self._objects, self._programs)
         self.screen: Display = SRGB
         self._ground = GroundShadow(self._objects)
+        self._relief = ReliefTextures(self._objects)
         self._warm: tuple[int, int, Features] | None = None
 
     @property
@@ -106,6 +111,11 @@ class Renderer:
     def set_mesh(self, parts: Sequence[MeshPart]) -> None:
         """Replace the surface."""
         self._mesh.load(parts)
+
+    @property
+    def relief(self) -> ReliefTextures:
+        """Normal map, orange peel and mask of the paint."""
+        return self._relief
 
     def set_ground(self, field: GroundField | None) -> None:
         """Replace the ground that a view may ask for; None: there is none."""
@@ -344,26 +354,53 @@ class Renderer:
                 "grounded": view.surface_look.ground,
             }
         )
-        ready: set[LookUps] = set()
+        ready: set[tuple[LookUps, Features]] = set()
         lit = bool(self._single_lights.features(view))
         if lit:
             self._single_lights.bind(view)
         modes = Modes(view.fresnel, view.look_up)
-        chosen = {item.part: item.material for item in view.surface_look.materials}
-        for part, own in enumerate(self._mesh.materials):
-            name = chosen.get(self._mesh.names[part], own)
+        common |= self._relief.bind(view, self.bounds)
+        for part, name, words in self._drawn_parts(view, features):
+            self._blend("SECOND_PAINT" in words)
             name = materials.get(name, name)
             material = self._materials.find(name, modes, self._environment.ladder)
-            program = self._programs.surface(material.look_ups, features)
-            if material.look_ups not in ready:
+            program = self._programs.surface(material.look_ups, words)
+            if (material.look_ups, words) not in ready:
                 assign(program, common)
-                ready.add(material.look_ups)
+                ready.add((material.look_ups, words))
             assign(program, self._environment.use_sharp(material.sharp))
             if lit:
                 assign(program, self._single_lights.uniforms(name, view, has_uv=self._mesh.has_uv[part]))
             material.ramp.use(RAMP_UNIT)
             material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
             self._mesh.arrays(program)[part].render(moderngl.TRIANGLES)
+        self._blend(False)
+
+    def _drawn_parts(self, view: View, features: Features) -> Iterator[tuple[int, str, Features]]:
+        """Yield what is drawn in order: a part's number, its material, and the features of its program.
+
+        Relief belongs to the paint. A second paint is drawn over the first, by its share at each place.
+        """
+        chosen = {item.part: item.material for item in view.surface_look.materials}
+        owned = zip(self._mesh.names, self._mesh.materials, strict=True)
+        names = [chosen.get(part, own) for part, own in owned]
+        painted = features | self._relief.features(view)
+        for part, name in enumerate(names):
+            yield part, name, painted if name == PAINT else features
+        if self._relief.has_second_paint(view):
+            for part, name in enumerate(names):
+                if name == PAINT:
+                    yield part, SECOND_PAINT, painted | {"SECOND_PAINT"}
+
+    def _blend(self, on: bool) -> None:
+        """Blend what is drawn over what is there by its alpha, and leave the object's coverage as it is; or do not."""
+        if on:
+            self.context.enable(moderngl.BLEND)
+            # moderngl's types know two factors; four set those of alpha apart.
+            factors: Any = (moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ZERO, moderngl.ONE)
+            self.context.blend_func = factors
+        else:
+            self.context.disable(moderngl.BLEND)
 
     def _draw_ground(self, view: View, camera: CameraMatrices, cropping: NDArray[np.float64]) -> None:
         """Darken the background by the shadow on the ground, which is seen from above only."""

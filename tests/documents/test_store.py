@@ -57,6 +57,7 @@ from brdf_suite.documents.view_settings import (
     ILLUMINANTS,
     LAMP_KINDS,
     LENGTH_UNITS,
+    MASK_PROJECTIONS,
     NORMALS_MODES,
     SPARKLE_MODES,
     Compare,
@@ -191,6 +192,7 @@ views = st.builds(
         paint=st.sampled_from([None, "red", "/p.brdfpaint"]),
         mask=st.sampled_from([None, "/m.png"]),
         mask_width_mm=numbers(S["two_tone.mask_width_mm"]),
+        projection=st.sampled_from(MASK_PROJECTIONS),
     ),
     compare=st.builds(
         Compare,

@@ -11,6 +11,9 @@ uniform vec3 eye;
 #define LIT(p, radiance) (radiance)
 #endif
 #include "exposed.glsl"
+#ifdef SECOND_PAINT
+#include "mask.glsl"
+#endif
 
 out vec4 fragment;
 
@@ -18,4 +21,7 @@ void main()
 {
     SurfacePoint p = surface_point(eye);
     fragment = vec4(exposed_light(LIT(p, reflected_radiance(p))), 1.0);
+#ifdef SECOND_PAINT
+    fragment.a = mask_share(p);    // how much of the first paint this is blended over
+#endif
 }

@@ -15,6 +15,9 @@ out vec4 arriving_light;
 
 uniform mat4 world_to_clip;
 
+// A second paint is drawn over the first by another program: at the very same depth.
+invariant gl_Position;
+
 out vec3 world_position;
 out vec3 world_normal;
 out vec2 surface_uv;

@@ -4,6 +4,7 @@
 // Everything that shading asks of the place that a pixel shows. What a feature does not provide has the value of a
 // plain surface: an open place, and a coat that lies flat on the base.
 #include "facing.glsl"
+#include "relief.glsl"
 
 in vec3 world_position;
 in vec3 world_normal;
@@ -44,5 +45,24 @@ SurfacePoint surface_point(vec3 eye)
 #endif
     p.base_spread = 0.0;
     p.coat_spread = 0.0;
+#if defined(NORMAL_MAP) || defined(COAT_RELIEF)
+    mat2x3 axes = surface_axes(p.normal, world_position, surface_uv);
+#endif
+#ifdef NORMAL_MAP
+    // The form itself: base and coat lean alike, and so does the middle of the light that arrives.
+    vec3 shape = normal_map(surface_uv);
+    vec3 leant = leaning(p.normal, shape.xy, axes, p.view);
+    p.bent = normalize(p.bent + leant - p.normal);
+    p.normal = leant;
+    p.coat_normal = leant;
+    p.base_spread = sqrt(shape.z);
+    p.coat_spread = p.base_spread;
+#endif
+#ifdef COAT_RELIEF
+    // The coat's own waviness: the base under it lies as it did.
+    vec3 waves = orange_peel(surface_uv);
+    p.coat_normal = leaning(p.normal, waves.xy, axes, p.view);
+    p.coat_spread = sqrt(p.base_spread * p.base_spread + waves.z);
+#endif
     return p;
 }

@@ -1,0 +1,134 @@
+"""Relief and mask on the GPU: a normal map, the tile of orange peel, and where the second paint is."""
+
+from __future__ import annotations
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.documents.view import View
+from brdf_suite.realtime.camera import Bounds
+from brdf_suite.realtime.gpu_objects import GpuObjects
+from brdf_suite.realtime.programs import RELIEF_UNITS, Features
+from brdf_suite.realtime.relief_values import MaskImage, PeelTile, SlopeMap
+
+NORMAL_UNIT, PEEL_UNIT, MASK_UNIT = (
+    RELIEF_UNITS[name] for name in ("normal_slopes", "peel_slopes", "paint_mask")
+)
+
+_ANISOTROPY = 8.0
+_MILLIMETRES = 1000.0
+
+
+class ReliefTextures:
+    """Textures of one mesh's paint; each is there or not, and the view says which of them are shown."""
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self._normal_map: tuple[moderngl.Texture, float] | None = None  # with height over width
+        self._peel: tuple[moderngl.Texture, int] | None = None  # with waves along an edge
+        self._mask: tuple[moderngl.Texture, float] | None = None
+
+    def set_normal_map(self, slopes: SlopeMap | None) -> None:
+        """Replace the normal map; None: there is none."""
+        self._give_back(self._normal_map)
+        self._normal_map = None if slopes is None else (self._slopes(slopes.slopes), slopes.aspect)
+
+    def set_peel(self, tile: PeelTile) -> None:
+        """Take the tile that every orange peel is drawn with."""
+        self._give_back(self._peel)
+        self._peel = (self._slopes(tile.slopes), tile.waves)
+
+    def set_mask(self, mask: MaskImage | None) -> None:
+        """Replace the mask of the second paint; None: there is one paint."""
+        self._give_back(self._mask)
+        self._mask = None
+        if mask is not None:
+            pixels = np.repeat(np.round(mask.share * 255.0).astype(np.uint8)[..., None], 4, axis=-1)
+            self._mask = (self._texture(pixels, "f1"), mask.aspect)
+
+    def features(self, view: View) -> Features:
+        """Return the words of the paint's shader: NORMAL_MAP, COAT_RELIEF."""
+        words = set()
+        if self._normal_map is not None and view.relief.normal_map is not None:
+            words.add("NORMAL_MAP")
+        if self._peel is not None and view.relief.orange_peel > 0.0:
+            words.add("COAT_RELIEF")
+        return frozenset(words)
+
+    def has_second_paint(self, view: View) -> bool:
+        """Whether a mask is there and wanted."""
+        return self._mask is not None and view.two_tone.mask is not None and view.two_tone.paint is not None
+
+    def bind(self, view: View, bounds: Bounds) -> dict[str, object]:
+        """Bind what is there and return the uniforms of relief.glsl and mask.glsl."""
+        values: dict[str, object] = {}
+        if self._normal_map is not None:
+            texture, aspect = self._normal_map
+            texture.use(NORMAL_UNIT)
+            width = view.relief.normal_width_mm
+            values["normal_tiles"] = (1.0 / width, 1.0 / (width * aspect))
+            values["normal_strength"] = view.relief.normal_strength
+        if self._peel is not None:
+            texture, waves = self._peel
+            texture.use(PEEL_UNIT)
+            values["peel_tiles"] = 1.0 / (waves * view.relief.orange_peel_mm)
+            values["peel_slope"] = float(np.tan(np.radians(view.relief.orange_peel)))
+        if self._mask is not None:
+            texture, aspect = self._mask
+            texture.use(MASK_UNIT)
+            values |= mask_coordinates(view, bounds, aspect)
+        return values
+
+    def release(self) -> None:
+        """Give the textures back."""
+        for held in (self._normal_map, self._peel, self._mask):
+            self._give_back(held)
+        self._normal_map = self._peel = self._mask = None
+
+    def _slopes(self, slopes: NDArray[np.float32]) -> moderngl.Texture:
+        pixels = np.zeros((*slopes.shape[:2], 4), np.float16)
+        pixels[..., :2] = slopes
+        pixels[..., 2] = (slopes**2).sum(axis=-1)
+        return self._texture(pixels, "f2")
+
+    def _texture(self, pixels: NDArray[np.uint8] | NDArray[np.float16], dtype: str) -> moderngl.Texture:
+        made = self._objects.texture((pixels.shape[1], pixels.shape[0]), dtype)
+        made.write(np.ascontiguousarray(pixels).tobytes())
+        made.build_mipmaps()
+        made.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
+        made.anisotropy = _ANISOTROPY
+        self._objects.counters.texture_uploads += 1
+        return made
+
+    def _give_back(self, held: tuple[moderngl.Texture, float] | None) -> None:
+        if held is not None:
+            self._objects.release(held[0])
+
+
+def mask_coordinates(view: View, bounds: Bounds, aspect: float) -> dict[str, object]:
+    """Return how mask.glsl comes from a place to the mask's coordinates, by the view's projection.
+
+    ``uv``: tiles over the texture coordinates. Otherwise the image lies once over the bounding box, seen from the
+    side (+x), the front (+z) or the top (+y, the front at its lower edge).
+    """
+    projection = view.two_tone.projection
+    width = view.two_tone.mask_width_mm
+    tiles = (1.0 / width, 1.0 / (width * aspect))
+    if projection == "uv":
+        return {"mask_tiles": tiles, "mask_u": (0.0,) * 4, "mask_v": (0.0,) * 4}
+    low, high = np.asarray(bounds.minimum), np.asarray(bounds.maximum)
+    # Which axis grows along the image's u and v as seen, and whether it runs against them.
+    u_axis, u_sign, v_axis, v_sign = {
+        "side": (2, -1.0, 1, 1.0),
+        "front": (0, 1.0, 1, 1.0),
+        "top": (0, 1.0, 2, -1.0),
+    }[projection]
+    rows = []
+    for axis, sign in ((u_axis, u_sign), (v_axis, v_sign)):
+        length = max(float(high[axis] - low[axis]), 1e-9)
+        row = [0.0] * 4
+        row[axis] = sign / length
+        row[3] = -sign * float(low[axis] if sign > 0 else high[axis]) / length
+        rows.append(tuple(row))
+    return {"mask_tiles": (0.0, 0.0), "mask_u": rows[0], "mask_v": rows[1]}
