@@ -1,5 +1,5 @@
 // Provides: struct FlakeTexture, FlakeTexture flake_texture(...), vec3 flake_texture_ratio(FlakeTexture f, vec2 slope,
-//           float spread), float flake_height(FlakeTexture f, float spread)
+//           float spread), float flake_contrast(FlakeTexture f, float spread)
 // Needs:    nothing. The same functions in numpy: reflectance/flakes/texture.py
 //
 // The flake texture of Guenther et al. 2005, section 5.2: the cell of the texture coordinate seeds a generator, which
@@ -65,10 +65,10 @@ FlakeTexture flake_texture(vec2 at, vec2 across, vec2 down, float density, float
     return f;
 }
 
-// How far above the mean a flake stands out at the most, where it is seen along the normal.
-float flake_height(FlakeTexture f, float spread)
+// The contrast in one light, as glint_contrast, for tilts along the normal.
+float flake_contrast(FlakeTexture f, float spread)
 {
-    return f.height * f.contrast * (f.roughness * f.roughness + 2.0 * spread * spread) / (8.0 * spread * spread) * 3.0;
+    return f.contrast * sqrt(0.74 * f.height * (f.roughness * f.roughness + 2.0 * spread * spread) * 0.225) / spread;
 }
 
 vec3 flake_texture_ratio(FlakeTexture f, vec2 slope, float spread)

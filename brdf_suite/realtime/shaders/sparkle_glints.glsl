@@ -1,4 +1,4 @@
-// Provides: struct GlintField, GlintField glint_field(...), float glint_height(GlintField g, float width),
+// Provides: struct GlintField, GlintField glint_field(...), float glint_contrast(GlintField g, float width),
 //           MOST_GLINT_LIGHTS, glint_widths, glint_places, glint_powers, vec3 glint_difference(GlintField g, int count),
 //           vec3 glint_ratio(GlintField g, vec3 place, float spread), float shown_share(float weight)
 // Needs:    nothing. The same functions in numpy: reflectance/flakes/glints.py
@@ -78,11 +78,12 @@ vec2 glint_places[MOST_GLINT_LIGHTS];
 float glint_widths[MOST_GLINT_LIGHTS];
 vec3 glint_powers[MOST_GLINT_LIGHTS];
 
-// How far above the mean one flake stands out at the most, or the one that stands for many.
-float glint_height(GlintField g, float width)
+// The contrast of the glints in one light, their standard deviation over their mean. Flakes lie by chance, so its square
+// is the integral of a flake's kernels squared over N: of the bell 9 / (40 pi width^2), of the cover 26/35 of its
+// height, of the areas 9/5.
+float glint_contrast(GlintField g, float width)
 {
-    return 0.11936621 * g.footprint.height / (width * width * g.root_count * g.root_count)
-        * exp2(max(g.level - g.finest, 0.0));
+    return sqrt(0.095765 * g.footprint.height) / (width * g.root_count);
 }
 
 // What the flakes of one place send.
