@@ -132,4 +132,6 @@ def _draft(request: _Request, progress: Progress) -> PreparedEnvironment:
 
 def _whole(request: _Request, progress: Progress) -> PreparedEnvironment:
     light, hand_out = request
-    return prepare_light(light, progress, hand_out)
+    prepared = prepare_light(light, progress, hand_out)
+    _ = prepared.glint_lights  # found here, so that the first frame does not wait for them
+    return prepared
