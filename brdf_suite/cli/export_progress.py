@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 import threading
 from collections.abc import Iterator
@@ -39,7 +40,8 @@ def export_progress(what: str, options: argparse.Namespace) -> Iterator[Progress
     ended = threading.Event()
 
     def wait_for_the_end() -> None:
-        while sys.stdin.buffer.readline():
+        # By the system's own call: a thread that waits in a buffered read would hold its lock at our exit.
+        while os.read(sys.stdin.fileno(), 4096):
             pass
         ended.set()
 
