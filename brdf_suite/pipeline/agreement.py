@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.colorimetry import display_to_lab, srgb_encode
 from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.pipeline.any_fit import AnyFit, fit_any
 from brdf_suite.pipeline.exposure import ev_of
@@ -128,7 +129,7 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
     flip_of(np.zeros((8, 8, 3)), np.zeros((8, 8, 3)))  # told before the work begins
     if order.keep is not None:
         order.keep.mkdir(parents=True, exist_ok=True)
-    view = View(surface=order.surface)
+    view = _plain(order)
     mesh = load_shaped(order.surface, view.surface_look)
     fits = {paint: fit_any(paint, errors=False) for paint in order.paints}
     done, whole = 0, max(1, len(order.paints) * len(order.environments))
@@ -153,7 +154,7 @@ def _compare(
     mesh: Mesh,
     progress: Progress | None,
 ) -> Case:
-    view = View(surface=order.surface)
+    view = _plain(order)
     truth = build_reference(fit.name, fit.reflectance, view, order.size, prepared.environment, mesh)
     kept_as = f"{Path(paint).stem}__{Path(prepared.name).stem}"
     traced = _traced(order, truth, kept_as, progress)
@@ -235,6 +236,11 @@ def summary(cases: Sequence[Case], form: str = DEFAULT_FORM) -> dict[str, float]
         "de00_p99": float(np.mean([case.errors[form].p99 for case in cases])),
         "flip": float(np.mean([case.errors[form].flip for case in cases])),
     }
+
+
+def _plain(order: Order) -> View:
+    """The view of a comparison: what the paint's readings tell, without single flakes."""
+    return View(surface=order.surface, sparkle=Sparkle(mode="off"))
 
 
 def _traced(order: Order, scene: ReferenceScene, name: str, progress: Progress | None) -> Estimate:

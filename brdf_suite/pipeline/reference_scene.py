@@ -40,6 +40,8 @@ Pixels = NDArray[np.float64]
 
 _GREY = 0.18
 _PAINT = "paint"
+_LIT_BY = ("camera", "rotation_deg", "fresnel", "light_colour", "lamps", "surface_look")
+"""What of a view the traced light depends on, beside environment and surface."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,8 +223,9 @@ def _left_out(view: View) -> tuple[str, ...]:
 
 def _key(name: str, reflectance: Any, view: View, size: Size, environment: Environment, mesh: Mesh) -> str:
     """Tell a scene by what its light depends on; how the light is shown is no part of it."""
-    neutral = replace(view, exposure_ev=0.0, tone_curve="linear", exposure_mode="locked", background="grey")
-    digest = hashlib.sha256(json.dumps(view_to_json(neutral), sort_keys=True).encode())
+    document = view_to_json(view)
+    shown = {name: document[name] for name in _LIT_BY if name in document}
+    digest = hashlib.sha256(json.dumps(shown, sort_keys=True).encode())
     digest.update(repr((name, size, environment.content_hash)).encode())
     # The reflectance by what it is: values at some directions tell any two apart that a picture could.
     if not isinstance(reflectance, MaterialWeights):
