@@ -6,6 +6,7 @@ fresh ones, so that no user's choices show.
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import subprocess
 import sys
@@ -13,6 +14,10 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+from brdf_suite.documents.store import save_view
+from brdf_suite.documents.view import Camera, View
+from brdf_suite.documents.view_settings import Compare
 
 ROOT = Path(__file__).resolve().parent.parent
 IMAGES = ROOT / "docs" / "images"
@@ -27,6 +32,26 @@ PROGRAMS = {
     "viewer_car": ["brdf_viewer", "red", "--surface", "car", "--environment", "sunny", "--theme", "booth", *LARGE],
     "viewer_light_small": ["brdf_viewer", "fine_silver", "--surface", "panel", "--theme", "light", "--size", "900x600"],
 }  # fmt: skip
+COMPARED = View(Camera(azimuth_deg=35.0, elevation_deg=12.0), "overcast", "speed_form")
+
+
+def compared(mode: str, second: str = "candy_red", **fields: float) -> View:
+    """Return a view that compares with a second paint."""
+    return dataclasses.replace(COMPARED, compare=Compare(mode, second, **fields))
+
+
+VIEWS = {
+    "viewer_side": (compared("side"), ["blue", "--theme", "dark"]),
+    "viewer_swipe": (compared("swipe", divider=0.45), ["blue", "--theme", "booth"]),
+    "viewer_difference": (
+        compared("difference", "silver_metallic_2", scale_delta_e=20.0),
+        ["silver_metallic", "--theme", "light"],
+    ),
+    "viewer_figures": (COMPARED, ["copper", "--theme", "dark"]),
+}
+"""Pictures of the Viewer in a view, and what it is started with beside it."""
+FIGURES = {"viewer_figures"}
+
 RENDERS = {
     "render_speed_form": ["blue", "--environment", "booth", "--mesh", "speed_form"],
     "render_car": [
@@ -67,12 +92,11 @@ def virtual_screen() -> Iterator[str]:
 
 def main() -> int:
     """Make the pictures named in the arguments, or all."""
-    wanted = set(sys.argv[1:]) or {*PROGRAMS, *RENDERS}
-    unknown = wanted - {*PROGRAMS, *RENDERS}
+    known = [*PROGRAMS, *VIEWS, *RENDERS]
+    wanted = set(sys.argv[1:]) or set(known)
+    unknown = wanted - set(known)
     if unknown:
-        raise SystemExit(
-            f"There is no picture {', '.join(sorted(unknown))}; there are {', '.join([*PROGRAMS, *RENDERS])}."
-        )
+        raise SystemExit(f"There is no picture {', '.join(sorted(unknown))}; there are {', '.join(known)}.")
     IMAGES.mkdir(parents=True, exist_ok=True)
     with virtual_screen() as display, tempfile.TemporaryDirectory() as scratch:
         environment = {
@@ -90,6 +114,17 @@ def main() -> int:
                 run(
                     [sys.executable, "-m", *command, "--screenshot", str(IMAGES / f"{name}.png")], environment
                 )
+        for name, (view, command) in VIEWS.items():
+            if name in wanted:
+                file, folder = Path(scratch) / f"{name}.brdfview", Path(scratch) / name
+                save_view(view, file)
+                folder.mkdir()
+                (folder / "Viewer.ini").write_text(f"[General]\nfigures={str(name in FIGURES).lower()}\n")
+                run(
+                    [sys.executable, "-m", "brdf_viewer", *command, "--view", str(file), "--size", "1200x750",
+                     "--screenshot", str(IMAGES / f"{name}.png")],
+                    environment | {"BRDF_SUITE_SETTINGS": str(folder)},
+                )  # fmt: skip
         for name, command in RENDERS.items():
             if name in wanted:
                 output = ["-o", str(IMAGES / f"{name}.png")]

@@ -90,7 +90,7 @@ class ViewerController(QObject):
         self.scene = SceneControl(self.stage, self.window, self._loader, self)
         self.paint = PaintControl(self.stage, self.window, self.link, PaintFitter(), self._tasks, self)
         self._meter = FrameMeter(self.window.status.cell("frame"), self)
-        self._meter.shown.connect(self.settled)
+        self._meter.shown.connect(self._settle)
         self.tone = ToneControl(self.stage, self.window, lambda: self.drawer, self)
         self.save = PictureExport(self.stage, self.window, ask_picture, self.tone.grab_srgb, self)
         self.export = ExportControl(self.stage, self.window, self)
@@ -202,6 +202,11 @@ class ViewerController(QObject):
         if not self._complete and self.drawer is not None and self.drawer.is_complete:
             self._complete = True
             self.picture_complete.emit()
+
+    def _settle(self) -> None:
+        """A frame's time is shown: the picture has settled, unless a part of it is still on its way."""
+        if self.compare.loading is None and self.paint.measuring is None:
+            self.settled.emit()
 
     def _picture_failed(self, text: str) -> None:
         self._meter.clear()

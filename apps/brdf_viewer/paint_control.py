@@ -85,6 +85,11 @@ class PaintControl(QObject):
         self._list()
         self._show_following()
 
+    @property
+    def measuring(self) -> str | None:
+        """The measured file that is on its way; None where none is."""
+        return self._measuring
+
     def start_with(self, name_or_path: str, *, follow: bool = True) -> None:
         """Show this paint until Designer has another one; without ``follow`` it stays, and Designer is offered.
 
@@ -348,8 +353,18 @@ def _patches(fit: PaintFit | AnyFit) -> list[Patch]:
     if isinstance(fit, PaintFit):
         follows = fit.exact_follows
         return [
-            Patch(a.aspecular_deg, a.asked, a.fitted, a.delta_e_2000, limited, follows) for a in fit.angles
+            Patch(a.aspecular_deg, a.asked, a.fitted, a.delta_e_2000, limited, follows, a.illumination_deg)
+            for a in fit.angles
         ]
     return [
-        Patch(a.aspecular_deg, a.lab, a.lab_fitted, a.delta_e_2000, limited) for a in fit.angles if a.fitted
+        Patch(
+            a.aspecular_deg,
+            a.lab,
+            a.lab_fitted,
+            a.delta_e_2000,
+            limited,
+            illumination_deg=a.illumination_deg,
+        )
+        for a in fit.angles
+        if a.fitted
     ]

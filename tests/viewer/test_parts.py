@@ -171,3 +171,24 @@ def test_patches_are_ordered_and_thinned_and_show_the_colours(qtbot) -> None:
     patches.set_patches([Patch(float(a), (50.0, 0.0, 0.0), (50.0, 0.0, 0.0), 0.0) for a in range(30)])
     assert len(patches.patches) == 6
     assert (patches.patches[0].aspecular_deg, patches.patches[-1].aspecular_deg) == (0.0, 29.0)
+
+
+def test_patches_name_the_light_where_there_are_two(qtbot) -> None:
+    patches = PaintPatches()
+    qtbot.addWidget(patches)
+    grey = (50.0, 0.0, 0.0)
+    one = [Patch(angle, grey, grey, 0.0) for angle in (110.0, 15.0, 45.0)]
+    patches.set_patches(one)
+    assert not patches.names_lights
+    height = patches.minimumHeight()
+    second = [Patch(angle, grey, grey, 0.0, illumination_deg=15.0) for angle in (45.0, 15.0)]
+    patches.set_patches([*one, *second])
+    shown = [(patch.illumination_deg, patch.aspecular_deg) for patch in patches.patches]
+    assert shown == [(15.0, 15.0), (15.0, 45.0), (45.0, 15.0), (45.0, 45.0), (45.0, 110.0)]
+    assert patches.minimumHeight() > height
+    assert "Light 15°, aspecular 45°" in patches.accessibleDescription()
+    patches.resize(240, patches.minimumHeight())
+    patches.show()
+    assert not patches.grab().isNull()
+    patches.set_patches(one)
+    assert patches.minimumHeight() == height
