@@ -13,6 +13,7 @@ from brdf_suite.pipeline.exposure import exposed
 from brdf_suite.pipeline.scene import environment_names
 from brdf_viewer.drawing import StageDrawer
 from brdf_viewer.lighting_presets import preset_of, with_preset
+from brdf_viewer.relit_paint import RelitPaint
 from brdf_viewer.sections.lamps import placed, polar
 from brdf_viewer.stage import Stage
 from brdf_viewer.turntable import Turntable
@@ -46,6 +47,8 @@ class LightingControl(QObject):
         self._round = Turntable(self)
         self._round.deg_per_second = 45.0
         self._round.turned.connect(self._move_lamp)
+        self._relit = RelitPaint(stage, self)
+        self._relit.state_changed.connect(self._show_colour)
         section = window.lighting
         self._round.running_changed.connect(section.lamps.set_moving)
         self._round.running_changed.connect(self._moving)
@@ -62,6 +65,10 @@ class LightingControl(QObject):
     def choose(self, key: str) -> None:
         """Take a preset's light."""
         self._stage.set_view(with_preset(self._stage.view, key))
+
+    def close(self) -> None:
+        """End the threads."""
+        self._relit.close()
 
     def set_exposure_mode(self, mode: str) -> None:
         """Lock the exposure as it is, or have it measured from now on."""
@@ -99,6 +106,9 @@ class LightingControl(QObject):
         if new.exposure_mode == "automatic" and metered_part(old) != metered_part(new):
             self._meter.start()
 
+    def _show_colour(self) -> None:
+        self._window.lighting.show_colour(self._stage.view.light_colour, self._relit.state)
+
     def _show_preset(self) -> None:
         """A light that is edited is none of the presets, whatever the view goes on to name."""
         view, present = self._stage.view, self._stage.environment
@@ -107,6 +117,7 @@ class LightingControl(QObject):
 
     def _contents_changed(self) -> None:
         self._show_preset()
+        self._show_colour()
         if self._stage.view.exposure_mode == "automatic":
             self._meter.start()
 
@@ -120,7 +131,7 @@ class LightingControl(QObject):
     def _show(self, view: View) -> None:
         section = self._window.lighting
         self._show_preset()
-        section.show_colour(view.light_colour, False)
+        self._show_colour()
         section.show_exposure_mode(view.exposure_mode)
         section.lamps.set_lamps(view.lamps)
         self._show_exposure(view)

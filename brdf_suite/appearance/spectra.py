@@ -168,17 +168,22 @@ def spectrum_to_lab(
 
 
 def spectrum_to_working(
-    values: npt.ArrayLike, wavelengths_nm: npt.ArrayLike = DEFAULT_WAVELENGTHS_NM, observer_deg: int = 10
+    values: npt.ArrayLike,
+    wavelengths_nm: npt.ArrayLike = DEFAULT_WAVELENGTHS_NM,
+    observer_deg: int = 10,
+    illuminant: str = "D65",
 ) -> Floats:
     """Return the reflectance factor (..., 3) in the working space of spectra (..., k) under D65.
 
+    Under another illuminant: of the colour that has the same L*a*b* under D65, as the eye that has adapted sees it.
     10°: by CAT16 to the working space's white, as L*a*b* readings are. 2°: that is the working space's own
     observer; only the last digits of the white are matched. A channel below 0 says that the colour lies outside.
 
     >>> spectrum_to_working([1.0, 1.0, 1.0], [400.0, 550.0, 700.0]).round(12).tolist()
     [1.0, 1.0, 1.0]
     """
-    relative = spectrum_to_xyz(values, wavelengths_nm, "D65", observer_deg) / white_xyz("D65", observer_deg)
+    xyz = spectrum_to_xyz(values, wavelengths_nm, illuminant, observer_deg)
+    relative = xyz / white_xyz(illuminant, observer_deg)
     if observer_deg == 10:
         return np.asarray(relative @ RELATIVE_TO_WORKING)
     return np.asarray(relative @ (np.linalg.inv(WORKING_TO_XYZ) * WORKING_TO_XYZ.sum(axis=1)).T)

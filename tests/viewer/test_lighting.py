@@ -73,10 +73,11 @@ def test_the_tint_is_seen_until_the_eye_has_adapted(viewer) -> None:
 
 
 def test_what_is_assumed_of_the_paint_is_said() -> None:
-    assert colour_note(LightColour("D65", adapted=False), False) == ""
+    assert colour_note(LightColour("D65", adapted=False), "unknown") == ""
     for adapted in (True, False):
-        assert "No metamerism" in colour_note(LightColour("TL84", adapted), False)
-        assert "metamerism" not in colour_note(LightColour("TL84", adapted), True)
+        assert "No metamerism" in colour_note(LightColour("TL84", adapted), "unknown")
+        assert "were computed" in colour_note(LightColour("TL84", adapted), "used")
+        assert "are being computed" in colour_note(LightColour("TL84", adapted), "in work")
 
 
 def test_automatic_exposure_follows_the_light_and_locked_does_not(viewer, lights, qtbot) -> None:
@@ -172,3 +173,18 @@ def test_a_lamp_is_where_it_was_put(kind: str) -> None:
     for azimuth, elevation in ((-170.0, 30.0), (10.0, -45.0), (135.0, 80.0)):
         lamp = placed(Lamp(kind), azimuth, elevation, 3.0)
         assert polar(lamp) == pytest.approx((azimuth, elevation, 3.0))
+
+
+def test_a_paint_with_spectra_is_computed_in_the_lamp(viewer, shared_data, qtbot) -> None:
+    viewer.controller.open_file(str(shared_data / "brdf" / "krylon_blue.brdf"))
+    qtbot.waitUntil(lambda: viewer.stage.paint_key.endswith("krylon_blue.brdf"))
+    section = viewer.window.lighting
+    fit, plain = viewer.stage.fit, viewer.pixels().astype(int)
+    choose(section.illuminant, "A")
+    qtbot.waitUntil(lambda: viewer.stage.relit is not None)
+    assert "were computed from the paint's spectra" in section.metamerism.text()
+    assert viewer.stage.drawn_fit is not fit
+    assert np.abs(viewer.pixels() - plain).max() > 5  # though the eye has adapted
+    choose(section.illuminant, "D65")
+    assert viewer.stage.drawn_fit is fit
+    assert np.array_equal(viewer.pixels(), plain)

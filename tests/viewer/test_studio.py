@@ -86,8 +86,10 @@ def test_a_studio_is_begun_from_a_template(start, script, qtbot) -> None:
     assert panel.list.count() == 3
     assert panel.state.text() == "Not saved in a file yet"
     seen = []
-    viewer.stage.contents_changed.connect(lambda: seen.append(viewer.stage.environment.value.draft))
+    viewer.stage.contents_changed.emit()  # as of a paint or a surface: the light goes on being drawn
+    viewer.stage.contents_changed.connect(lambda: seen.append(viewer.stage.environment.value))
     settle(viewer)
+    seen = [light.draft for light in seen if light.name == "My studio"]
     assert seen[0] is True  # a draft first
     assert seen[-1] is False
     assert viewer.window.status.cell("environment").text() == "My studio"

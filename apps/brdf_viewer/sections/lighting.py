@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from brdf_qt.form import Form
 from brdf_qt.section import Section
 from PySide6.QtCore import Signal
@@ -23,6 +25,8 @@ ILLUMINANT_TITLES = {
 }
 EXPOSURE_TITLES = {"locked": "Locked", "automatic": "Automatic"}
 _COLUMNS = 3
+Spectra = Literal["unknown", "in work", "used"]
+"""What is known of a paint's colour in another light."""
 
 
 class LightingSection(Section):
@@ -103,24 +107,24 @@ class LightingSection(Section):
             font.setBold(name == key)  # what is chosen is told by more than a shade of grey
             button.setFont(font)
 
-    def show_colour(self, colour: LightColour, has_spectra: bool) -> None:
+    def show_colour(self, colour: LightColour, spectra: Spectra) -> None:
         """Show the light's colour, and what it can say about the paint."""
         self.illuminant.setCurrentIndex(self.illuminant.findData(colour.illuminant))
         self.adapted.setChecked(colour.adapted)
         self.adapted.setEnabled(is_tinted(colour))
-        set_note(self.metamerism, colour_note(colour, has_spectra))
+        set_note(self.metamerism, colour_note(colour, spectra))
 
     def show_exposure_mode(self, key: str) -> None:
         """Show whether the exposure is locked."""
         self.exposure_mode.setCurrentIndex(self.exposure_mode.findData(key))
 
 
-def colour_note(colour: LightColour, has_spectra: bool) -> str:
+def colour_note(colour: LightColour, spectra: Spectra) -> str:
     """Return what is to be known about a paint's colour in the light; empty where nothing is assumed."""
     if not is_tinted(colour):
         return ""
-    if has_spectra:
-        return "Colours are computed from the paint's spectra."
+    if spectra != "unknown":
+        return f"Colours {'are being' if spectra == 'in work' else 'were'} computed from the paint's spectra."
     if colour.adapted:
         return "No metamerism: the paint's spectrum is not known. To an adapted eye it is taken to look as in D65."
     return "No metamerism: the paint's spectrum is not known. Its colours take on the light's tint (CAT16)."

@@ -17,7 +17,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_viewer.scene_control import SceneControl
-from brdf_viewer.stage import Stage
+from brdf_viewer.stage import Prop, Stage
 from brdf_viewer.studio import edits
 from brdf_viewer.studio.document import StudioFiles
 from brdf_viewer.studio.fields import Edits
@@ -53,6 +53,7 @@ class StudioControl(QObject):
         self._open = False
         self._index = 0
         self._shown: PreparedEnvironment | None = None
+        self._seen: Prop[PreparedEnvironment] | None = None
         self._live = LiveLight(self)
         self._live.drawn.connect(self._drawn)
         self._live.failed.connect(self._not_drawn)
@@ -272,9 +273,12 @@ class StudioControl(QObject):
 
     def _contents_changed(self) -> None:
         """Another light came into the picture: stop drawing this one, and offer it again."""
+        present = self._stage.environment
+        if present is self._seen:
+            return  # it was the paint or the surface that changed
+        self._seen = present
         if self._open and not self._is_lit():
             self._live.stop()
-        present = self._stage.environment
         if self._open and present is not None and present.key == str(self.store.path) and self.store.is_clean:
             self._shown = present.value  # read from the file that holds the same
         self._show_editable(self._stage.view)

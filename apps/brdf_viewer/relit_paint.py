@@ -1,0 +1,86 @@
+"""A paint with spectra is fitted again, in the background, for the lamp that the view names."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from brdf_qt.tasks import TaskRunner
+from PySide6.QtCore import QObject, Signal
+
+from brdf_suite.documents.view_settings import LightColour
+from brdf_suite.progress import Progress
+from brdf_viewer.lighting_presets import is_tinted
+from brdf_viewer.sections.lighting import Spectra
+from brdf_viewer.stage import Stage
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.any_fit import AnyFit
+
+_KEY = "relit"
+
+
+class RelitPaint(QObject):
+    """Keeps the stage's ``relit`` in step with its paint and its light; until it is there, the old one is drawn.
+
+    Signals: ``state_changed()``; see :attr:`state`.
+    """
+
+    state_changed = Signal()
+
+    def __init__(self, stage: Stage, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._stage = stage
+        self._runner = TaskRunner(self, threads=1)
+        self._wanted: tuple[AnyFit, str] | None = None
+        stage.view_changed.connect(lambda *_: self._follow())
+        stage.contents_changed.connect(self._follow)
+        self._follow()
+
+    @property
+    def state(self) -> Spectra:
+        """Whether the paint's spectra are known, and in the picture."""
+        if self._wanted is None:
+            return "unknown"
+        return "used" if self._stage.relit is not None else "in work"
+
+    def close(self) -> None:
+        """End the thread."""
+        self._runner.stop()
+
+    def _follow(self) -> None:
+        wanted = _spectral(self._stage)
+        if wanted == self._wanted:
+            return
+        self._wanted = wanted
+        self._stage.relit = None
+        self._runner.cancel(_KEY)
+        if wanted is not None:
+            request = (wanted[0], LightColour(self._stage.view.light_colour.illuminant))
+            self._runner.submit(_KEY, _refit, request, done=self._done, failed=self._failed)
+        self.state_changed.emit()
+
+    def _done(self, fit: AnyFit) -> None:
+        self._stage.set_relit(fit)
+        self.state_changed.emit()
+
+    def _failed(self, _error: Exception) -> None:
+        """The spectra cannot be fitted in this light: the colours are adapted, and the panel says so."""
+        self._wanted = None
+        self.state_changed.emit()
+
+
+def _spectral(stage: Stage) -> tuple[AnyFit, str] | None:
+    """Return the fit and the lamp for which spectra matter; None for a paint without, or a neutral lamp."""
+    fit, colour = stage.fit, stage.view.light_colour
+    if fit is None or not is_tinted(colour):
+        return None
+    from brdf_suite.pipeline.any_fit import AnyFit  # not at the start: measured data are much to import
+    from brdf_suite.reflectance.under_light import has_spectra
+
+    return (fit, colour.illuminant) if isinstance(fit, AnyFit) and has_spectra(fit.reflectance) else None
+
+
+def _refit(request: tuple[AnyFit, LightColour], progress: Progress) -> AnyFit:
+    from brdf_suite.pipeline.relit import refit_under
+
+    return refit_under(*request, progress)
