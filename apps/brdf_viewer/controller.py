@@ -245,6 +245,7 @@ class ViewerController(QObject):
         self.link.close()
         self.paint.close()
         self.studio.close()
+        self.lighting.close()
         self.compare.close()
         self.export.close()
         self._loader.stop()

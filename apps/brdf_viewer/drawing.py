@@ -84,7 +84,7 @@ class StageDrawer:
         Return whether it was an ordinary one, without an upload.
         """
         uploads = [self._bring(kind) for kind in self._uploads]
-        fit = self._stage.fit
+        fit = self._stage.drawn_fit
         if fit is None or len(self._drawn) < len(self._uploads) or not isinstance(view, View):
             framebuffer.clear(*self._surround(), 1.0)
             return False

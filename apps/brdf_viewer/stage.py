@@ -51,6 +51,7 @@ class Stage(QObject):
         self.history = ViewHistory(view, self)
         self.history.changed.connect(self.view_changed)
         self.fit: PaintFit | AnyFit | None = None
+        self.relit: AnyFit | None = None
         self.paint: AnyPaint | None = None
         self.paint_key = ""
         self.second: Prop[AnyFit | ComparedPicture] | None = None
@@ -66,6 +67,11 @@ class Stage(QObject):
     def view(self) -> View:
         """How it is looked at."""
         return self.history.value
+
+    @property
+    def drawn_fit(self) -> PaintFit | AnyFit | None:
+        """The fit that is drawn: of a paint with spectra, the one for the view's lamp, once it is there."""
+        return self.fit if self.relit is None else self.relit
 
     @property
     def exposed_view(self) -> View:
@@ -123,6 +129,12 @@ class Stage(QObject):
     def set_fit(self, fit: PaintFit | AnyFit, paint: AnyPaint | None = None, key: str = "") -> None:
         """Draw this paint from the next frame on: the fit, its document (none of a measured file), where it is from."""
         self.fit, self.paint, self.paint_key = fit, paint, key
+        self.relit = None
+        self.contents_changed.emit()
+
+    def set_relit(self, fit: AnyFit) -> None:
+        """Draw the present paint as its spectra look under the view's lamp, from the next frame on."""
+        self.relit = fit
         self.contents_changed.emit()
 
     def set_second(self, key: str | None, value: AnyFit | ComparedPicture | None = None) -> None:
