@@ -104,11 +104,12 @@ def render_to_file(
     """
     # The programs draw without it, and measured data are much to import.
     from brdf_suite.pipeline.any_fit import fit_any
+    from brdf_suite.pipeline.relit import refit_under
 
     settings = settings or PictureSettings()
     settings.of_file(path)
     check_target(path)
-    fit = fit_any(paint, errors=False)
+    fit = refit_under(fit_any(paint, errors=False), view.light_colour)
     with loaded_scene(view, part(progress, 0.0, 0.8)) as loaded:
         loaded.scene.set_paint_fit(fit)
         start = perf_counter()
