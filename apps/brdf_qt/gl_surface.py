@@ -27,6 +27,13 @@ _NO_CONTEXT = (
     "or set LIBGL_ALWAYS_SOFTWARE=1 to draw in software."
 )
 
+_LOST_AGAIN = (
+    "The graphics driver was reset several times within a minute. Close what else uses the graphics card, update its "
+    "driver, or choose a smaller environment or surface."
+)
+_MOST_LOSSES = 3
+_LOSSES_WITHIN_S = 60.0
+
 
 class Drawer(Protocol):
     """What draws the picture; every call is made with its context current."""
@@ -74,6 +81,7 @@ class GlSurface(QWidget):
         self._make_drawer = make_drawer
         self._view: object = None
         self._failure = ""
+        self._losses: list[float] = []
         # Queued: what listens may grab a frame, which must not happen inside the paint that it is told of.
         self._finished.connect(self.frame_drawn, Qt.ConnectionType.QueuedConnection)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -101,11 +109,14 @@ class GlSurface(QWidget):
     def set_view(self, view: object) -> None:
         """Draw ``view`` from the next frame on."""
         self._view = view
-        self._canvas.update()
+        self.redraw()
 
     def redraw(self) -> None:
         """Draw again: something other than the view has changed."""
-        self._canvas.update()
+        if self._canvas.is_lost():
+            self._recover()  # Qt asks a widget whose context is gone for no frame, so this is where it is noticed
+        else:
+            self._canvas.update()
 
     def with_context(self, work: Callable[[], None], *, redraw: bool = True) -> None:
         """Run ``work`` (an upload) with the context current, and show why it failed if it does.
@@ -173,6 +184,19 @@ class GlSurface(QWidget):
             QTimer.singleShot(0, self, self._check_context)
         return canvas
 
+    def _recover(self) -> None:
+        """Begin anew with another context after the driver has taken this one away; not without end."""
+        if self._failure:
+            return
+        now = time.monotonic()
+        self._losses = [*(then for then in self._losses if now - then < _LOSSES_WITHIN_S), now]
+        log.warning("picture: the graphics context was lost")
+        if len(self._losses) > _MOST_LOSSES:
+            self._losses = []
+            self._fail(_LOST_AGAIN)
+        else:
+            self.retry()
+
     def _check_context(self) -> None:
         if not self._failure and self.isVisible() and not self._canvas.isValid():
             self._fail(_NO_CONTEXT)
@@ -213,7 +237,17 @@ class _Canvas(QOpenGLWidget):
         except Exception as error:  # noqa: BLE001 - raised into Qt it would be lost, and the picture black
             self._defer_failure(_told(error, "The picture cannot be drawn"))
 
+    def is_lost(self) -> bool:
+        """Whether the driver has taken the context away: it was reset, or the card changed."""
+        if self.drawer is None:
+            return False
+        context = self.context()
+        return context is None or not context.isValid()
+
     def paintGL(self) -> None:
+        if self.is_lost():
+            QTimer.singleShot(0, self._surface, self._surface._recover)
+            return
         if self.drawer is None or self._context is None or self._surface._view is None:
             return
         start = time.perf_counter()
@@ -225,6 +259,9 @@ class _Canvas(QOpenGLWidget):
             self._context.finish()
             problem = self._context.error
         except Exception as error:  # noqa: BLE001 - as above
+            if self.is_lost():
+                QTimer.singleShot(0, self._surface, self._surface._recover)
+                return
             self._defer_failure(_told(error, "The picture could not be drawn"))
             return
         if problem != "GL_NO_ERROR":
@@ -235,10 +272,13 @@ class _Canvas(QOpenGLWidget):
     def release(self) -> None:
         if self.drawer is None:
             return
+        lost = self.is_lost()
         drawer, self.drawer = self.drawer, None
+        self._framebuffer = None
+        if lost:
+            return  # all that it made went with the context
         self.makeCurrent()
         drawer.release()
-        self._framebuffer = None
         self.doneCurrent()
 
     def _target(self, context: Context, size: tuple[int, int]) -> Any:

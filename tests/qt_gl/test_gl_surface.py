@@ -9,8 +9,9 @@ import textwrap
 
 import moderngl
 import pytest
+from brdf_qt.application import surface_format
 from brdf_qt.gl_surface import GlSurface
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QSurfaceFormat
 from PySide6.QtWidgets import QMainWindow, QPushButton
 
 from brdf_suite.errors import GraphicsError
@@ -65,7 +66,7 @@ def surface(qtbot, drawers):
     window.resize(320, 240)
     qtbot.addWidget(window, before_close_func=lambda _: surface.release())
     surface.set_view((1.0, 0.5, 0.0))
-    with qtbot.waitSignal(surface.frame_drawn, timeout=10_000):
+    with qtbot.waitSignal(surface.frame_drawn):
         window.show()
     surface.window_kept = window
     return surface
@@ -78,7 +79,7 @@ def test_it_shows_what_the_drawer_draws(surface, drawers, qtbot) -> None:
     assert image.pixelColor(300, 20) == QColor(0, 0, 0)
     with qtbot.waitSignal(surface.frame_drawn) as drawn:
         surface.set_view((0.0, 0.0, 1.0))
-    assert 0 < drawn.args[0] < 5000
+    assert drawn.args[0] > 0
     assert drawn.args[1] is True
     assert surface.grab_image().pixelColor(20, 220) == QColor(0, 0, 255)
 
@@ -105,7 +106,7 @@ def test_an_error_while_drawing_gives_a_message_and_a_way_on(surface, drawers, q
     assert not surface.canvas.isVisible()
     again = surface.findChild(QPushButton)
     assert again.isVisible()
-    with qtbot.waitSignals([surface.canvas_changed, surface.frame_drawn], timeout=10_000):
+    with qtbot.waitSignals([surface.canvas_changed, surface.frame_drawn]):
         again.click()
     assert drawers[0].released
     assert len(drawers) == 2
@@ -140,9 +141,72 @@ def test_a_factory_that_fails_is_told(qtbot) -> None:
     surface = GlSurface(make)
     qtbot.addWidget(surface)
     surface.set_view((1.0, 1.0, 1.0))
-    with qtbot.waitSignal(surface.failed, timeout=10_000) as failed:
+    with qtbot.waitSignal(surface.failed) as failed:
         surface.show()
     assert "nonsense" in failed.args[0] or "syntax" in failed.args[0]
+
+
+def test_another_window_is_another_context_and_the_picture_stays(surface, drawers, qtbot) -> None:
+    """A widget that moves to another window loses its context: what was made in it is made anew."""
+    other = QMainWindow()
+    qtbot.addWidget(other)
+    other.resize(300, 200)
+    with qtbot.waitSignal(surface.frame_drawn):
+        other.setCentralWidget(surface)
+        other.show()
+    qtbot.waitUntil(lambda: surface.failure or (len(drawers) == 2 and bool(drawers[1].sizes)))
+    assert surface.failure == ""
+    assert drawers[0].released
+    assert surface.grab_image().pixelColor(20, 180) == QColor(255, 128, 0)
+    with qtbot.waitSignal(surface.frame_drawn):
+        surface.window_kept.setCentralWidget(surface)  # and back, to go with its own window
+    assert len(drawers) == 3
+
+
+def lose(surface, monkeypatch) -> None:
+    """What Qt tells after a reset of the driver, which no test can make: the context is not valid any more."""
+    canvas = surface.canvas
+    monkeypatch.setattr(canvas, "is_lost", lambda: canvas.drawer is not None)
+
+
+def test_a_lost_context_is_replaced(surface, drawers, qtbot, monkeypatch) -> None:
+    lose(surface, monkeypatch)
+    with qtbot.waitSignals([surface.canvas_changed, surface.frame_drawn]):
+        surface.redraw()
+    assert surface.failure == ""
+    assert len(drawers) == 2
+    assert not drawers[0].released  # its objects went with the context
+    assert surface.grab_image().pixelColor(20, 220) == QColor(255, 128, 0)
+
+
+def test_a_context_that_is_lost_while_drawing_is_replaced(surface, drawers, qtbot, monkeypatch) -> None:
+    drawers[0].error = moderngl.Error("the context is gone")
+    canvas = surface.canvas
+    asked = []
+    monkeypatch.setattr(canvas, "is_lost", lambda: asked.append(1) or len(asked) > 2)
+    with qtbot.waitSignals([surface.canvas_changed, surface.frame_drawn]):
+        surface.redraw()
+    assert surface.failure == ""
+    assert len(drawers) == 2
+
+
+def test_a_context_that_is_lost_again_and_again_is_a_message(surface, drawers, qtbot, monkeypatch) -> None:
+    for number in range(3):
+        lose(surface, monkeypatch)
+        with qtbot.waitSignal(surface.frame_drawn):
+            surface.redraw()
+        assert len(drawers) == number + 2
+    lose(surface, monkeypatch)
+    with qtbot.waitSignal(surface.failed) as failed:
+        surface.redraw()
+    assert "reset several times" in failed.args[0]
+    with qtbot.waitSignal(surface.frame_drawn):
+        surface.findChild(QPushButton).click()
+    assert surface.failure == ""
+
+
+def test_a_reset_of_the_driver_is_asked_to_be_told() -> None:
+    assert surface_format().testOption(QSurfaceFormat.FormatOption.ResetNotification)
 
 
 def test_without_opengl_there_is_a_message(tmp_path) -> None:
@@ -162,7 +226,7 @@ def test_without_opengl_there_is_a_message(tmp_path) -> None:
         env=environment,
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=240,
         check=True,
     )
     assert "OpenGL 3.3" in result.stdout
@@ -191,7 +255,7 @@ def test_twice_the_pixels_at_twice_the_scale() -> None:
         env=environment,
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=240,
         check=True,
     )
     assert result.stdout.splitlines()[0] == "(400, 300) (400, 300)"
