@@ -6,10 +6,10 @@ from brdf_suite.documents.view import View
 from brdf_suite.realtime.programs import Features
 
 
-def surface_features(view: View, *, knows_light: bool = False) -> Features:
+def surface_features(view: View, *, knows_light: bool = False, smooth: bool = False) -> Features:
     """Return the words that the shader files test with ``#ifdef``, for one frame.
 
-    ``knows_light`` says whether the mesh holds the light that arrives at it.
+    ``knows_light`` says whether the mesh holds the light that arrives at it, ``smooth`` whether edges are to be.
 
     A word costs a program of its own, compiled at its first frame, so each stands for what a user switches on
     or off, never for a number that is dragged.
@@ -18,6 +18,8 @@ def surface_features(view: View, *, knows_light: bool = False) -> Features:
     []
     """
     words: set[str] = set()
+    if smooth:
+        words.add("SMOOTH_REFLECTIONS")
     if view.look_up == "paper":
         words.add("LOOK_UP_PAPER")
     if view.fresnel != "off":

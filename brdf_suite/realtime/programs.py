@@ -58,11 +58,11 @@ class LookUps:
         costs a software renderer half as much again as the look-ups written out, but serves any material.
 
         >>> LookUps.enough_for(3, 1), LookUps.enough_for(7, 3)
-        (LookUps(broad=4, sharp=1), LookUps(broad=0, sharp=8))
+        (LookUps(broad=4, sharp=1), LookUps(broad=0, sharp=4))
         """
         return LookUps(
             next((count for count in _WRITTEN_OUT if count >= broad), 0),
-            next(count for count in (1, 2, MAX_SHARP) if count >= sharp),
+            next(count for count in (1, 2, 4, MAX_SHARP) if count >= sharp),
         )
 
 

@@ -327,7 +327,7 @@ class Renderer:
         self.context.enable_only(moderngl.DEPTH_TEST)
         self.context.depth_func = "<="
         self._environment.bind()
-        features = surface_features(view, knows_light=self._mesh.knows_light)
+        features = surface_features(view, knows_light=self._mesh.knows_light, smooth=samples > 1)
         features |= self._single_lights.features(view)
         self._warm_up(samples, features)
         framebuffer.clear(depth=1.0)

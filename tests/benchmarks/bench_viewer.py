@@ -1,13 +1,14 @@
 """Frame times of the surface shader, as ratios to a baseline shader in the same run.
 
 The fixed scene: a sphere of 100,000 triangles that covers 58 % of 1280x720, the default basis and the
-default paint, Fresnel on, the environment as background, one sample a pixel. The baseline draws
-the same frame with one reflection look-up and one diffuse look-up. Frames alternate, each waited for with glFinish,
-so that whatever else the machine does falls on both.
+default paint with its weights at 16 incidences, no sparkle, the environment as background, one sample a pixel. The
+baseline draws the same frame with one reflection look-up and one diffuse look-up. Frames alternate, each waited for
+with glFinish, so that whatever else the machine does falls on both.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from statistics import median
 from time import perf_counter
@@ -18,12 +19,18 @@ import numpy as np
 from brdf_suite.cli.bench import load_module
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.view import Camera, View
+from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.lighting.prefilter import face_size
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.any_fit import fit_any
+from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, fit_patiently
+from brdf_suite.pipeline.paint_angles import PaintAngles
+from brdf_suite.pipeline.picture import gl_renderer_name, material_weights
 from brdf_suite.pipeline.scene import default_paint
 from brdf_suite.pipeline.shading_maps import map_exponents
+from brdf_suite.pipeline.still import loaded_scene
 from brdf_suite.progress import part, report
+from brdf_suite.realtime.camera import orbit
 from brdf_suite.realtime.context import create_context
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
@@ -32,10 +39,23 @@ _sparkle = load_module(Path(__file__).with_name("viewer_sparkle.py"))
 
 NAME = "viewer"
 BOUNDS = {
-    "paper_ratio": ("<=", 2.2, "", "frame of the default paint over the baseline frame, 1280x720, median"),
+    "paper_ratio": (
+        "<=",
+        2.2,
+        "",
+        "frame of the default paint in the paper's form over the baseline frame, 1280x720, median",
+    ),
+    "frame_ratio": ("<=", 3.0, "", "the same with shifted look-ups, the default"),
     "all_lobes_ratio": ("", None, "", "the same with a weight on every lobe of the basis, which no fit has"),
+    "smooth_ratio": ("", None, "", "the default with 4 samples a pixel, over a baseline with as many"),
     "weights_change_ms": ("<=", 0.5, "ms", "weights changed, next frame at 64x64: extra cost, median"),
     "baseline_frame_ms": ("", None, "ms", "the baseline's frame, median"),
+    "gpu_4k_ms": (
+        "<=",
+        4.0,
+        "ms",
+        "3840x2160, speed form, flakes, occlusion and ground, 4 samples; none on a software renderer",
+    ),
 } | _sparkle.BOUNDS
 
 BASELINE = Path(__file__).with_name("baseline.frag.glsl")
@@ -46,18 +66,26 @@ EXPONENTS = default_basis().exponents
 MAP_EXPONENTS = map_exponents()
 LARGEST_FACE = 512  # of an environment of 1024x512
 ROUNDS = 60
+SOFTWARE = ("llvmpipe", "softpipe", "swrast", "swiftshader")
 
 
 def run(progress=None):
     """Return the figures of :data:`BOUNDS`."""
-    found = _shading(part(progress, 0.0, 0.6))
+    found = _shading(part(progress, 0.0, 0.5)) | {
+        "gpu_4k_ms": gpu_frame_ms(progress=part(progress, 0.5, 0.6))
+    }
     return found | _sparkle.figures(SimpleNamespace(**globals()), part(progress, 0.6, 1.0))
 
 
 def _shading(progress=None):
     context = create_context()
     ours, every_lobe, baseline = (Renderer(context), Renderer(context), Renderer(context, BASELINE))
-    view = View(Camera(azimuth_deg=0, elevation_deg=0, distance=_distance(), target=(0.0, 0.0, 0.0)))
+    view = View(
+        Camera(azimuth_deg=0, elevation_deg=0, distance=_distance(), target=(0.0, 0.0, 0.0)),
+        fresnel="multi_angle",
+        sparkle=Sparkle("off"),
+    )
+    paper = replace(view, look_up="paper")
     target, small = context.simple_framebuffer(SIZE), context.simple_framebuffer((64, 64))
     for renderer in (ours, every_lobe, baseline):
         renderer.set_environment(_maps())
@@ -69,19 +97,21 @@ def _shading(progress=None):
     ours.set_material("paint", materials[0])
     every_lobe.set_material("paint", _every_lobe())
 
-    def frame(renderer, framebuffer, size):
+    def frame(renderer, framebuffer, size, shown=view, samples=1):
         start = perf_counter()
-        renderer.render(view, framebuffer, size, samples=1)
+        renderer.render(shown, framebuffer, size, samples=samples)
         context.finish()
         return (perf_counter() - start) * 1e3
 
-    times = {ours: [], every_lobe: [], baseline: []}
-    for i in range(ROUNDS + 3):
-        report(progress, 0.7 * i / (ROUNDS + 3), "drawing in turn with the baseline")
-        for renderer in times:
-            ms = frame(renderer, target, SIZE)
-            if i >= 3:
-                times[renderer].append(ms)
+    cases = {
+        "paper": (ours, paper, 1),
+        "default": (ours, view, 1),
+        "every": (every_lobe, view, 1),
+        "baseline": (baseline, view, 1),
+    }
+    several = {"default": (ours, view, 4), "baseline": (baseline, view, 4)}
+    times = _in_turn(cases, frame, target, part(progress, 0.0, 0.6), ROUNDS)
+    smooth = _in_turn(several, frame, target, part(progress, 0.6, 0.7), ROUNDS // 4)
 
     # A cheap mesh, so that the change is not lost in the noise of the draw.
     ours.set_mesh([_sphere(8)])
@@ -96,15 +126,57 @@ def _shading(progress=None):
             extra.append(changed - unchanged)
 
     figures = {
-        "paper_ratio": median(a / b for a, b in zip(times[ours], times[baseline], strict=True)),
-        "all_lobes_ratio": median(a / b for a, b in zip(times[every_lobe], times[baseline], strict=True)),
+        "paper_ratio": _ratio(times, "paper"),
+        "frame_ratio": _ratio(times, "default"),
+        "all_lobes_ratio": _ratio(times, "every"),
+        "smooth_ratio": _ratio(smooth, "default"),
         "weights_change_ms": median(extra),
-        "baseline_frame_ms": median(times[baseline]),
+        "baseline_frame_ms": median(times["baseline"]),
     }
-    for renderer in times:
+    for renderer in (ours, every_lobe, baseline):
         renderer.release()
     context.release()
     return figures
+
+
+def _in_turn(cases, frame, target, progress, rounds):
+    """Return the times of each case's frames, drawn in turn; the first three rounds do not count."""
+    times = {name: [] for name in cases}
+    for i in range(rounds + 3):
+        report(progress, i / (rounds + 3), "drawing in turn with the baseline")
+        for name, (renderer, shown, samples) in cases.items():
+            ms = frame(renderer, target, SIZE, shown, samples)
+            if i >= 3:
+                times[name].append(ms)
+    return times
+
+
+def _ratio(times, name):
+    return median(a / b for a, b in zip(times[name], times["baseline"], strict=True))
+
+
+def gpu_frame_ms(size=(3840, 2160), frames=100, *, on_software=False, progress=None):
+    """Return the median frame of the speed form with all effects; None on a software renderer, unless asked for."""
+    if not on_software and any(name in gl_renderer_name().lower() for name in SOFTWARE):
+        return None
+    view = View(
+        environment="sunny",
+        fresnel="multi_angle",
+        surface_look=replace(View().surface_look, occlusion=True, ground=True),
+    )
+    with loaded_scene(view, progress) as loaded:
+        scene = loaded.scene
+        scene.set_paint_fit(fit_any("fine_silver", errors=False))
+        shown, target = loaded.composed(view, size), scene.renderer.context.simple_framebuffer(size)
+        times = []
+        for i in range(frames + 10):
+            turned = replace(shown, camera=orbit(shown.camera, 0.5 * i, 0.0))
+            start = perf_counter()
+            scene.draw(turned, target, size)
+            scene.renderer.context.finish()
+            times.append((perf_counter() - start) * 1e3)
+        target.release()
+    return median(times[10:])
 
 
 def _distance() -> float:
@@ -143,10 +215,8 @@ def _maps() -> EnvironmentMaps:
 
 
 def _weights(paint: Paint) -> MaterialWeights:
-    fitted = PaintFitter().fit(paint).weights
-    return MaterialWeights(
-        EXPONENTS, fitted.kd, fitted.kdd, fitted.kg, theta_fit_rad=fitted.theta_fit_rad, ior=fitted.ior
-    )
+    fitted = fit_patiently(paint, paint.name)
+    return material_weights(fitted.weights, PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S).of(fitted))
 
 
 def _every_lobe() -> MaterialWeights:

@@ -100,9 +100,20 @@ vec3 reflected_radiance(SurfacePoint p)
     vec3 across = dFdx(r), down = dFdy(r);
     float turns = max(max(dot(across, across), dot(down, down)), 4.0 * p.coat_spread * p.coat_spread);
     float turn = 0.5 * log2(max(turns, 1e-12));
+#ifdef SMOOTH_REFLECTIONS
+    // Multisampling shades once a pixel: an edge of light seen in the coat would be a stair where an edge of the body
+    // is smooth. So four places of the pixel are looked up, on a rotated grid, each with a third of the footprint.
+    vec3 a = 0.375 * across + 0.125 * down, b = 0.375 * down - 0.125 * across;
+    turn -= 1.5;
+#define SHARP_LIGHT(k, level) 0.25 * (textureLod(sharp_maps[k], r + a, level).rgb \
+        + textureLod(sharp_maps[k], r - a, level).rgb + textureLod(sharp_maps[k], r + b, level).rgb \
+        + textureLod(sharp_maps[k], r - b, level).rgb)
+#else
+#define SHARP_LIGHT(k, level) textureLod(sharp_maps[k], r, level).rgb
+#endif
 #define ADD_SHARP_LOBE(k) \
     radiance += ramp_row(x, 1 + k).rgb * sharp_lobes[k].x \
-        * textureLod(sharp_maps[k], r, turn + sharp_lobes[k].y).rgb ARRIVES(c, sharp_lobes[k].z);
+        * (SHARP_LIGHT(k, turn + sharp_lobes[k].y)) ARRIVES(c, sharp_lobes[k].z);
     FOR_EACH_SHARP_LOBE(ADD_SHARP_LOBE)
     return light_colour * radiance;
 }
