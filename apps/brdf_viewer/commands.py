@@ -13,6 +13,7 @@ from brdf_viewer.camera_presets import PRESETS
 from brdf_viewer.sections.compare import MODE_TITLES
 from brdf_viewer.sections.environment import BACKGROUND_TITLES
 from brdf_viewer.sections.fresnel import FRESNEL_TITLES, LOOK_UP_TITLES
+from brdf_viewer.sections.sparkle import SPARKLE_TITLES
 from brdf_viewer.sections.tone import TONE_TITLES
 from brdf_viewer.source_chooser import Source
 
@@ -28,7 +29,8 @@ class ViewerCommands(QObject):
         A shipped paint; Designer is to be followed or not; Designer is to be started.
     preset_wanted(key), frame_wanted(), turntable_wanted(bool)
         The camera.
-    tone_curve_wanted(key), background_wanted(key), fresnel_wanted(key), look_up_wanted(key)
+    tone_curve_wanted(key), background_wanted(key), fresnel_wanted(key), look_up_wanted(key),
+    sparkle_wanted(key)
         How the picture is shown.
     copy_wanted(), picture_wanted(), export_wanted(kind)
         The picture goes to the clipboard, or to a file; a ``picture``, ``turntable`` or ``sheet`` is to be exported.
@@ -58,6 +60,7 @@ class ViewerCommands(QObject):
     background_wanted = Signal(str)
     fresnel_wanted = Signal(str)
     look_up_wanted = Signal(str)
+    sparkle_wanted = Signal(str)
     copy_wanted = Signal()
     picture_wanted = Signal()
     export_wanted = Signal(str)
@@ -262,6 +265,7 @@ class ViewerCommands(QObject):
         self.figures.triggered.connect(self.figures_wanted)
         self._fresnel = self._choices(menu.addMenu("Fres&nel"), FRESNEL_TITLES, self.fresnel_wanted)
         self._look_up = self._choices(menu.addMenu("&Look-up"), LOOK_UP_TITLES, self.look_up_wanted)
+        self._sparkle = self._choices(menu.addMenu("Spar&kle"), SPARKLE_TITLES, self.sparkle_wanted)
 
     def _add_compare(self) -> None:
         menu = self._window.view_menu.addMenu("&Compare")
@@ -284,6 +288,11 @@ class ViewerCommands(QObject):
             "Ctrl+B",
             tip="Keep the paint on show as the second one",
         )
+
+    def show_sparkle(self, mode: str) -> None:
+        """Tick how flakes are drawn."""
+        for action in self._sparkle.actions():
+            action.setChecked(action.data() == mode)
 
     def show_compare(self, mode: str) -> None:
         """Tick how two paints are compared."""

@@ -33,6 +33,7 @@ from brdf_viewer.readout import Readout
 from brdf_viewer.remembered import remember
 from brdf_viewer.scene_control import SHIPPED_TITLES, SceneControl
 from brdf_viewer.source_chooser import title_of
+from brdf_viewer.sparkle_control import SparkleControl
 from brdf_viewer.stage import Stage
 from brdf_viewer.studio.control import StudioControl
 from brdf_viewer.tone_control import ToneControl
@@ -100,6 +101,7 @@ class ViewerController(QObject):
         self._show_view(None, view)
         self.studio = StudioControl(self.stage, self.window, self.scene, dialogs, self)
         self.lighting = LightingControl(self.stage, self.window, lambda: self.drawer, self)
+        self.sparkle = SparkleControl(self.stage, self.window, self)
         self.compare = CompareControl(self.stage, self.window, self._tasks, ask, self)
         self.readout = Readout(self.stage, self.window, lambda: self.drawer, self)
         self.figures = FiguresOverlay(self.stage, self.window, self._meter, self.readout, self)

@@ -21,6 +21,7 @@ from brdf_viewer.sections.environment import EnvironmentSection
 from brdf_viewer.sections.fresnel import FresnelSection
 from brdf_viewer.sections.lighting import LightingSection
 from brdf_viewer.sections.paint import PaintSection
+from brdf_viewer.sections.sparkle import SparkleSection
 from brdf_viewer.sections.surface import SurfaceSection
 from brdf_viewer.sections.tone import ToneSection
 from brdf_viewer.studio.panel import StudioPanel
@@ -54,6 +55,7 @@ class ViewerWindow(SuiteWindow):
         self.paint = PaintSection()
         self.camera = CameraSection({key: title for key, (title, _, _) in PRESETS.items()})
         self.fresnel = FresnelSection()
+        self.sparkle = SparkleSection()
         self.tone = ToneSection()
         self.compare = CompareSection()
         for section in (
@@ -62,6 +64,7 @@ class ViewerWindow(SuiteWindow):
             self.surface,
             self.paint,
             self.fresnel,
+            self.sparkle,
             self.tone,
             self.compare,
             self.camera,

@@ -64,7 +64,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
             "Lights", "", 1.0, 16.0, 8.0, "The brightest lights of the environment, in which flakes glint"
         ),
         "sparkle.strength": Parameter(
-            "Strength", "", 0.0, 20.0, 1.0, "Factor on the light of single flakes; 1: as density and size say"
+            "Strength", "×", 0.0, 8.0, 1.0, "Factor on the light of single flakes; 1: as density and size say"
         ),
         "surface.scale": Parameter("Scale", "", 1e-4, 1e4, 1.0, "Factor on all lengths of the mesh"),
         "relief.normal_strength": Parameter(

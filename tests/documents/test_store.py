@@ -166,7 +166,7 @@ views = st.builds(
         Sparkle,
         mode=st.sampled_from(SPARKLE_MODES),
         light_count=st.integers(1, 16),
-        strength=st.floats(0, 20),
+        strength=st.floats(0, 8),
     ),
     surface_look=st.builds(
         SurfaceLook,

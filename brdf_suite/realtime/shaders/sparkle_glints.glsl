@@ -123,46 +123,51 @@ vec3 glints_of_place(GlintField g, int count, uint key, float weight, float per_
     return sum;
 }
 
-vec3 glints_of_level(GlintField g, float level, float weight, int count)
+// A level's cells: how many to a unit of the square and to a millimetre, and what contrast is left where a pair of cells
+// holds many flakes.
+struct GlintLevel
 {
+    float number, weight, per_square, per_mm, contrast;
+};
+
+GlintLevel glint_level(GlintField g, int above)
+{
+    float level = floor(g.level) + float(above);
     float angular = min(level, g.finest);
-    float per_square = exp2(angular);
-    float per_mm = g.root_count * exp2(-level);
-    float contrast = exp2(angular - level);
-    // A flake stands for its pair of cells: 1 / (per_mm per_square)^2 of surface and square.
-    float scale = 0.95492966 / (per_mm * per_mm * per_square * per_square);
-    vec2 on_surface = g.footprint.at * per_mm;
-    vec2 first_cell = floor(on_surface - 0.5);
-    vec2 reach = g.footprint.reach * per_mm;
-    uint salt = uint(int(level)) * 0x9e3779b9u;
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < 4; ++i)
-    {
-        vec2 cell = first_cell + vec2(i & 1, i >> 1);
-        vec2 gap = abs(on_surface - cell - 0.5) - 0.5;
-        if (any(greaterThanEqual(gap, reach)))
-            continue;
-        uint key = cell_key(ivec2(cell), salt);
-        float cover = flake_cover(g.footprint, (on_surface - cell - halves(scrambled(key))) / per_mm);
-        if (cover > 0.0)
-            sum += cover * glints_of_place(g, count, key, weight, per_square);
-    }
-    sum *= scale * contrast;
-    float widest = 0.5 / (FOOTPRINT_END * per_square);
-    float mean = shown_share(weight) * contrast;
-    for (int k = 0; k < count; ++k)
-        sum -= glint_powers[k] * (mean * min(widest / glint_widths[k], 1.0));
-    return sum;
+    return GlintLevel(level, 1.0 - abs(g.level - level), exp2(angular), g.root_count * exp2(-level),
+                      exp2(angular - level));
 }
 
 // The sum over the lights of power times (ratio - 1).
 vec3 glint_difference(GlintField g, int count)
 {
-    float level = floor(g.level);
-    float rest = g.level - level;
-    vec3 sum = glints_of_level(g, level, 1.0 - rest, count);
-    if (rest > 0.0)
-        sum += glints_of_level(g, level + 1.0, rest, count);
+    // Two levels of two by two cells, in one loop whose end the compiler does not know: written out eight times over, a
+    // software renderer takes seconds to compile it.
+    int pairs = count > 0 ? 8 : 0;
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < pairs; ++i)
+    {
+        GlintLevel l = glint_level(g, i >> 2);
+        vec2 on_surface = g.footprint.at * l.per_mm;
+        vec2 cell = floor(on_surface - 0.5) + vec2(i & 1, (i >> 1) & 1);
+        vec2 gap = abs(on_surface - cell - 0.5) - 0.5;
+        if (l.weight <= 0.0 || any(greaterThanEqual(gap, g.footprint.reach * l.per_mm)))
+            continue;
+        uint key = cell_key(ivec2(cell), uint(int(l.number)) * 0x9e3779b9u);
+        float cover = flake_cover(g.footprint, (on_surface - cell - halves(scrambled(key))) / l.per_mm);
+        if (cover <= 0.0)
+            continue;
+        // A flake stands for its pair of cells: 1 / (per_mm per_square)^2 of surface and square.
+        float stands_for = 1.0 / (l.per_mm * l.per_mm * l.per_square * l.per_square);
+        sum += glints_of_place(g, count, key, l.weight, l.per_square)
+            * (0.95492966 * stands_for * l.contrast * cover);
+    }
+    GlintLevel low = glint_level(g, 0), high = glint_level(g, 1);
+    float low_mean = shown_share(low.weight) * low.contrast, high_mean = shown_share(high.weight) * high.contrast;
+    float low_widest = 0.5 / (FOOTPRINT_END * low.per_square), high_widest = 0.5 / (FOOTPRINT_END * high.per_square);
+    for (int k = 0; k < count; ++k)
+        sum -= glint_powers[k] * (low_mean * min(low_widest / glint_widths[k], 1.0)
+                                  + high_mean * min(high_widest / glint_widths[k], 1.0));
     return sum;
 }
 
