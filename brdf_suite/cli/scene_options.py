@@ -9,6 +9,7 @@ from pathlib import Path
 from brdf_suite.cli.layout import add_layout
 from brdf_suite.cli.output import size
 from brdf_suite.documents.view import FRESNEL_MODES, TONE_CURVES, View
+from brdf_suite.documents.view_settings import ILLUMINANTS, LightColour
 
 
 def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = (1280, 720)) -> None:
@@ -40,6 +41,22 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         default=None,
         metavar="EV",
         help="exposure in EV; +1 doubles the light (default: 0)",
+    )
+    command.add_argument(
+        "--automatic-exposure",
+        action="store_true",
+        help="bring the object's median luminance to 0.18; --exposure counts from there",
+    )
+    command.add_argument(
+        "--lamp",
+        choices=ILLUMINANTS,
+        default=None,
+        help="take the environment's white for that of a light booth's lamp (default: environment, as it is)",
+    )
+    command.add_argument(
+        "--unadapted",
+        action="store_true",
+        help="show the lamp's tint, as an eye used to daylight sees it at first",
     )
     command.add_argument(
         "--rotation",
@@ -106,6 +123,12 @@ def view_of(options: argparse.Namespace) -> View:
         )
         if value is not None
     }
+    if options.automatic_exposure:
+        changed["exposure_mode"] = "automatic"
+    if options.lamp is not None:
+        changed["light_colour"] = LightColour(options.lamp, adapted=not options.unadapted)
+    elif options.unadapted:
+        changed["light_colour"] = replace(view.light_colour, adapted=False)
     if options.environment is not None:
         check_environment(options.environment)
         changed["environment"] = name_in_view(options.environment, environment_names())

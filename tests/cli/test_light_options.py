@@ -1,0 +1,40 @@
+"""The light booth's lamps and the automatic exposure on the command line."""
+
+from __future__ import annotations
+
+import argparse
+
+import pytest
+
+from brdf_suite.cli.scene_options import add_scene, view_of
+from brdf_suite.documents.store import save_view
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import LightColour
+
+
+def view(*arguments: str) -> View:
+    parser = argparse.ArgumentParser()
+    add_scene(parser)
+    return view_of(parser.parse_args(arguments))
+
+
+def test_a_lamp_and_its_tint() -> None:
+    assert view().light_colour == LightColour()
+    assert view("--lamp", "TL84").light_colour == LightColour("TL84", adapted=True)
+    assert view("--lamp", "A", "--unadapted").light_colour == LightColour("A", adapted=False)
+    with pytest.raises(SystemExit):
+        view("--lamp", "D93")
+
+
+def test_the_exposure_counts_from_the_measured_one() -> None:
+    assert view().exposure_mode == "locked"
+    found = view("--automatic-exposure", "--exposure", "1.5")
+    assert (found.exposure_mode, found.exposure_ev) == ("automatic", 1.5)
+
+
+def test_options_change_a_view(tmp_path) -> None:
+    path = tmp_path / "a.brdfview"
+    save_view(View(light_colour=LightColour("LED", adapted=True), exposure_mode="automatic"), path)
+    assert view("--view", str(path)).light_colour == LightColour("LED", adapted=True)
+    assert view("--view", str(path), "--unadapted").light_colour == LightColour("LED", adapted=False)
+    assert view("--view", str(path)).exposure_mode == "automatic"
