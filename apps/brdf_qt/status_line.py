@@ -4,17 +4,26 @@ from __future__ import annotations
 
 from typing import Literal
 
-from PySide6.QtGui import QPalette
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QLabel, QStatusBar, QWidget
 
 State = Literal["fresh", "stale", "warning"]
+_LEAST = 8
+"""Characters that an elastic cell keeps."""
 
 
 class StatusCell(QLabel):
-    """One value; stale values are dimmed and bracketed, warnings are bold: never by colour alone."""
+    """One value; stale values are dimmed and bracketed, warnings are bold: never by colour alone.
 
-    def __init__(self, name: str, tip: str = "", parent: QWidget | None = None) -> None:
+    An ``elastic`` one gives way where the line is too short for all: it ends in an ellipsis, and its tip has the whole.
+    """
+
+    def __init__(
+        self, name: str, tip: str = "", parent: QWidget | None = None, *, elastic: bool = False
+    ) -> None:
         super().__init__(parent)
+        self._elastic = elastic
         self.setObjectName(f"status_{name}")
         self.setAccessibleName(name)
         self.setToolTip(tip)
@@ -25,7 +34,8 @@ class StatusCell(QLabel):
     def set(self, text: str, tip: str | None = None, state: State = "fresh") -> None:
         """Show ``text``; empty text hides the cell."""
         self.setText(f"({text})" if state == "stale" and text else text)
-        self.setToolTip("\n".join(part for part in (tip, self._tip) if part))
+        whole = text if self._elastic else ""
+        self.setToolTip("\n".join(part for part in (whole, tip, self._tip) if part))
         self.setAccessibleDescription(text)
         font = self.font()
         font.setBold(state == "warning")
@@ -34,6 +44,31 @@ class StatusCell(QLabel):
             QPalette.ColorRole.PlaceholderText if state == "stale" else QPalette.ColorRole.WindowText
         )
         self.setVisible(bool(text))
+
+    @property
+    def shown_text(self) -> str:
+        """The text as it is drawn: shortened where there is no room for all of it."""
+        return self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self._room())
+
+    def minimumSizeHint(self) -> QSize:
+        hint = super().minimumSizeHint()
+        if not self._elastic:
+            return hint
+        return QSize(min(hint.width(), self.fontMetrics().averageCharWidth() * _LEAST), hint.height())
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if not self._elastic or self.shown_text == self.text():
+            super().paintEvent(event)
+            return
+        painter = QPainter(self)
+        area = self.contentsRect().adjusted(self.margin(), 0, -self.margin(), 0)
+        flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        self.style().drawItemText(
+            painter, area, flags, self.palette(), True, self.shown_text, self.foregroundRole()
+        )
+
+    def _room(self) -> int:
+        return self.contentsRect().width() - 2 * self.margin()
 
 
 class StatusLine(QStatusBar):
@@ -44,10 +79,10 @@ class StatusLine(QStatusBar):
         self.setSizeGripEnabled(False)
         self._cells: dict[str, StatusCell] = {}
 
-    def cell(self, name: str, tip: str = "", *, right: bool = False) -> StatusCell:
-        """Return the cell ``name``; made on first use, at the left or the right end."""
+    def cell(self, name: str, tip: str = "", *, right: bool = False, elastic: bool = False) -> StatusCell:
+        """Return the cell ``name``; made on first use, at the left or the right end, elastic or not."""
         if name not in self._cells:
-            cell = StatusCell(name, tip)
+            cell = StatusCell(name, tip, elastic=elastic)
             self._cells[name] = cell
             if right:
                 self.addPermanentWidget(cell)

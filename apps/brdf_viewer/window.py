@@ -81,9 +81,9 @@ class ViewerWindow(SuiteWindow):
         self._busy_shown = ""
         self._busy_delay = QTimer(self, singleShot=True, interval=_BUSY_AFTER_MS, timeout=self._show_busy)
         for name in ("frame", "lobes", "fit", "exposure", "environment", "palette"):
-            self.status.cell(name)
+            self.status.cell(name, elastic=name in ("fit", "environment", "palette"))
         for name in ("readout", "link"):
-            self.status.cell(name, right=True)
+            self.status.cell(name, right=True, elastic=name == "link")
         self.restore_layout()
         self.picture.setFocus()
 

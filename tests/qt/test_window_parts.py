@@ -15,6 +15,7 @@ from brdf_qt.icons import icon
 from brdf_qt.main_window import SuiteWindow
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.section import Section
+from brdf_qt.status_line import StatusLine
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtTest import QTest
@@ -238,3 +239,21 @@ def test_the_shared_room_imports_no_program_and_nothing_slow():
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=240
     )
     assert done.stdout.strip() == "[]"
+
+
+def test_elastic_cells_give_way_in_a_short_status_line_and_no_other_does(qtbot):
+    line = StatusLine()
+    qtbot.addWidget(line)
+    fixed, elastic = line.cell("frame"), line.cell("link", right=True, elastic=True)
+    fixed.set("12.4 ms", "Time to draw a frame")
+    elastic.set("Designer is not open, not followed", "Nobody else is there")
+    line.resize(600, 30)
+    line.show()
+    qtbot.waitExposed(line)
+    assert elastic.shown_text == elastic.text()
+    line.resize(220, 30)
+    qtbot.waitUntil(lambda: elastic.shown_text.endswith("…"))
+    assert elastic.geometry().right() <= line.width()
+    assert fixed.width() >= fixed.sizeHint().width()
+    assert elastic.toolTip().splitlines() == ["Designer is not open, not followed", "Nobody else is there"]
+    assert not line.grab().isNull()
