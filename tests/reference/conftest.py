@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from brdf_suite.errors import ReferenceUnavailableError
@@ -15,3 +17,14 @@ def variant() -> Variant:
         return start()
     except ReferenceUnavailableError as error:
         pytest.skip(str(error))
+
+
+@pytest.fixture(scope="session")
+def _cache_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("cache")
+
+
+@pytest.fixture(autouse=True)
+def own_cache(_cache_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One cache for the session: each light is prefiltered once, and never into the user's cache."""
+    monkeypatch.setenv("BRDF_SUITE_CACHE", str(_cache_folder))

@@ -1,0 +1,104 @@
+"""The comparison of the two renderers: its figures tell real differences, are kept, and become a page."""
+
+from __future__ import annotations
+
+import builtins
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from brdf_suite.cli.main import main
+from brdf_suite.errors import FileError, ReferenceUnavailableError
+from brdf_suite.files.images import write_exr
+from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
+from brdf_suite.pipeline import agreement
+from brdf_suite.pipeline.agreement import DEFAULT_FORM, LOBES, Order, compare, errors_of, flip_of, summary
+from brdf_suite.pipeline.agreement_page import check_page, write_page
+
+SIZE = (32, 28)
+
+
+@pytest.fixture(scope="module")
+def light(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A soft sky over a dark ground."""
+    d = direction(ring_angles(32)[:, None], column_angles(64)[None])
+    path = tmp_path_factory.mktemp("light") / "soft.exr"
+    write_exr(path, np.asarray(0.6 + 0.5 * d[..., 1:2] + np.array([0.1, 0.1, 0.2]) * d[..., :1], np.float32))
+    return path
+
+
+def test_flip_and_delta_e_of_pictures() -> None:
+    pytest.importorskip("flip_evaluator", reason="the extra brdf-suite[reference] is not installed")
+    rng = np.random.default_rng(1)
+    first = rng.random((40, 40, 3))
+    assert flip_of(first, first).max() == 0.0
+    inside = np.zeros((40, 40), bool)
+    inside[10:20] = True
+    other = first.copy()
+    other[~inside] = 0.0
+    same = errors_of(other, first, inside)
+    assert (same.mean, same.p99) == (0.0, 0.0)
+    brighter = errors_of(np.clip(first + 0.1, 0, 1), first, inside)
+    assert brighter.mean > 1.0
+    assert brighter.flip > 0.02
+    assert errors_of(first, first, np.zeros((40, 40), bool)) == agreement.Errors(0.0, 0.0, 0.0)
+
+
+def test_without_flip_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    real = builtins.__import__
+
+    def without(name: str, *rest: object, **more: object) -> object:
+        if name.startswith("flip_evaluator"):
+            raise ImportError(name)
+        return real(name, *rest, **more)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(builtins, "__import__", without)
+    with pytest.raises(ReferenceUnavailableError, match=r"brdf-suite\[reference\]"):
+        flip_of(np.zeros((8, 8, 3)), np.zeros((8, 8, 3)))
+
+
+@pytest.mark.usefixtures("variant")
+def test_a_comparison_is_kept_and_becomes_a_page(tmp_path: Path, light: Path, monkeypatch, capsys) -> None:
+    pytest.importorskip("flip_evaluator", reason="the extra brdf-suite[reference] is not installed")
+    keep = tmp_path / "kept"
+    order = Order(["copper"], [str(light)], SIZE, 64, (DEFAULT_FORM, "Fresnel off"), lobes=True, keep=keep)
+    (case,) = compare(order)
+    assert (case.paint, case.environment) == ("Copper", "soft")
+    assert case.errors[DEFAULT_FORM].mean < 2.0
+    assert case.errors["Fresnel off"].mean > case.errors[DEFAULT_FORM].mean + 0.3
+    assert case.errors[LOBES].mean < 3.0
+    assert set(case.look_up) == {DEFAULT_FORM, "Fresnel off"}
+    assert 0.0 < case.noise.mean < 2.0
+    assert summary([case])["de00_worst"] == pytest.approx(case.errors[DEFAULT_FORM].mean)
+    assert len(list(keep.glob("*.exr"))) == 2
+    # What is kept is not traced again, and the figures are the same.
+    monkeypatch.setattr("brdf_suite.reference.passes.trace_pass", None)
+    (again,) = compare(order)
+    assert again.errors[DEFAULT_FORM].mean == pytest.approx(case.errors[DEFAULT_FORM].mean, abs=1e-3)
+    write_page(tmp_path / "page.md", [again], order)
+    text = (tmp_path / "page.md").read_text()
+    assert f"{again.errors[DEFAULT_FORM].mean:.2f}" in text
+    assert "| Copper |" in text
+    assert (tmp_path / "images" / "agreement.png").stat().st_size > 1000
+    words = [
+        "agreement",
+        "--paints",
+        "copper",
+        "--environments",
+        str(light),
+        "--size",
+        f"{SIZE[0]}x{SIZE[1]}",
+    ]
+    assert main([*words, "--spp", "64", "--keep", str(keep), "--lobes", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["cases"][0]["paint"] == "Copper"
+    assert set(found["summary"]) == {*agreement.FORMS, LOBES}
+
+
+def test_a_page_that_cannot_be_is_refused_before_the_work(tmp_path: Path) -> None:
+    with pytest.raises(FileError, match=r"\.md"):
+        check_page(tmp_path / "a.html")
+    with pytest.raises(FileError, match="does not exist"):
+        check_page(tmp_path / "none" / "a.md")
