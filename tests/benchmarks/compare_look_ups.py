@@ -13,8 +13,9 @@ from __future__ import annotations
 
 import sys
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -44,18 +45,14 @@ RADIUS = 0.13
 T_FIT = 1.0 - float(fresnel_dielectric(np.cos(np.pi / 4), 1.5))
 
 
-@dataclass(frozen=True, eq=False)
 class Given:
     """The weights over the incidence of a material, as :class:`values.OverAngle` gives them."""
 
-    table: object
-
-    def weights(self):
-        return self.table
+    def __init__(self, table):
+        self.weights = lambda: table
 
 
-@dataclass(frozen=True, eq=False)
-class Points:
+class Points(NamedTuple):
     """Pixels of the sphere (n, 2), and there the normal and mirror direction (n, 3) and N·V (n,)."""
 
     pixels: np.ndarray
