@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.realtime.camera import dolly_to, frame, orbit, pan, resolve
+from brdf_suite.realtime.comparison import sides
 from brdf_viewer.camera_presets import look_from, signed_deg
 from brdf_viewer.stage import Stage
 from brdf_viewer.turntable import Turntable, turn
@@ -65,7 +66,10 @@ class CameraControl(QObject):
 
     @property
     def _size(self) -> tuple[int, int]:
-        return self._window.picture.device_size
+        """The size of one picture: side by side there are two."""
+        size, compare = self._window.picture.device_size, self._stage.view.compare
+        both = compare.mode == "side" and self._stage.second is not None
+        return (sides(size)[0][2], size[1]) if both else size
 
     def _listen(self, canvas: QWidget) -> None:
         gestures = CameraGestures(canvas)
@@ -87,7 +91,11 @@ class CameraControl(QObject):
         )
 
     def _zoom(self, factor: float, right: float, up: float) -> None:
-        self._stage.set_camera(dolly_to(self._camera, self._stage.bounds, self._size, factor, (right, up)))
+        whole, size = self._window.picture.device_size, self._size
+        # From the middle of the picture that the cursor is in.
+        offset = (whole[0] - size[0]) / 2 / size[1]
+        place = (right - offset if right >= 0.0 else right + offset, up)
+        self._stage.set_camera(dolly_to(self._camera, self._stage.bounds, size, factor, place))
 
     def _turn_light(self, degrees: float) -> None:
         self._stage.change_view(rotation_deg=signed_deg(self._stage.view.rotation_deg + degrees))
