@@ -9,7 +9,7 @@ from pathlib import Path
 from brdf_suite.cli.layout import add_layout
 from brdf_suite.cli.output import size
 from brdf_suite.documents.view import FRESNEL_MODES, TONE_CURVES, View
-from brdf_suite.documents.view_settings import ILLUMINANTS, LightColour
+from brdf_suite.documents.view_settings import ILLUMINANTS, SPARKLE_MODES, LightColour
 
 
 def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = (1280, 720)) -> None:
@@ -85,6 +85,12 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         help=f"the coat's rise towards grazing (default: {View().fresnel})",
     )
     command.add_argument(
+        "--sparkle",
+        choices=SPARKLE_MODES,
+        default=None,
+        help=f"how the paint's flakes are drawn (default: {View().sparkle.mode}; docs/sparkle.md)",
+    )
+    command.add_argument(
         "--no-fresnel", action="store_const", const="off", dest="fresnel", help="the same as --fresnel off"
     )
 
@@ -129,6 +135,8 @@ def view_of(options: argparse.Namespace) -> View:
         changed["light_colour"] = LightColour(options.lamp, adapted=not options.unadapted)
     elif options.unadapted:
         changed["light_colour"] = replace(view.light_colour, adapted=False)
+    if options.sparkle is not None:
+        changed["sparkle"] = replace(view.sparkle, mode=options.sparkle)
     if options.environment is not None:
         check_environment(options.environment)
         changed["environment"] = name_in_view(options.environment, environment_names())
