@@ -16,6 +16,8 @@ from PySide6.QtWidgets import QApplication
 
 from brdf_suite.documents.light_store import load_light, save_light
 from brdf_suite.documents.studio import Backdrop, Lamp, Sky, Studio
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.files.images import write_exr
 from brdf_suite.pipeline.environments import draw_light
 
@@ -48,11 +50,18 @@ def script() -> Script:
 
 
 @pytest.fixture
+def start(start, lights):
+    """Viewers without sparkle, whose frames would be most of the tests' time."""
+    view = View(environment=str(lights["dim"]), surface="sphere", sparkle=Sparkle("off"))
+    return lambda **options: start(view=view, **options)
+
+
+@pytest.fixture
 def edited(start, script, tmp_path, qtbot):
     """A Viewer whose studio of one lamp is open in the editor."""
     path = tmp_path / "plain.brdfstudio"
     save_light(PLAIN, path)
-    viewer = start(dialogs=script, size=(1280, 900))
+    viewer = start(dialogs=script, size=(900, 640))
     viewer.controller.open_file(str(path))
     viewer.wait_idle()
     viewer.window.environment.edit.click()
