@@ -40,6 +40,12 @@ class Ladder:
         place = np.interp(np.log(np.asarray(exponent, np.float64)), logs, np.arange(len(logs)))
         return np.asarray((place + 0.5) / len(logs))
 
+    @property
+    def octave(self) -> float:
+        """How much of the texture coordinate doubles an exponent, on average over the slices."""
+        octaves = float(np.log2(self.exponents[-1] / self.exponents[0]))
+        return (len(self.exponents) - 1) / len(self.exponents) / octaves if octaves > 0.0 else 0.0
+
 
 class LobeStack:
     """The texture and the way into it."""
@@ -95,6 +101,7 @@ class LobeStack:
             "lobe_stack": unit,
             "stack_scale": self._scale,
             "stack_square": (0.5 * (size - 1) / size, 0.5),
+            "stack_octave": self.ladder.octave,
         }
 
     def release(self) -> None:

@@ -210,3 +210,13 @@ def test_edges_seen_in_the_coat_are_smooth(renderer, scenes):
         np.abs(renderer.linear_image(VIEW, SIZE, samples)[..., :3] - fine)[inner].mean() for samples in (1, 4)
     )
     assert smooth < 0.6 * once
+
+
+def test_slopes_widen_a_lobe(evaluate):
+    """A lobe of exponent E widened by slopes s is the lobe of E / (1 + 4 s² E)."""
+    ladder = Ladder(tuple(1.5**i for i in range(12)))
+    e, s = (g.ravel() for g in np.meshgrid([2.0, 8.0, 40.0, 80.0], [0.0, 0.05, 0.15]))
+    x = np.stack([ladder.level(e), e, s, s], 1)
+    lost = evaluate("lobe_stack.glsl", "vec4(octaves_lost(x.y, x.z))", x)[:, 0]
+    expected = ladder.level(e / (1 + 4 * s**2 * e))
+    np.testing.assert_allclose(ladder.level(e) - ladder.octave * lost, expected, atol=2e-6)

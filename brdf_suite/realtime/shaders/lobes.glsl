@@ -59,6 +59,13 @@ vec3 looked_at(vec3 r, vec3 n, float c, vec4 b)
 #define FIRST_LOOK_UPS look_ups.y
 #endif
 
+// What of relief is too fine for a pixel makes lobes wider.
+#ifdef NORMAL_MAP
+#define WIDENED(level, exponent) widened(level, exponent, p.base_spread)
+#else
+#define WIDENED(level, exponent) level
+#endif
+
 #ifdef OCCLUSION
 #define ARRIVES(c, exponent) * specular_occlusion(c, p.occlusion, exponent)
 #else
@@ -81,7 +88,8 @@ vec3 reflected_radiance(SurfacePoint p)
     for (int k = 0; k < FIRST_LOOK_UPS; ++k)
     {
         row = ramp_row(x, 1 + MAX_SHARP + k);
-        radiance += row.rgb * broad_light(looked_at(r, n, c, broad[k]), row.a) ARRIVES(c, broad[k].w);
+        radiance += row.rgb * broad_light(looked_at(r, n, c, broad[k]), WIDENED(row.a, broad[k].w))
+            ARRIVES(c, broad[k].w);
     }
 #ifdef COAT_RELIEF
     // The coat stands otherwise than the base.
@@ -92,25 +100,26 @@ vec3 reflected_radiance(SurfacePoint p)
     for (int k = look_ups.x; k < look_ups.y; ++k)
     {
         row = ramp_row(x, 1 + MAX_SHARP + k);
-        radiance += row.rgb * broad_light(looked_at(r, n, c, broad[k]), row.a) ARRIVES(c, broad[k].w);
+        radiance += row.rgb * broad_light(looked_at(r, n, c, broad[k]), widened(row.a, broad[k].w, p.coat_spread))
+            ARRIVES(c, broad[k].w);
     }
 #endif
     // How far the mirror direction turns from pixel to pixel, in radians; in texels of a map it is 2^level times as
     // much, and the mip level follows. Taken once, not per map, and not fooled by the edges of faces.
     vec3 across = dFdx(r), down = dFdy(r);
-    float turns = max(max(dot(across, across), dot(down, down)), 4.0 * p.coat_spread * p.coat_spread);
-    float turn = 0.5 * log2(max(turns, 1e-12));
+    float turns = max(dot(across, across), dot(down, down));
 #ifdef SMOOTH_REFLECTIONS
     // Multisampling shades once a pixel: an edge of light seen in the coat would be a stair where an edge of the body
     // is smooth. So four places of the pixel are looked up, on a rotated grid, each with a third of the footprint.
     vec3 a = 0.375 * across + 0.125 * down, b = 0.375 * down - 0.125 * across;
-    turn -= 1.5;
+    turns *= 0.125;
 #define SHARP_LIGHT(k, level) 0.25 * (textureLod(sharp_maps[k], r + a, level).rgb \
         + textureLod(sharp_maps[k], r - a, level).rgb + textureLod(sharp_maps[k], r + b, level).rgb \
         + textureLod(sharp_maps[k], r - b, level).rgb)
 #else
 #define SHARP_LIGHT(k, level) textureLod(sharp_maps[k], r, level).rgb
 #endif
+    float turn = 0.5 * log2(max(max(turns, 4.0 * p.coat_spread * p.coat_spread), 1e-12));
 #define ADD_SHARP_LOBE(k) \
     radiance += ramp_row(x, 1 + k).rgb * sharp_lobes[k].x \
         * (SHARP_LIGHT(k, turn + sharp_lobes[k].y)) ARRIVES(c, sharp_lobes[k].z);
