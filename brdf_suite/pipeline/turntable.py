@@ -127,6 +127,7 @@ def write_turntable(
         The progress callback asked for it.
     """
     from brdf_suite.pipeline.any_fit import fit_any
+    from brdf_suite.pipeline.relit import refit_under
 
     turn, settings = turn or Turn(), settings or PictureSettings()
     video = path.suffix.lower() in VIDEO_ENDINGS
@@ -143,7 +144,7 @@ def write_turntable(
             )
         settings.of_file(path / "frame.png")
         _check_folder(path)
-    fit = fit_any(paint, errors=False)
+    fit = refit_under(fit_any(paint, errors=False), view.light_colour)
     with loaded_scene(view, part(progress, 0.0, 0.2)) as loaded:
         loaded.scene.set_paint_fit(fit)
         shown = framed_all_round(view, loaded.scene.bounds, size)
