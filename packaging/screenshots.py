@@ -44,7 +44,7 @@ VIEWS = {
     "viewer_side": (compared("side"), ["blue", "--theme", "dark"]),
     "viewer_swipe": (compared("swipe", divider=0.45), ["blue", "--theme", "booth"]),
     "viewer_difference": (
-        compared("difference", "silver_metallic_2", scale_delta_e=20.0),
+        compared("difference", "silver_metallic_2", scale_delta_e=10.0),
         ["silver_metallic", "--theme", "light"],
     ),
     "viewer_figures": (COMPARED, ["copper", "--theme", "dark"]),
@@ -71,10 +71,10 @@ RENDERS = {
 
 @contextmanager
 def virtual_screen() -> Iterator[str]:
-    """Run an X server of its own and yield its display."""
+    """Run an X server of its own and yield its display; it stays as it is between two programs."""
     reading, writing = os.pipe()
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1920x1200x24", "-nolisten", "tcp"],
+        ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1920x1200x24", "-nolisten", "tcp", "-noreset"],
         pass_fds=[writing],
         stderr=subprocess.DEVNULL,
     )
@@ -121,7 +121,7 @@ def main() -> int:
                 folder.mkdir()
                 (folder / "Viewer.ini").write_text(f"[General]\nfigures={str(name in FIGURES).lower()}\n")
                 run(
-                    [sys.executable, "-m", "brdf_viewer", *command, "--view", str(file), "--size", "1200x750",
+                    [sys.executable, "-m", "brdf_viewer", *command, "--view", str(file), "--size", "960x620",
                      "--screenshot", str(IMAGES / f"{name}.png")],
                     environment | {"BRDF_SUITE_SETTINGS": str(folder)},
                 )  # fmt: skip

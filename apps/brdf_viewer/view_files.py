@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from brdf_qt.dialogs import Dialogs, Overwrite
@@ -10,7 +11,9 @@ from brdf_qt.message_bar import message_of
 from PySide6.QtCore import QObject, QStandardPaths
 
 from brdf_suite.documents.store import VIEW_ENDING, load_view, save_view
+from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
+from brdf_suite.realtime.camera import resolve
 from brdf_viewer.recent_files import RecentFiles
 from brdf_viewer.stage import Stage
 from brdf_viewer.window import ViewerWindow
@@ -83,13 +86,21 @@ class ViewFiles(QObject):
 
     def _write(self, path: Path) -> bool:
         try:
-            save_view(self._stage.view, path)
+            save_view(self._seen(), path)
         except SuiteError as error:
             self._tell(error, "Choose another name or folder.")
             return False
         self._take(path, stamp_of(path))
         self._window.status.showMessage(f"Saved {path.name}", _TOLD_MS)
         return True
+
+    def _seen(self) -> View:
+        """The view with its camera where it stands: a picture of it elsewhere is framed as it is here."""
+        view, stage = self._stage.view, self._stage
+        if stage.surface is None:
+            return view
+        camera = resolve(view.camera, stage.bounds, self._window.picture.device_size)
+        return replace(view, camera=camera)
 
     def _take(self, path: Path, stamp: FileStamp | None) -> None:
         self._path, self._stamp = path, stamp

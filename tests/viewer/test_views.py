@@ -95,6 +95,19 @@ def test_saving_again_asks_nothing_unless_the_file_has_changed(start, tmp_path) 
     assert answers.path.exists()
 
 
+def test_a_framed_camera_is_saved_where_it_stands(start, tmp_path) -> None:
+    answers = Answers()
+    viewer = start(dialogs=answers)
+    answers.path = tmp_path / "a.brdfview"
+    assert viewer.view.camera.distance is None
+    viewer.window.commands.view_save_wanted.emit()
+    saved = load_view(answers.path).camera
+    assert saved.distance is not None
+    pixels = viewer.pixels()
+    viewer.stage.set_camera(saved)
+    assert (viewer.pixels() == pixels).all()
+
+
 def test_a_view_brings_its_light_and_surface(start, lights, tmp_path) -> None:
     viewer = start()
     file = tmp_path / "other.brdfview"
