@@ -30,12 +30,14 @@ from brdf_viewer.loading import SceneLoader
 from brdf_viewer.paint_control import PaintControl
 from brdf_viewer.picture_export import PictureExport
 from brdf_viewer.readout import Readout
+from brdf_viewer.relief_control import IMAGES, ReliefControl
 from brdf_viewer.remembered import remember
 from brdf_viewer.scene_control import SHIPPED_TITLES, SceneControl
 from brdf_viewer.source_chooser import title_of
 from brdf_viewer.sparkle_control import SparkleControl
 from brdf_viewer.stage import Stage
 from brdf_viewer.studio.control import StudioControl
+from brdf_viewer.surface_control import SurfaceControl
 from brdf_viewer.tone_control import ToneControl
 from brdf_viewer.view_files import ViewFiles
 from brdf_viewer.window import ViewerWindow
@@ -90,6 +92,8 @@ class ViewerController(QObject):
         self.camera = CameraControl(self.stage, self.window, self)
         self.scene = SceneControl(self.stage, self.window, self._loader, self)
         self.paint = PaintControl(self.stage, self.window, self.link, PaintFitter(), self._tasks, self)
+        self.surface = SurfaceControl(self.stage, self.window, self.scene, self)
+        self.relief = ReliefControl(self.stage, self.window, ask, self)
         self._meter = FrameMeter(self.window.status.cell("frame"), self)
         self._meter.shown.connect(self._settle)
         self.tone = ToneControl(self.stage, self.window, lambda: self.drawer, self)
@@ -161,7 +165,8 @@ class ViewerController(QObject):
 
     def _refused(self, kind: str, error: SuiteError) -> None:
         """Told later: the message changes the window, and this comes from within a paint of it."""
-        tell = self.compare.refused if kind == KIND else partial(self.scene.refused, kind)
+        own = {KIND: self.compare.refused, IMAGES: self.relief.refused}
+        tell = own.get(kind) or partial(self.scene.refused, kind)
         QTimer.singleShot(0, self, lambda: tell(error))
 
     def _show_view(self, _old: View | None, new: View) -> None:
@@ -251,4 +256,6 @@ class ViewerController(QObject):
         self.compare.close()
         self.export.close()
         self._loader.stop()
+        self.surface.close()
+        self.relief.close()
         self.window.picture.release()

@@ -9,6 +9,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.exposure import automatic_ev, exposed
 from brdf_suite.pipeline.picture import PAINT_MATERIAL, SECOND_MATERIAL, SceneRenderer
+from brdf_suite.pipeline.surface_images import SurfaceImages
 from brdf_suite.realtime.comparison import ComparedPicture, Comparison
 from brdf_suite.realtime.context import Context
 from brdf_suite.realtime.gpu_objects import Counters
@@ -48,9 +49,11 @@ class StageDrawer:
         self._renderer = SceneRenderer(context, self.angle_fits.angles)
         self._uploads: dict[str, Callable[[Any], None]] = {
             "environment": self._renderer.set_environment,
-            "surface": self._renderer.set_surface,
+            "surface": lambda mesh: self._renderer.set_surface(mesh, self._uploading.baked),
         }
         self._drawn: dict[str, Prop[Any]] = {}
+        self._uploading: Any = None
+        self._images: SurfaceImages | None = None
         self._fit: object = None
         self._second: Prop[Any] | None = None
         self._comparison: Comparison | None = None
@@ -91,7 +94,7 @@ class StageDrawer:
         if fit is not self._fit:
             self._renderer.set_paint_fit(fit)
             self._fit = fit
-        uploads.append(self._bring_second())
+        uploads += [self._bring_second(), self._bring_images()]
         if view.exposure_mode == "automatic" and self._stage.metered_ev is None:
             self.meter(view, size)
         shown = exposed(view, self._stage.metered_ev)
@@ -128,16 +131,30 @@ class StageDrawer:
             self._refused("compare", error)
         return picture is not None
 
+    def _bring_images(self) -> bool:
+        """Upload what lies on the paint; tell whether there was something."""
+        images = self._stage.images
+        if images is None or images is self._images:
+            return False
+        self._images = images
+        try:
+            self._renderer.set_surface_images(images)
+        except SuiteError as error:
+            self._refused("images", error)
+        return True
+
     def _bring(self, kind: str) -> bool:
         """Upload the stage's environment or surface where it is another than the one drawn; tell whether."""
         wanted, drawn = getattr(self._stage, kind), self._drawn.get(kind)
         if wanted is None or wanted is drawn:
             return False
         try:
+            self._uploading = wanted
             self._uploads[kind](wanted.value)
         except SuiteError as error:
             if drawn is None:
                 raise
+            self._uploading = drawn
             self._uploads[kind](drawn.value)
             setattr(self._stage, kind, drawn)
             self._refused(kind, error)

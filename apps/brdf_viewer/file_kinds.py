@@ -12,6 +12,7 @@ from brdf_suite.documents.light_store import STUDIO_ENDING
 from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING, VIEW_ENDING
 from brdf_suite.files.meshes import MESH_ENDINGS
+from brdf_suite.files.relief_images import IMAGE_ENDINGS
 
 ENDINGS: dict[str, tuple[str, ...]] = {
     "paint": (
@@ -41,8 +42,15 @@ TITLES = {
     "environment": "Environment",
     "surface": "Surface",
     "compare": "Second Paint or Picture",
+    "normal_map": "Normal Map",
+    "mask": "Mask",
 }
-ASKED: dict[str, tuple[str, ...]] = {**ENDINGS, "compare": (*ENDINGS["paint"], ".exr", ".png")}
+ASKED: dict[str, tuple[str, ...]] = {
+    **ENDINGS,
+    "compare": (*ENDINGS["paint"], ".exr", ".png"),
+    "normal_map": IMAGE_ENDINGS,
+    "mask": IMAGE_ENDINGS,
+}
 
 AskFile = Callable[[QWidget, str], str]
 AskPicture = Callable[[QWidget, str], str]

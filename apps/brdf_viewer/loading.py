@@ -11,9 +11,11 @@ from dataclasses import dataclass
 from brdf_qt.tasks import TaskRunner, Work
 from PySide6.QtCore import QObject, Qt, Signal
 
+from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.statistics import EnvironmentStatistics, environment_statistics
-from brdf_suite.pipeline.scene import Partial, PreparedEnvironment, load_environment, load_surface
+from brdf_suite.pipeline.scene import Partial, PreparedEnvironment, load_environment
+from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress
 from brdf_suite.surface.mesh import Mesh
 
@@ -65,8 +67,11 @@ class SceneLoader(QObject):
         self._generation = 0
         self._partial.connect(self._on_partial, Qt.ConnectionType.QueuedConnection)
 
-    def load(self, kind: str, key: str, layout: str = "auto") -> None:
-        """Begin to load ``key``; an older request of the kind is dropped. ``layout`` is of an environment's image."""
+    def load(self, kind: str, key: str, layout: str = "auto", look: SurfaceLook | None = None) -> None:
+        """Begin to load ``key``; an older request of the kind is dropped.
+
+        ``layout`` is of an environment's image, ``look`` the shape in which a surface is taken.
+        """
         if self._stopped:
             return
         if kind == ENVIRONMENT:
@@ -78,7 +83,7 @@ class SceneLoader(QObject):
 
             self._submit(kind, key, _environment, EnvironmentRequest(key, layout, partial))
         else:
-            self._submit(kind, key, _surface, key)
+            self._submit(kind, key, _surface, (key, look or SurfaceLook()))
 
     def _submit(self, kind: str, key: str, work: Work, request: object) -> None:
         self.moved.emit(kind, 0.0, "waiting")
@@ -138,8 +143,5 @@ def _statistics(environment: Environment, _progress: Progress) -> EnvironmentSta
     return environment_statistics(environment)
 
 
-def _surface(key: str, progress: Progress) -> Mesh:
-    progress(0.0, "reading the surface")
-    mesh = load_surface(key)
-    progress(1.0, "reading the surface")
-    return mesh
+def _surface(request: tuple[str, SurfaceLook], progress: Progress) -> Mesh:
+    return load_shaped(*request, progress)

@@ -111,10 +111,12 @@ class SceneControl(QObject):
             key = str(Path(key).absolute())
         self._loading[kind] = key
         self._show_choice(kind, key)
-        self._loader.load(kind, key, self._layout)
+        self._loader.load(kind, key, self._layout, self._stage.view.surface_look)
 
     def cancel(self, kind: str) -> None:
         """Stop loading. A whole picture that was shown comes back; where there was none, what is there stays."""
+        if kind not in self._choosers:
+            return  # the work of another
         self._loader.cancel(kind)
         if kind == ENVIRONMENT:
             self._take_partial_back()

@@ -11,8 +11,10 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.pipeline.exposure import exposed
 from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.scene import PreparedEnvironment
+from brdf_suite.pipeline.surface_images import SurfaceImages
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.occlusion.baked import BakedMesh
 from brdf_viewer.view_history import ViewHistory
 
 if TYPE_CHECKING:
@@ -30,6 +32,13 @@ class Prop(Generic[T]):
 
     key: str
     value: T
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class SurfaceProp(Prop[Mesh]):
+    """A surface; ``baked`` is the occlusion that was baked for it, None until it is there."""
+
+    baked: BakedMesh | None = None
 
 
 class Stage(QObject):
@@ -60,8 +69,9 @@ class Stage(QObject):
         self.light_figures: EnvironmentStatistics | None = None
         self._environment: Prop[PreparedEnvironment] | None = None
         self._whole_environment: Prop[PreparedEnvironment] | None = None
-        self._surface: Prop[Mesh] | None = None
+        self._surface: SurfaceProp | None = None
         self._bounds = Bounds.of([])
+        self.images: SurfaceImages | None = None
 
     @property
     def view(self) -> View:
@@ -96,12 +106,12 @@ class Stage(QObject):
             self._whole_environment = environment
 
     @property
-    def surface(self) -> Prop[Mesh] | None:
+    def surface(self) -> SurfaceProp | None:
         """The surface that carries the paint."""
         return self._surface
 
     @surface.setter
-    def surface(self, surface: Prop[Mesh] | None) -> None:
+    def surface(self, surface: SurfaceProp | None) -> None:
         self._surface = surface
         self._bounds = Bounds.of([] if surface is None else [part.positions for part in surface.value.parts])
 
@@ -160,5 +170,16 @@ class Stage(QObject):
 
     def set_surface(self, key: str, surface: Mesh) -> None:
         """Draw this surface from the next frame on."""
-        self.surface = Prop(key, surface)
+        self.surface = SurfaceProp(key, surface)
         self.contents_changed.emit()
+
+    def set_images(self, images: SurfaceImages) -> None:
+        """Lay these on the paint from the next frame on."""
+        self.images = images
+        self.contents_changed.emit()
+
+    def set_baked(self, baked: BakedMesh) -> None:
+        """Draw the surface with what was baked for it from the next frame on."""
+        if self._surface is not None:
+            self._surface = dataclasses.replace(self._surface, baked=baked)
+            self.contents_changed.emit()

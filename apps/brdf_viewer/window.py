@@ -21,6 +21,7 @@ from brdf_viewer.sections.environment import EnvironmentSection
 from brdf_viewer.sections.fresnel import FresnelSection
 from brdf_viewer.sections.lighting import LightingSection
 from brdf_viewer.sections.paint import PaintSection
+from brdf_viewer.sections.relief import ReliefSection
 from brdf_viewer.sections.sparkle import SparkleSection
 from brdf_viewer.sections.surface import SurfaceSection
 from brdf_viewer.sections.tone import ToneSection
@@ -52,6 +53,7 @@ class ViewerWindow(SuiteWindow):
         self.environment = EnvironmentSection()
         self.lighting = LightingSection()
         self.surface = SurfaceSection()
+        self.relief = ReliefSection()
         self.paint = PaintSection()
         self.camera = CameraSection({key: title for key, (title, _, _) in PRESETS.items()})
         self.fresnel = FresnelSection()
@@ -62,6 +64,7 @@ class ViewerWindow(SuiteWindow):
             self.environment,
             self.lighting,
             self.surface,
+            self.relief,
             self.paint,
             self.fresnel,
             self.sparkle,

@@ -15,11 +15,12 @@ from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit
 from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.scene import PreparedEnvironment
+from brdf_suite.pipeline.surface_images import SurfaceImages, peel_tile
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.context import Context, create_context
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.light_block import NO_LIGHTS, DistantLights
-from brdf_suite.realtime.renderer import Renderer
+from brdf_suite.realtime.renderer import SECOND_PAINT, Renderer
 from brdf_suite.realtime.values import (
     CubeFaces,
     EnvironmentMaps,
@@ -49,6 +50,7 @@ class SceneRenderer:
 
     def __init__(self, context: Context, angles: PaintAngles | None = None) -> None:
         self._renderer = Renderer(context)
+        self._renderer.relief.make_peel = peel_tile
         self._angles = angles or PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S)
 
     @property
@@ -92,6 +94,14 @@ class SceneRenderer:
         """Show this surface, with what was baked for it where that is at hand."""
         self._renderer.set_mesh(mesh_parts(mesh, baked))
         self._renderer.set_ground(None if baked is None else _ground(baked.ground))
+
+    def set_surface_images(self, images: SurfaceImages) -> None:
+        """Lay a normal map, a mask and the second paint on the paint, or take them off, from the next frame on."""
+        relief = self._renderer.relief
+        relief.set_normal_map(images.normal_map)
+        relief.set_mask(images.mask)
+        if images.second_paint is not None:
+            self.set_paint_fit(images.second_paint, SECOND_PAINT)
 
     def draw(self, view: View, framebuffer: Any, size: Size) -> None:
         """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels."""

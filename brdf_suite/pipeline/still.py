@@ -14,7 +14,9 @@ from brdf_suite.documents.view import View
 from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target, picture_metadata, write_picture
-from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment, load_surface
+from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
+from brdf_suite.pipeline.surface import baked_where_wanted, load_shaped
+from brdf_suite.pipeline.surface_images import ImageRequest, load_surface_images
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.realtime.camera import compose
 from brdf_suite.surface.mesh import Mesh
@@ -68,13 +70,16 @@ def loaded_scene(view: View, progress: Progress | None = None) -> Iterator[Loade
 
     Errors as :func:`render_to_file`.
     """
-    mesh = load_surface(view.surface)
+    mesh = load_shaped(view.surface, view.surface_look)
     with OffscreenScene((1, 1)) as scene:  # before the maps: without OpenGL they would be made for nothing
         start = perf_counter()
-        prepared = load_environment(view.environment, progress, layout=view.environment_layout)
+        prepared = load_environment(
+            view.environment, part(progress, 0.0, 0.6), layout=view.environment_layout
+        )
         maps_s = perf_counter() - start
         scene.set_environment(prepared)
-        scene.set_surface(mesh)
+        scene.set_surface_images(load_surface_images(ImageRequest.of(view)))
+        scene.set_surface(mesh, baked_where_wanted(mesh, view.surface_look, part(progress, 0.6, 1.0)))
         yield LoadedScene(scene, prepared, mesh, maps_s)
 
 

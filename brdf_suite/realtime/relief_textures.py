@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import moderngl
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +30,8 @@ class ReliefTextures:
         self._normal_map: tuple[moderngl.Texture, float] | None = None  # with height over width
         self._peel: tuple[moderngl.Texture, int] | None = None  # with waves along an edge
         self._mask: tuple[moderngl.Texture, float] | None = None
+        self.make_peel: Callable[[], PeelTile] | None = None
+        """Makes the tile when a view first asks for orange peel."""
 
     def set_normal_map(self, slopes: SlopeMap | None) -> None:
         """Replace the normal map; None: there is none."""
@@ -52,8 +56,11 @@ class ReliefTextures:
         words = set()
         if self._normal_map is not None and view.relief.normal_map is not None:
             words.add("NORMAL_MAP")
-        if self._peel is not None and view.relief.orange_peel > 0.0:
-            words.add("COAT_RELIEF")
+        if view.relief.orange_peel > 0.0:
+            if self._peel is None and self.make_peel is not None:
+                self.set_peel(self.make_peel())
+            if self._peel is not None:
+                words.add("COAT_RELIEF")
         return frozenset(words)
 
     def has_second_paint(self, view: View) -> bool:

@@ -14,7 +14,7 @@ framebuffer, a widget's or its own.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -264,8 +264,9 @@ class Renderer(OffscreenPictures):
         if lit:
             self._single_lights.bind(view)
         modes = Modes(view.fresnel, view.look_up)
+        drawn = self._drawn_parts(view, features)
         common |= self._relief.bind(view, self.bounds)
-        for part, name, words in self._drawn_parts(view, features):
+        for part, name, words in drawn:
             self._blend("SECOND_PAINT" in words)
             name = materials.get(name, name)
             material = self._materials.find(name, modes, self._environment.ladder)
@@ -281,8 +282,8 @@ class Renderer(OffscreenPictures):
             self._mesh.arrays(program)[part].render(moderngl.TRIANGLES)
         self._blend(False)
 
-    def _drawn_parts(self, view: View, features: Features) -> Iterator[tuple[int, str, Features]]:
-        """Yield what is drawn in order: a part's number, its material, and the features of its program.
+    def _drawn_parts(self, view: View, features: Features) -> list[tuple[int, str, Features]]:
+        """Return what is drawn in order: a part's number, its material, and the features of its program.
 
         Relief belongs to the paint. A second paint is drawn over the first, by its share at each place.
         """
@@ -290,12 +291,11 @@ class Renderer(OffscreenPictures):
         owned = zip(self._mesh.names, self._mesh.materials, strict=True)
         names = [chosen.get(part, own) for part, own in owned]
         painted = features | self._relief.features(view)
-        for part, name in enumerate(names):
-            yield part, name, painted if name == PAINT else features
+        drawn = [(part, name, painted if name == PAINT else features) for part, name in enumerate(names)]
         if self._relief.has_second_paint(view):
-            for part, name in enumerate(names):
-                if name == PAINT:
-                    yield part, SECOND_PAINT, painted | {"SECOND_PAINT"}
+            over = painted | {"SECOND_PAINT"}
+            drawn += [(part, SECOND_PAINT, over) for part, name in enumerate(names) if name == PAINT]
+        return drawn
 
     def _blend(self, on: bool) -> None:
         """Blend what is drawn over what is there by its alpha, and leave the object's coverage as it is; or do not."""

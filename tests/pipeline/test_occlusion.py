@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,10 @@ from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.pipeline import occlusion
 from brdf_suite.pipeline.occlusion import baked_occlusion, occlusion_folder, occlusion_key
-from brdf_suite.pipeline.surface import prepare_surface
+from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.scene import default_paint
+from brdf_suite.pipeline.still import loaded_scene
+from brdf_suite.pipeline.surface import baked_where_wanted, load_shaped
 from brdf_suite.surface.forms.panel import panel
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh
@@ -81,21 +85,32 @@ def test_old_entries_make_room(facet: Mesh, folder: Path, monkeypatch: pytest.Mo
 
 
 def test_the_key_is_of_the_shape_alone(facet: Mesh) -> None:
-    from dataclasses import replace
-
     (part,) = facet.parts
     renamed = Mesh("other", (replace(part, name="g", material="glass"),))
     moved = Mesh("facet", (replace(part, positions=part.positions + 1.0),))
     assert occlusion_key(facet) == occlusion_key(renamed) != occlusion_key(moved)
 
 
-def test_a_surface_is_prepared_as_the_view_says(folder: Path) -> None:
-    plain = View(surface="panel", surface_look=SurfaceLook(occlusion=False))
-    assert prepare_surface(plain).baked is None
+def test_a_surface_is_shaped_and_baked_as_the_view_says(folder: Path) -> None:
+    mesh = load_shaped("panel", SurfaceLook(scale=2.0))
+    (low, high), (plain_low, plain_high) = mesh.bounds(), panel().bounds()
+    np.testing.assert_allclose(high - low, 2.0 * (plain_high - plain_low), rtol=1e-4)
+    assert baked_where_wanted(mesh, SurfaceLook(occlusion=False)) is None
     assert not folder.exists()
-    look = SurfaceLook(scale=2.0, occlusion=True)
-    prepared = prepare_surface(View(surface="panel", surface_look=look))
-    assert prepared.baked is not None
-    low, high = panel().bounds()
-    found_low, found_high = prepared.mesh.bounds()
-    np.testing.assert_allclose(found_high - found_low, 2.0 * (high - low), rtol=1e-4)
+    for look in (SurfaceLook(occlusion=True), SurfaceLook(occlusion=False, ground=True)):
+        baked = baked_where_wanted(mesh, look)
+        assert baked is not None
+        assert len(baked.parts) == len(mesh.parts)
+
+
+def test_a_picture_from_the_command_has_the_ground(folder: Path) -> None:
+    view = View(
+        environment="booth", surface="sphere", background="grey", surface_look=SurfaceLook(ground=True)
+    )
+    plain = replace(view, surface_look=SurfaceLook(occlusion=False))
+    with loaded_scene(view) as loaded:
+        loaded.scene.set_paint_fit(PaintFitter().fit(default_paint()))
+        pictures = [loaded.scene.image(v, (96, 64)).astype(int) for v in (view, plain)]
+    darker = (pictures[1] - pictures[0]).max(axis=2)
+    assert darker[54:].max() > 20  # under the sphere
+    assert abs(darker[:10]).max() <= 1

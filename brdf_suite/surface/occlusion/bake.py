@@ -21,6 +21,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
+from brdf_suite.surface.occlusion.compiled import ready_kernels
 from brdf_suite.surface.occlusion.fit import shared_places, vertex_values
 from brdf_suite.surface.occlusion.floor import bake_floor
 from brdf_suite.surface.occlusion.places import Places, spread
@@ -74,6 +75,7 @@ def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
     surface = _joined(mesh)
     report(progress, 0.0, "sorting the triangles")
     try:
+        ready_kernels(part(progress, 0.0, 0.05))
         tree = TriangleTree.of(surface.positions[surface.triangles])
     except (ImportError, RuntimeError) as error:  # RuntimeError: numba finds no folder to keep its work in
         raise SuiteError(

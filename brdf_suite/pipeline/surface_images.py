@@ -1,0 +1,74 @@
+"""What a view lays on the paint: a normal map, a mask, and the second paint that the mask lets through."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from brdf_suite.documents.view import View
+from brdf_suite.files.relief_images import read_mask, read_normal_map
+from brdf_suite.progress import Progress, report
+from brdf_suite.realtime.relief_values import MaskImage, PeelTile, SlopeMap
+from brdf_suite.surface.orange_peel import TILE_WAVES, peel_slopes
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.any_fit import AnyFit
+
+
+@dataclass(frozen=True)
+class ImageRequest:
+    """The files and the paint that a view names; equal ones need not be loaded again."""
+
+    normal_map: str | None = None
+    mask: str | None = None
+    second_paint: str | None = None
+
+    @staticmethod
+    def of(view: View) -> ImageRequest:
+        """Return what ``view`` asks for: mask and second paint together or not at all."""
+        two_tone = view.two_tone
+        whole = two_tone.mask is not None and two_tone.paint is not None
+        return ImageRequest(
+            view.relief.normal_map,
+            two_tone.mask if whole else None,
+            two_tone.paint if whole else None,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceImages:
+    """The same, loaded and fitted."""
+
+    request: ImageRequest
+    normal_map: SlopeMap | None = None
+    mask: MaskImage | None = None
+    second_paint: AnyFit | None = None
+
+
+def load_surface_images(request: ImageRequest, progress: Progress | None = None) -> SurfaceImages:
+    """Read images and fit the second paint.
+
+    Raises
+    ------
+    FileError
+        An image or the paint cannot be read, or an image is no normal map.
+    UnreachableError, FittingError
+        The paint cannot be fitted.
+    """
+    report(progress, 0.0, "reading the images")
+    normal_map = None if request.normal_map is None else SlopeMap(read_normal_map(request.normal_map))
+    mask = None if request.mask is None else MaskImage(read_mask(request.mask))
+    second = None
+    if request.second_paint is not None:
+        # Measured data are much to import.
+        from brdf_suite.pipeline.any_fit import fit_any
+
+        report(progress, 0.5, "fitting the second paint")
+        second = fit_any(request.second_paint, errors=False)
+    report(progress, 1.0, "images")
+    return SurfaceImages(request, normal_map, mask, second)
+
+
+def peel_tile() -> PeelTile:
+    """Return the tile that every orange peel is drawn with; some tenths of a second."""
+    return PeelTile(peel_slopes(), TILE_WAVES)
