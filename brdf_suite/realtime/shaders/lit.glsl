@@ -92,9 +92,19 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
     if (field.contrast <= 0.0)
         return sum;
 #endif
+    // No light stands out by more than flakes that lie flat do in a light without extent: the countable ones become
+    // rarer with their tilt by more than their contrast rises. So faint and broad lights are passed over at once.
+    float most = largest(base_gain * flake_lobe(0.0));
+#ifdef SPARKLE_GLINTS
+    most *= glint_contrast(field, 0.35355339 / flakes.z * flake_optics.y);
+#else
+    most *= flake_contrast(field, flake_optics.y);
+#endif
     for (int i = 0; i < int(light_counts.y); ++i)
     {
         Arriving light = light_at(i, p.position);
+        if (largest(light.irradiance) * most <= faintest)
+            continue;
         float cos_light = dot(p.normal, light.direction);
         if (cos_light <= 0.0)
             continue;
