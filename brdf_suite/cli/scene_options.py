@@ -33,6 +33,18 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
     )
     width, height = default_size
     command.add_argument(
+        "--ground",
+        action=argparse.BooleanOptionalAction,
+        default=None,
+        help="put the mesh on a ground that takes its shadow (default: no ground)",
+    )
+    command.add_argument(
+        "--occlusion",
+        action=argparse.BooleanOptionalAction,
+        default=None,
+        help="darken what the light does not reach; baked once for each mesh (default: on)",
+    )
+    command.add_argument(
         "--size", type=size, default=default_size, metavar="WxH", help=f"pixels (default: {width}x{height})"
     )
     command.add_argument(
@@ -137,6 +149,10 @@ def view_of(options: argparse.Namespace) -> View:
         changed["light_colour"] = replace(view.light_colour, adapted=False)
     if options.sparkle is not None:
         changed["sparkle"] = replace(view.sparkle, mode=options.sparkle)
+    look = {name: getattr(options, name) for name in ("ground", "occlusion")}
+    look = {name: on for name, on in look.items() if on is not None}
+    if look:
+        changed["surface_look"] = replace(view.surface_look, **look)
     if options.environment is not None:
         check_environment(options.environment)
         changed["environment"] = name_in_view(options.environment, environment_names())
