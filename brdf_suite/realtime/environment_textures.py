@@ -14,7 +14,8 @@ import numpy as np
 
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.gpu_objects import GpuObjects
-from brdf_suite.realtime.lobe_stack import BROADEST_SHARP, Ladder, LobeStack
+from brdf_suite.realtime.ladder import BROADEST_SHARP, Ladder
+from brdf_suite.realtime.lobe_stack import LobeStack
 from brdf_suite.realtime.material_ramp import MAX_SHARP
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps
 

@@ -7,44 +7,17 @@ Each slice is the map of one exponent on the octahedral square; between slices t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import moderngl
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.gpu_objects import GpuObjects
+from brdf_suite.realtime.ladder import Ladder
 from brdf_suite.realtime.shader_source import compose
 from brdf_suite.realtime.values import CubeFaces
 
-BROADEST_SHARP = 100.0
-"""Lobes above this exponent keep a cube map of their own: the stack would have to be finer for all."""
-
 _SMALLEST, _LARGEST = 33, 255  # OpenGL 3.3 grants 256 texels along the edge of a 3-D texture
-
-
-@dataclass(frozen=True)
-class Ladder:
-    """The exponents of the stack's slices, rising.
-
-    >>> Ladder((1.0, 4.0)).level(2.0)
-    array(0.5)
-    """
-
-    exponents: tuple[float, ...]
-
-    def level(self, exponent: ArrayLike) -> NDArray[np.float64]:
-        """Return the texture coordinate (...) of exponents (...): linear in log E between slices, held outside."""
-        logs = np.log(self.exponents)
-        place = np.interp(np.log(np.asarray(exponent, np.float64)), logs, np.arange(len(logs)))
-        return np.asarray((place + 0.5) / len(logs))
-
-    @property
-    def octave(self) -> float:
-        """How much of the texture coordinate doubles an exponent, on average over the slices."""
-        octaves = float(np.log2(self.exponents[-1] / self.exponents[0]))
-        return (len(self.exponents) - 1) / len(self.exponents) / octaves if octaves > 0.0 else 0.0
 
 
 class LobeStack:

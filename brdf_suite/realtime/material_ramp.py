@@ -20,7 +20,7 @@ from brdf_suite.documents.view import FresnelMode
 from brdf_suite.documents.view import LookUp as LookUpMode
 from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.realtime.lobe_stack import BROADEST_SHARP, Ladder
+from brdf_suite.realtime.ladder import BROADEST_SHARP, Ladder
 from brdf_suite.realtime.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
 from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
 

@@ -10,7 +10,7 @@ from brdf_suite.documents.view import FresnelMode, LookUp
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.gpu_objects import GpuObjects
-from brdf_suite.realtime.lobe_stack import Ladder
+from brdf_suite.realtime.ladder import Ladder
 from brdf_suite.realtime.look_up_table import RAMP_NODES
 from brdf_suite.realtime.material_buffer import BLOCK_SIZE, pack
 from brdf_suite.realtime.material_ramp import MAX_ROWS, make_ramp

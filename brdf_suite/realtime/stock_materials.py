@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.realtime.lobe_stack import BROADEST_SHARP
+from brdf_suite.realtime.ladder import BROADEST_SHARP
 from brdf_suite.realtime.values import MaterialWeights, checked_exponents
 
 _THETA_FIT = float(np.pi / 4)

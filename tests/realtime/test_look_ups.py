@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.documents.view import FRESNEL_MODES, LOOK_UPS, Camera, View
-from brdf_suite.realtime.lobe_stack import Ladder
+from brdf_suite.realtime.ladder import Ladder
 from brdf_suite.realtime.look_up_table import RAMP_COSINES, constant_light, look_up_table
 from brdf_suite.realtime.material_ramp import make_ramp
 from brdf_suite.realtime.octahedral import from_square, to_square

@@ -8,7 +8,7 @@ import pytest
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import GraphicsError
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.realtime.lobe_stack import Ladder
+from brdf_suite.realtime.ladder import Ladder
 from brdf_suite.realtime.material_buffer import BLOCK_SIZE, pack
 from brdf_suite.realtime.material_ramp import MAX_SHARP, make_ramp
 from brdf_suite.realtime.programs import LookUps

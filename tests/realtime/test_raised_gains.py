@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from brdf_suite.fitting import LobeWeights
 from brdf_suite.fitting.lobes.raised import RaisedWeights
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.realtime.lobe_stack import Ladder
+from brdf_suite.realtime.ladder import Ladder
 from brdf_suite.realtime.look_up_table import RAMP_COSINES
 from brdf_suite.realtime.material_buffer import pack
 from brdf_suite.realtime.material_ramp import MAX_BROAD, make_ramp

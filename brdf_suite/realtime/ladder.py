@@ -1,0 +1,37 @@
+"""Which exponents the broad lobe maps of an environment have, and where between them one is found.
+
+Plain numbers: whoever prepares maps needs them without OpenGL.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+BROADEST_SHARP = 100.0
+"""Lobes above this exponent keep a cube map of their own: the stack would have to be finer for all."""
+
+
+@dataclass(frozen=True)
+class Ladder:
+    """The exponents of the stack's slices, rising.
+
+    >>> Ladder((1.0, 4.0)).level(2.0)
+    array(0.5)
+    """
+
+    exponents: tuple[float, ...]
+
+    def level(self, exponent: ArrayLike) -> NDArray[np.float64]:
+        """Return the texture coordinate (...) of exponents (...): linear in log E between slices, held outside."""
+        logs = np.log(self.exponents)
+        place = np.interp(np.log(np.asarray(exponent, np.float64)), logs, np.arange(len(logs)))
+        return np.asarray((place + 0.5) / len(logs))
+
+    @property
+    def octave(self) -> float:
+        """How much of the texture coordinate doubles an exponent, on average over the slices."""
+        octaves = float(np.log2(self.exponents[-1] / self.exponents[0]))
+        return (len(self.exponents) - 1) / len(self.exponents) / octaves if octaves > 0.0 else 0.0
