@@ -15,7 +15,7 @@ from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
 from brdf_suite.fitting.lobes.solver import Outcome
 
-PATIENCE_S = 60.0
+PATIENCE_S = 250.0
 
 
 def program(seed: int = 1) -> PartProgram:

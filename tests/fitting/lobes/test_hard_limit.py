@@ -14,7 +14,7 @@ from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
 from brdf_suite.fitting.lobes.solver import BlockSolution, BlockSolver, Outcome
 
-PATIENCE_S = 60.0
+PATIENCE_S = 250.0
 START_S = 100.0
 
 
