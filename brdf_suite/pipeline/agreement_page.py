@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError
 from brdf_suite.pipeline.agreement import Case, Order, Pixels, summary
+from brdf_suite.pipeline.scene import environment_names
 
 SHEET = "agreement.png"
 MOST_ROWS = 6
@@ -41,9 +42,13 @@ def write_page(path: Path, cases: Sequence[Case], order: Order) -> None:
 
 
 def chosen(cases: Sequence[Case]) -> list[Case]:
-    """Return the cases that are shown: the worst and the median of each environment."""
+    """Return the cases that are shown: the worst and the median of each environment.
+
+    Where there are shipped environments, of these alone: light of others is not ours to print.
+    """
+    shipped = [case for case in cases if case.environment in environment_names()]
     by_environment: dict[str, list[Case]] = {}
-    for case in cases:
+    for case in shipped or cases:
         by_environment.setdefault(case.environment, []).append(case)
     found: list[Case] = []
     for group in by_environment.values():
