@@ -56,9 +56,7 @@ class CameraControl(QObject):
 
     def _step(self, camera: Camera) -> None:
         """Move the camera at once: a step of its own, also close after another."""
-        self._stage.history.end()
-        self._stage.set_camera(camera)
-        self._stage.history.end()
+        self._stage.step_view(camera=camera)
 
     @property
     def _camera(self) -> Camera:

@@ -135,7 +135,7 @@ class SceneControl(QObject):
             first = not self._drawn_key(ENVIRONMENT)
             self._edited = ""
             self._stage.set_environment(key, value)
-            change = self._stage.follow_view if first else self._stage.change_view
+            change = self._stage.follow_view if first else self._stage.step_view
             change(environment=key, environment_layout=self._layout)
             self._show_facts()
             self._stage.light_figures = None
@@ -147,7 +147,7 @@ class SceneControl(QObject):
             if first:
                 self._stage.follow_view(surface=key)
             elif key != self._stage.view.surface:  # otherwise a view brought its own camera with it
-                self._stage.change_view(surface=key, camera=frame(self._stage.view.camera))
+                self._stage.step_view(surface=key, camera=frame(self._stage.view.camera))
             set_note(self._window.surface.facts, _surface_facts(value))
         if key not in self._names[kind]:
             self._recent[kind].add(key)

@@ -128,6 +128,12 @@ class Stage(QObject):
         """Replace fields of the view."""
         self.set_view(dataclasses.replace(self.view, **fields))
 
+    def step_view(self, **fields: Any) -> None:
+        """Replace fields of the view: a step of its own, also close after another change of them."""
+        self.history.end()
+        self.change_view(**fields)
+        self.history.end()
+
     def follow_view(self, **fields: Any) -> None:
         """Replace fields of the view, to be undone with the step before: what follows from it, or goes on by itself."""
         self.history.amend(dataclasses.replace(self.view, **fields))
