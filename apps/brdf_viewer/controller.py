@@ -143,6 +143,9 @@ class ViewerController(QObject):
         environment.exposure_edited.connect(lambda value: stage.change_view(exposure_ev=value))
         for signal in (environment.background_edited, commands.background_wanted):
             signal.connect(lambda key: stage.change_view(background=key))
+        environment.background_colour_edited.connect(
+            lambda colour: stage.change_view(background_colour=colour)
+        )
         for signal in (window.fresnel.fresnel_edited, commands.fresnel_wanted):
             signal.connect(lambda key: stage.change_view(fresnel=key))
         for signal in (window.fresnel.look_up_edited, commands.look_up_wanted):
@@ -174,7 +177,7 @@ class ViewerController(QObject):
         window.picture.set_view(new)
         window.environment.rotation.set_value(new.rotation_deg)
         window.environment.exposure.set_value(new.exposure_ev)
-        window.environment.set_background(new.background)
+        window.environment.set_background(new.background, new.background_colour)
         window.fresnel.set_mode(new.fresnel)
         window.fresnel.set_look_up(new.look_up)
         window.commands.show_state(

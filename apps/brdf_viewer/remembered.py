@@ -30,6 +30,7 @@ def remember(store: QSettings, view: View) -> None:
     """Keep what is worth it."""
     for name in (*_FIELDS, "turntable_deg_s"):
         store.setValue(f"view/{name}", getattr(view, name))
+    store.setValue("view/background_colour", " ".join(f"{value:.6g}" for value in view.background_colour))
     for name in _COMPARE:
         store.setValue(f"compare/{name}", getattr(view.compare, name))
 
@@ -46,7 +47,7 @@ def recall(store: QSettings) -> View:
             view = dataclasses.replace(view, **{field: value})
         except ValueRangeError:
             continue  # an edited settings file, or one of another version
-    view = _with(view, store, "view", ("turntable_deg_s",))
+    view = _with(view, store, "view", ("turntable_deg_s", "background_colour"))
     view = dataclasses.replace(view, compare=_with(view.compare, store, "compare", _COMPARE))
     if view.environment in names["environment"]:
         view = dataclasses.replace(
@@ -62,6 +63,8 @@ def _with(value: T, store: QSettings, group: str, names: tuple[str, ...]) -> T:
         try:
             if found is not None:
                 found = float(found) if name in _NUMBERS else found
+                if name == "background_colour":
+                    found = tuple(float(part) for part in str(found).split())
                 value = dataclasses.replace(value, **{name: found})
         except (ValueError, ValueRangeError):
             continue  # an edited settings file, or one of another version

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from brdf_suite.cli.layout import add_layout
 from brdf_suite.cli.output import size
-from brdf_suite.documents.view import FRESNEL_MODES, TONE_CURVES, View
+from brdf_suite.documents.view import BACKGROUNDS, FRESNEL_MODES, TONE_CURVES, View
 from brdf_suite.documents.view_settings import ILLUMINANTS, SPARKLE_MODES, LightColour
 
 
@@ -97,6 +97,12 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         help=f"the coat's rise towards grazing (default: {View().fresnel})",
     )
     command.add_argument(
+        "--background",
+        choices=BACKGROUNDS,
+        default=None,
+        help="what is seen behind the object (default: environment)",
+    )
+    command.add_argument(
         "--sparkle",
         choices=SPARKLE_MODES,
         default=None,
@@ -138,6 +144,7 @@ def view_of(options: argparse.Namespace) -> View:
             ("exposure_ev", options.exposure),
             ("tone_curve", options.tone),
             ("fresnel", options.fresnel),
+            ("background", options.background),
         )
         if value is not None
     }

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import REC709_TO_WORKING, srgb_decode
 from brdf_suite.appearance.light_matrix import light_matrix
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
@@ -24,6 +23,7 @@ from brdf_suite.pipeline.exposure import ev_of, exposed
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, part, report
+from brdf_suite.realtime.backdrop import plain_backdrop
 from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.stock_materials import stock_materials
 from brdf_suite.realtime.tone_curves import to_display
@@ -38,7 +38,6 @@ if TYPE_CHECKING:
 Size = tuple[int, int]
 Pixels = NDArray[np.float64]
 
-_GREY = 0.18
 _PAINT = "paint"
 _LIT_BY = ("camera", "rotation_deg", "fresnel", "light_colour", "lamps", "surface_look")
 """What of a view the traced light depends on, beside environment and surface."""
@@ -166,7 +165,7 @@ def build_reference(
     if view.background in ("environment", "blurred"):
         behind = environment_behind(radiance, view.rotation_deg, eye, size)
     else:
-        behind = np.broadcast_to(_backdrop(view), (size[1], size[0], 3))
+        behind = np.broadcast_to(plain_backdrop(view), (size[1], size[0], 3))
     return ReferenceScene(
         name=name,
         traced=traced,
@@ -203,12 +202,6 @@ def _stock_terms(mesh: Mesh, view: View) -> dict[str, Any]:
     stock = stock_materials(default_basis().exponents)
     used = {p.material for p in mesh.parts}
     return {name: lobe_term(weights, view) for name, weights in stock.items() if name in used}
-
-
-def _backdrop(view: View) -> Pixels:
-    if view.background == "colour":
-        return np.asarray(REC709_TO_WORKING @ srgb_decode(view.background_colour))
-    return np.full(3, _GREY)
 
 
 def _left_out(view: View) -> tuple[str, ...]:

@@ -26,6 +26,7 @@ from brdf_suite.appearance.light_matrix import light_matrix
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError
+from brdf_suite.realtime.backdrop import backdrop
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.display import SRGB, Display
@@ -337,7 +338,7 @@ class Renderer(OffscreenPictures):
             "view_to_world": _columns(camera.view_to_world),
             "half_tangents": camera.half_tangents,
             "frame": (*corner, 1.0 / size[0], 1.0 / size[1]),
-            "grey_background": view.background == "grey",
+            **backdrop(view, self._environment.ladder),
         }
         assign(program, self._environment.uniforms() | _view_uniforms(view) | own)
         screen.render(moderngl.TRIANGLES, vertices=3)

@@ -168,6 +168,25 @@ def test_grey_background_does_not_follow_the_exposure(renderer, scenes):
     assert np.abs(np.diff(np.asarray(corner, int), axis=0)).max() <= 1
 
 
+def test_a_coloured_background_is_its_colour_at_any_exposure(renderer, scenes):
+    renderer.set_environment(scenes.constant())
+    for ev in (-3, 3):
+        view = View(
+            background="colour", background_colour=(0.2, 0.6, 0.4), exposure_ev=ev, tone_curve="linear"
+        )
+        assert np.abs(renderer.render_image(view, (9, 9))[0, 0] - np.array((51, 153, 102))).max() <= 1
+
+
+def test_a_blurred_background_is_seen_through_a_broad_lobe(renderer, scenes):
+    """Each lobe's map is another constant: what is seen lies between those of the neighbours of exponent 60."""
+    exponents, levels = (1.0, 50.0, 80.0, 500.0), (0.1, 0.3, 0.4, 0.8)
+    lobes = tuple(scenes.cube(np.full((6, 4, 4, 3), level), 0.5) for level in levels)
+    constant = scenes.constant(1.0, exponents=exponents)
+    renderer.set_environment(type(constant)(exponents, lobes, lobes[0], constant.background))
+    seen = renderer.linear_image(View(background="blurred"), (9, 9))[0, 0, :3]
+    assert seen == pytest.approx(np.full(3, 0.3 + 0.1 * np.log(60 / 50) / np.log(80 / 50)), abs=2e-3)
+
+
 def test_one_lobe_and_the_most_lobes(renderer, scenes):
     for m in (1, 24):
         e = tuple(1.8 ** (i + 1) for i in range(m))

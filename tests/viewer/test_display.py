@@ -9,6 +9,7 @@ import pytest
 from brdf_qt.command_palette import commands
 from PIL import Image
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
@@ -43,13 +44,20 @@ def test_rotation(viewer) -> None:
 def test_background(viewer) -> None:
     box = viewer.window.environment.background
 
-    def grey() -> None:
-        box.setCurrentIndex(1)
-        box.activated.emit(1)
-
-    assert changes(viewer, grey) > 20
+    assert changes(viewer, lambda: choose(box, "grey")) > 20
     corner = viewer.pixels()[:4, :4].reshape(-1, 3)
     assert np.ptp(corner.mean(axis=0)) < 1.5  # neutral
+    button = viewer.window.environment.background_colour
+    assert button.isHidden()
+    choose(box, "colour")
+    assert not button.isHidden()
+    button.click()
+    button.picker.setCurrentColor(QColor(26, 26, 178))
+    button.picker.close()
+    assert viewer.view.background_colour == pytest.approx((26 / 255, 26 / 255, 178 / 255), abs=1e-4)
+    r, g, b = viewer.pixels()[:4, :4].reshape(-1, 3).mean(axis=0)
+    assert b > 150
+    assert max(r, g) < 60
 
 
 @pytest.mark.parametrize("index", [1, 2])

@@ -8,6 +8,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QToolButton, QWidget
 
 from brdf_suite.documents.view import PARAMETERS
+from brdf_viewer.colour_button import ColourButton
 from brdf_viewer.environment_figures import EnvironmentFigures
 from brdf_viewer.sections.note import note
 from brdf_viewer.slider_field import SliderField
@@ -25,7 +26,12 @@ LAYOUT_TITLES = {
     "mirror_ball": "Mirror ball",
     "dome": "Dome, upper half",
 }
-BACKGROUND_TITLES = {"environment": "Environment", "grey": "Neutral grey"}
+BACKGROUND_TITLES = {
+    "environment": "Environment",
+    "blurred": "Environment, blurred",
+    "grey": "Neutral grey",
+    "colour": "Plain colour",
+}
 
 
 class EnvironmentSection(Section):
@@ -34,6 +40,7 @@ class EnvironmentSection(Section):
     rotation_edited = Signal(float)
     exposure_edited = Signal(float)
     background_edited = Signal(str)
+    background_colour_edited = Signal(object)
     layout_edited = Signal(str)
     edit_wanted = Signal()
 
@@ -50,6 +57,8 @@ class EnvironmentSection(Section):
         self.background.activated.connect(
             lambda index: self.background_edited.emit(self.background.itemData(index))
         )
+        self.background_colour = ColourButton("Colour of the background")
+        self.background_colour.edited.connect(self.background_colour_edited)
         self.layout_list = QComboBox()
         for key, title in LAYOUT_TITLES.items():
             self.layout_list.addItem(title, key)
@@ -71,11 +80,14 @@ class EnvironmentSection(Section):
         form.add_row("Rotation", self.rotation, PARAMETERS["rotation_deg"].meaning + " (Alt + drag)")
         form.add_row("Exposure", self.exposure, PARAMETERS["exposure_ev"].meaning)
         form.add_row("Background", self.background, "What is seen behind the surface; the light stays")
+        form.add_row("", self.background_colour)
         self.add(form)
 
-    def set_background(self, key: str) -> None:
-        """Show the present background."""
+    def set_background(self, key: str, colour: tuple[float, float, float]) -> None:
+        """Show the present background, and its ``colour`` (encoded sRGB, 0 to 1) where it has one."""
         self.background.setCurrentIndex(self.background.findData(key))
+        self.background_colour.set_colour(colour)
+        self.background_colour.setVisible(key == "colour")
 
     def set_layout(self, key: str, choosable: bool) -> None:
         """Show the present layout; only a file of pixels has a choice of it."""
