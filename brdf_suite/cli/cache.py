@@ -1,4 +1,4 @@
-"""``brdf-suite cache info|clear|verify``: the filtered maps kept on disk."""
+"""``brdf-suite cache info|clear|verify``: the filtered maps and the baked occlusion kept on disk."""
 
 from __future__ import annotations
 
@@ -16,10 +16,12 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare the command and what it does."""
     command = commands.add_parser(
         "cache",
-        help="show, check or empty the cache of prefiltered maps",
+        help="show, check or empty the cache of prefiltered maps and baked occlusion",
         description="The prefiltered maps of environments are kept on disk and found again by the content of the "
-        "environment. Nothing is lost with them but the time to make them anew.",
-        epilog="The environment variable BRDF_SUITE_CACHE chooses the folder, BRDF_SUITE_CACHE_MB the largest size.",
+        "environment; so is the occlusion that is baked for a surface. Nothing is lost with them but the time to "
+        "make them anew.",
+        epilog="The environment variable BRDF_SUITE_CACHE chooses the folder, BRDF_SUITE_CACHE_MB the largest size "
+        "of the maps.",
     )
     actions = command.add_subparsers(dest="action", metavar="info|clear|verify", required=True)
     for name, words, run in (
@@ -39,8 +41,11 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 def info(options: argparse.Namespace) -> int:
     """Print the place, the sizes and the entries, the one used last first."""
     from brdf_suite.lighting.cache import MapCache
+    from brdf_suite.pipeline.occlusion import LIMIT_BYTES, kept_occlusion, occlusion_folder
 
     cache = MapCache()
+    baked = kept_occlusion()
+    baked_bytes = sum(size for _, size in baked)
     rows = [_row(entry) for entry in reversed(cache.entries())]
     used = sum(entry.size for entry in cache.entries())
     if options.json:
@@ -51,6 +56,12 @@ def info(options: argparse.Namespace) -> int:
                 "limit_bytes": cache.limit_bytes,
                 "unfinished": len(cache.unfinished()),
                 "entries": rows,
+                "occlusion": {
+                    "folder": str(occlusion_folder()),
+                    "bytes": baked_bytes,
+                    "limit_bytes": LIMIT_BYTES,
+                    "entries": [{"entry": path.name, "bytes": size} for path, size in reversed(baked)],
+                },
             }
         )
         return 0
@@ -60,6 +71,8 @@ def info(options: argparse.Namespace) -> int:
         print(
             f"  {row['last_used']}  {int(str(row['bytes'])) / 1e6:8,.1f} MB  {row['environment'] or row['entry']}"
         )
+    there, room = _count(len(baked), "surface", "surfaces"), f"{LIMIT_BYTES / 1e6:,.0f} MB"
+    print(f"{occlusion_folder()}: {there}, {baked_bytes / 1e6:,.1f} MB of {room}")
     return 0
 
 
@@ -67,6 +80,8 @@ def clear(options: argparse.Namespace) -> int:
     """Empty the cache and print how much that was."""
     from brdf_suite.errors import FileError
     from brdf_suite.lighting.cache import MapCache
+    from brdf_suite.lighting.cache_folder import remove
+    from brdf_suite.pipeline.occlusion import kept_occlusion, occlusion_folder
 
     cache = MapCache()
     before = cache.entries()
@@ -74,34 +89,63 @@ def clear(options: argparse.Namespace) -> int:
     after = {entry.path for entry in cache.entries()}
     gone = [entry for entry in before if entry.path not in after]
     freed = sum(entry.size for entry in gone)
-    if failed:
-        raise FileError(
-            cache.folder, f"{_count(failed, 'entry', 'entries')} cannot be removed; is the disk read-only"
-        )
+    baked = [(path, size) for path, size in kept_occlusion() if remove(path)]
+    stuck = len(kept_occlusion())
+    for folder, left in ((cache.folder, failed), (occlusion_folder(), stuck)):
+        if left:
+            raise FileError(
+                folder, f"{_count(left, 'entry', 'entries')} cannot be removed; is the disk read-only"
+            )
+    baked_bytes = sum(size for _, size in baked)
     if options.json:
-        print_json({"folder": str(cache.folder), "removed": len(gone), "freed_bytes": freed})
+        print_json(
+            {
+                "folder": str(cache.folder),
+                "removed": len(gone),
+                "freed_bytes": freed,
+                "occlusion": {
+                    "folder": str(occlusion_folder()),
+                    "removed": len(baked),
+                    "freed_bytes": baked_bytes,
+                },
+            }
+        )
     else:
         print(f"{cache.folder}: {_count(len(gone), 'entry', 'entries')} removed, {freed / 1e6:,.1f} MB")
+        there = _count(len(baked), "surface", "surfaces")
+        print(f"{occlusion_folder()}: {there} removed, {baked_bytes / 1e6:,.1f} MB")
     return 0
 
 
 def verify(options: argparse.Namespace) -> int:
     """Check every entry and print what is damaged; 1 where something is, removed or not."""
     from brdf_suite.lighting.cache import MapCache
+    from brdf_suite.lighting.cache_folder import remove
+    from brdf_suite.pipeline.occlusion import damaged_occlusion, kept_occlusion, occlusion_folder
 
     cache = MapCache()
     with progress_bar("checking", quiet=options.json) as progress:
         found = cache.verify(remove=options.remove, progress=progress)
+    baked = damaged_occlusion()
+    sound = len(kept_occlusion()) - len(baked)
+    left = sum(not remove(path) for path, _ in baked) if options.remove else len(baked)
+    removed = options.remove and left == 0
     if options.json:
         print_json(
             {
                 "folder": str(cache.folder),
-                "passed": found.passed,
+                "passed": found.passed and not baked,
                 "sound": found.sound,
                 "damaged": [{"entry": name, "reason": reason} for name, reason in found.damaged],
                 "outdated": found.outdated,
                 "unfinished": found.unfinished,
                 "removed": found.removed,
+                "occlusion": {
+                    "folder": str(occlusion_folder()),
+                    "sound": sound,
+                    "damaged": [{"entry": path.name, "reason": reason} for path, reason in baked],
+                    "removed": removed,
+                },
             }
         )
     else:
@@ -112,13 +156,16 @@ def verify(options: argparse.Namespace) -> int:
             print(f"  {_count(found.outdated, 'entry', 'entries')} of another version, never read")
         if found.unfinished:
             print(f"  {_count(found.unfinished, 'file', 'files')} unfinished, never read")
-        if found.damaged:
+        print(f"{occlusion_folder()}: {sound} sound, {len(baked)} damaged")
+        for _, reason in baked:
+            print(f"  {reason}")
+        if found.damaged or baked:
             print(
-                "  removed"
-                if found.removed
-                else "  `brdf-suite cache verify --remove` removes what is damaged"
+                "removed"
+                if (found.removed or not found.damaged) and (removed or not baked)
+                else "`brdf-suite cache verify --remove` removes what is damaged"
             )
-    return 0 if found.passed else 1
+    return 0 if found.passed and not baked else 1
 
 
 def _row(entry: CacheEntry) -> dict[str, object]:

@@ -69,15 +69,7 @@ def read_baked(path: str | os.PathLike[str], mesh: Mesh) -> BakedMesh:
     FileError
         It is not there, damaged, of another version, or was baked for another mesh.
     """
-    try:
-        data = Path(path).read_bytes()
-    except OSError as error:
-        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
-    if len(data) < _START.size or data[:8] != _MAGIC:
-        raise FileError(path, "is no baked occlusion", "byte 0")
-    _, length, version, checksum = _START.unpack_from(data)
-    if version != FORMAT_VERSION or hashlib.sha256(data[_START.size :]).digest() != checksum:
-        raise FileError(path, "is damaged, or of another version", "byte 8")
+    data, length = _checked(path)
     try:
         header = json.loads(data[_START.size : _START.size + length])
         arrays = _arrays(data, _START.size + length, header["arrays"])
@@ -87,6 +79,25 @@ def read_baked(path: str | os.PathLike[str], mesh: Mesh) -> BakedMesh:
     except (ValueError, KeyError, TypeError, IndexError) as error:
         raise FileError(path, f"does not fit the mesh ({error})") from error
     return BakedMesh(parts, GroundLight(height, (x0, z0), (x1, z1), transfer))
+
+
+def check_baked(path: str | os.PathLike[str]) -> None:
+    """Read the file and compare its checksum; :class:`FileError` where it is damaged, or not to be read."""
+    _checked(path)
+
+
+def _checked(path: str | os.PathLike[str]) -> tuple[bytes, int]:
+    """Return the sound content of the file, and the length of its header."""
+    try:
+        data = Path(path).read_bytes()
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    if len(data) < _START.size or data[:8] != _MAGIC:
+        raise FileError(path, "is no baked occlusion", "byte 0")
+    _, length, version, checksum = _START.unpack_from(data)
+    if version != FORMAT_VERSION or hashlib.sha256(data[_START.size :]).digest() != checksum:
+        raise FileError(path, "is damaged, or of another version", "byte 8")
+    return data, length
 
 
 def _arrays(data: bytes, at: int, entries: list[dict[str, Any]]) -> dict[str, NDArray[Any]]:

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.baked_file import FORMAT_VERSION, read_baked, write_baked
+from brdf_suite.files.baked_file import FORMAT_VERSION, check_baked, read_baked, write_baked
 from brdf_suite.lighting.cache import default_root
 from brdf_suite.progress import Progress, report
 from brdf_suite.surface.mesh import Mesh
@@ -68,21 +68,39 @@ def baked_occlusion(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         write_baked(path, mesh, baked)
-        _make_room(path.parent, path)
+        _make_room(path)
     except (OSError, FileError) as error:
         _log.warning("The occlusion is not kept: %s", error)
     return baked
 
 
-def _make_room(folder: Path, newest: Path) -> None:
-    """Remove the entries unused for longest until the others fit."""
+def kept_occlusion() -> list[tuple[Path, int]]:
+    """Return the files of the folder with their sizes in bytes, the one unused for longest first."""
     entries = []
-    for path in folder.glob(f"*{ENDING}"):
+    for path in occlusion_folder().glob(f"*{ENDING}"):
         with contextlib.suppress(OSError):  # another program may have removed it
             state = path.stat()
-            entries.append((state.st_mtime, state.st_size, path))
-    excess = sum(size for _, size, _ in entries) - LIMIT_BYTES
-    for _, size, path in sorted(entries):
+            entries.append((state.st_mtime, path, state.st_size))
+    return [(path, size) for _, path, size in sorted(entries)]
+
+
+def damaged_occlusion() -> list[tuple[Path, str]]:
+    """Read all that is kept, and return the files that are damaged, each with the reason."""
+    damaged = []
+    for path, _ in kept_occlusion():
+        try:
+            check_baked(path)
+        except FileError as error:
+            if path.exists():  # else another program made room
+                damaged.append((path, str(error)))
+    return damaged
+
+
+def _make_room(newest: Path) -> None:
+    """Remove the entries unused for longest until the others fit."""
+    entries = kept_occlusion()
+    excess = sum(size for _, size in entries) - LIMIT_BYTES
+    for path, size in entries:
         if excess <= 0:
             break
         if path != newest:

@@ -9,6 +9,8 @@ import pytest
 from brdf_suite.cli.main import main
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.pipeline.occlusion import baked_occlusion, kept_occlusion, occlusion_folder
+from brdf_suite.surface.mesh import Mesh, Part
 
 
 @pytest.fixture
@@ -37,6 +39,7 @@ def test_an_empty_cache(capsys: pytest.CaptureFixture[str]) -> None:
             "outdated": 0,
             "unfinished": 0,
             "removed": False,
+            "occlusion": {"folder": str(occlusion_folder()), "sound": 0, "damaged": [], "removed": False},
         },
     )
     assert answer(capsys, "clear")[1]["removed"] == 0
@@ -85,6 +88,29 @@ def test_clear_removes_all(filled: MapCache, capsys: pytest.CaptureFixture[str])
     assert int(str(done["freed_bytes"])) > 0
     assert filled.entries() == []
     assert not old.exists()
+
+
+def test_baked_occlusion_is_listed_checked_and_removed_too(capsys: pytest.CaptureFixture[str]) -> None:
+    part = Part("f", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]]))
+    baked_occlusion(Mesh("facet", (part,)))
+    ((path, size),) = kept_occlusion()
+    told = answer(capsys, "info")[1]["occlusion"]
+    assert (told["bytes"], told["entries"]) == (size, [{"entry": path.name, "bytes": size}])  # type: ignore[index] # JSON
+    assert main(["cache", "info"]) == 0
+    assert f"{occlusion_folder()}: 1 surface" in capsys.readouterr().out
+    assert answer(capsys, "verify")[1]["occlusion"]["sound"] == 1  # type: ignore[index] # JSON
+
+    path.write_bytes(path.read_bytes()[:-1])
+    status, found = answer(capsys, "verify")
+    assert (status, found["passed"]) == (1, False)
+    assert path.exists()
+    assert main(["cache", "verify", "--remove"]) == 1
+    assert "removed" in capsys.readouterr().out
+    assert not path.exists()
+
+    baked_occlusion(Mesh("facet", (part,)))
+    assert answer(capsys, "clear")[1]["occlusion"]["removed"] == 1  # type: ignore[index] # JSON
+    assert kept_occlusion() == []
 
 
 def test_an_action_is_needed(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
