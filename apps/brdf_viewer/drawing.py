@@ -115,7 +115,7 @@ class StageDrawer:
 
     def _bring_second(self) -> bool:
         """Bring what is compared with; tell whether a picture was uploaded."""
-        wanted = self._stage.second
+        wanted = self._stage.drawn_second
         if wanted is self._second:
             return False
         if self._comparison is None:

@@ -49,6 +49,7 @@ class LightingControl(QObject):
         self._round.turned.connect(self._move_lamp)
         self._relit = RelitPaint(stage, self)
         self._relit.state_changed.connect(self._show_colour)
+        self._second_relit = RelitPaint(stage, self, second=True)
         section = window.lighting
         self._round.running_changed.connect(section.lamps.set_moving)
         self._round.running_changed.connect(self._moving)
@@ -69,6 +70,7 @@ class LightingControl(QObject):
     def close(self) -> None:
         """End the threads."""
         self._relit.close()
+        self._second_relit.close()
 
     def set_exposure_mode(self, mode: str) -> None:
         """Lock the exposure as it is, or have it measured from now on."""

@@ -22,16 +22,18 @@ _KEY = "relit"
 class RelitPaint(QObject):
     """Keeps the stage's ``relit`` in step with its paint and its light; until it is there, the old one is drawn.
 
-    Signals: ``state_changed()``; see :attr:`state`.
+    With ``second`` it is the paint that is compared with. Signals: ``state_changed()``; see :attr:`state`.
     """
 
     state_changed = Signal()
 
-    def __init__(self, stage: Stage, parent: QObject | None = None) -> None:
+    def __init__(self, stage: Stage, parent: QObject | None = None, *, second: bool = False) -> None:
         super().__init__(parent)
         self._stage = stage
+        self._second = second
         self._runner = TaskRunner(self, threads=1)
         self._wanted: tuple[AnyFit, str] | None = None
+        self._failed = False
         stage.view_changed.connect(lambda *_: self._follow())
         stage.contents_changed.connect(self._follow)
         self._follow()
@@ -39,45 +41,51 @@ class RelitPaint(QObject):
     @property
     def state(self) -> Spectra:
         """Whether the paint's spectra are known, and in the picture."""
-        if self._wanted is None:
+        if self._wanted is None or self._failed:
             return "unknown"
-        return "used" if self._stage.relit is not None else "in work"
+        present = self._stage.second_relit if self._second else self._stage.relit
+        return "used" if present is not None else "in work"
 
     def close(self) -> None:
         """End the thread."""
         self._runner.stop()
 
     def _follow(self) -> None:
-        wanted = _spectral(self._stage)
+        wanted = self._spectral()
         if wanted == self._wanted:
             return
-        self._wanted = wanted
-        self._stage.relit = None
+        self._wanted, self._failed = wanted, False
+        if self._second:
+            self._stage.second_relit = None
+        else:
+            self._stage.relit = None
         self._runner.cancel(_KEY)
         if wanted is not None:
             request = (wanted[0], LightColour(self._stage.view.light_colour.illuminant))
-            self._runner.submit(_KEY, _refit, request, done=self._done, failed=self._failed)
+            self._runner.submit(_KEY, _refit, request, done=self._done, failed=self._not_fitted)
         self.state_changed.emit()
 
     def _done(self, fit: AnyFit) -> None:
-        self._stage.set_relit(fit)
+        take = self._stage.set_second_relit if self._second else self._stage.set_relit
+        take(fit)
         self.state_changed.emit()
 
-    def _failed(self, _error: Exception) -> None:
+    def _not_fitted(self, _error: Exception) -> None:
         """The spectra cannot be fitted in this light: the colours are adapted, and the panel says so."""
-        self._wanted = None
+        self._failed = True
         self.state_changed.emit()
 
+    def _spectral(self) -> tuple[AnyFit, str] | None:
+        """Return the fit and the lamp for which spectra matter; None for a paint without, or a neutral lamp."""
+        stage, colour = self._stage, self._stage.view.light_colour
+        second = None if stage.second is None else stage.second.value
+        fit = second if self._second else stage.fit
+        if fit is None or not is_tinted(colour):
+            return None
+        from brdf_suite.pipeline.any_fit import AnyFit  # not at the start: measured data are much to import
+        from brdf_suite.reflectance.under_light import has_spectra
 
-def _spectral(stage: Stage) -> tuple[AnyFit, str] | None:
-    """Return the fit and the lamp for which spectra matter; None for a paint without, or a neutral lamp."""
-    fit, colour = stage.fit, stage.view.light_colour
-    if fit is None or not is_tinted(colour):
-        return None
-    from brdf_suite.pipeline.any_fit import AnyFit  # not at the start: measured data are much to import
-    from brdf_suite.reflectance.under_light import has_spectra
-
-    return (fit, colour.illuminant) if isinstance(fit, AnyFit) and has_spectra(fit.reflectance) else None
+        return (fit, colour.illuminant) if isinstance(fit, AnyFit) and has_spectra(fit.reflectance) else None
 
 
 def _refit(request: tuple[AnyFit, LightColour], progress: Progress) -> AnyFit:

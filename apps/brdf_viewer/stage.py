@@ -64,6 +64,7 @@ class Stage(QObject):
         self.paint: AnyPaint | None = None
         self.paint_key = ""
         self.second: Prop[AnyFit | ComparedPicture] | None = None
+        self.second_relit: Prop[AnyFit | ComparedPicture] | None = None
         self.shows_second = False
         self.metered_ev: float | None = None
         self.light_figures: EnvironmentStatistics | None = None
@@ -82,6 +83,11 @@ class Stage(QObject):
     def drawn_fit(self) -> PaintFit | AnyFit | None:
         """The fit that is drawn: of a paint with spectra, the one for the view's lamp, once it is there."""
         return self.fit if self.relit is None else self.relit
+
+    @property
+    def drawn_second(self) -> Prop[AnyFit | ComparedPicture] | None:
+        """What is compared with, as it is drawn: see :attr:`drawn_fit`."""
+        return self.second if self.second_relit is None else self.second_relit
 
     @property
     def exposed_view(self) -> View:
@@ -144,8 +150,9 @@ class Stage(QObject):
 
     def set_fit(self, fit: PaintFit | AnyFit, paint: AnyPaint | None = None, key: str = "") -> None:
         """Draw this paint from the next frame on: the fit, its document (none of a measured file), where it is from."""
+        if fit is not self.fit:
+            self.relit = None
         self.fit, self.paint, self.paint_key = fit, paint, key
-        self.relit = None
         self.contents_changed.emit()
 
     def set_relit(self, fit: AnyFit) -> None:
@@ -153,11 +160,18 @@ class Stage(QObject):
         self.relit = fit
         self.contents_changed.emit()
 
+    def set_second_relit(self, fit: AnyFit) -> None:
+        """Draw the paint that is compared with so, too."""
+        if self.second is not None:
+            self.second_relit = Prop(self.second.key, fit)
+            self.contents_changed.emit()
+
     def set_second(self, key: str | None, value: AnyFit | ComparedPicture | None = None) -> None:
         """Compare with this paint or picture from the next frame on; None: with nothing."""
         if value is None and self.second is None:
             return
         self.second = None if key is None or value is None else Prop(key, value)
+        self.second_relit = None
         self.contents_changed.emit()
 
     def set_environment(self, key: str, environment: PreparedEnvironment) -> None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Illuminant, LightColour
 from brdf_suite.files.relief_images import read_mask, read_normal_map
 from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.relief_values import MaskImage, PeelTile, SlopeMap
@@ -17,11 +18,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ImageRequest:
-    """The files and the paint that a view names; equal ones need not be loaded again."""
+    """The files and the paint that a view names; equal ones need not be loaded again.
+
+    ``lamp`` is what a second paint with spectra is fitted for.
+    """
 
     normal_map: str | None = None
     mask: str | None = None
     second_paint: str | None = None
+    lamp: Illuminant = "D65"
 
     @staticmethod
     def of(view: View) -> ImageRequest:
@@ -32,6 +37,7 @@ class ImageRequest:
             view.relief.normal_map,
             two_tone.mask if whole else None,
             two_tone.paint if whole else None,
+            view.light_colour.illuminant if whole else "D65",
         )
 
 
@@ -62,9 +68,10 @@ def load_surface_images(request: ImageRequest, progress: Progress | None = None)
     if request.second_paint is not None:
         # Measured data are much to import.
         from brdf_suite.pipeline.any_fit import fit_any
+        from brdf_suite.pipeline.relit import refit_under
 
         report(progress, 0.5, "fitting the second paint")
-        second = fit_any(request.second_paint, errors=False)
+        second = refit_under(fit_any(request.second_paint, errors=False), LightColour(request.lamp))
     report(progress, 1.0, "images")
     return SurfaceImages(request, normal_map, mask, second)
 
