@@ -6,6 +6,7 @@ import gc
 import os
 import subprocess
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -21,7 +22,7 @@ from brdf_suite.documents.store import paint_to_json, view_from_json
 from brdf_suite.documents.view import Camera
 from brdf_suite.fitting.lobes.solver import Outcome
 from brdf_suite.pipeline.any_fit import fit_any
-from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFitter
+from brdf_suite.pipeline.paint import PaintFitter
 
 PROGRAM = Path(__file__).with_name("designer_program.py")
 
@@ -39,7 +40,7 @@ class Designer:
 
     def end(self) -> None:
         self.process.stdin.close()
-        self.process.wait(10)
+        self.process.wait(120)
         self.process.stdout.close()
 
 
@@ -68,13 +69,13 @@ def test_a_paint_of_another_process_is_drawn(viewer, designer, qtbot) -> None:
     link_cell = viewer.window.status.cell("link")
     assert link_cell.text() == "Designer not open"
     other = designer()
-    qtbot.waitUntil(lambda: link_cell.text() == "linked: Designer", timeout=10_000)
+    qtbot.waitUntil(lambda: link_cell.text() == "linked: Designer")
     other.tell("lab 45 60 40")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint", timeout=10_000)
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint")
     red = colour(viewer)
     assert red[0] > red[2] + 30
     other.tell("lab 45 -40 -30")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[1] == -40.0, timeout=10_000)
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[1] == -40.0)
     blue = colour(viewer)
     assert blue[2] > blue[0] + 30
     assert viewer.window.paint.chooser.list.currentData() == DESIGNER
@@ -85,28 +86,28 @@ def test_a_viewer_that_comes_later_shows_the_present_paint(start, designer, qtbo
     other = designer()
     other.tell("lab 45 60 40")
     viewer = start()
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint", timeout=10_000)
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint")
 
 
 def test_a_drag_ends_with_the_last_paint(viewer, designer, qtbot) -> None:
     other = designer()
     other.tell("drag 400")
     last = 20.0 + 60.0 * 399 / 400
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[0] == pytest.approx(last), timeout=20_000)
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[0] == pytest.approx(last))
 
 
 def test_designer_ends_and_the_paint_stays(viewer, designer, qtbot) -> None:
     other = designer()
     other.tell("lab 45 60 40")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint", timeout=10_000)
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint")
     other.process.kill()
-    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Designer not open", timeout=10_000)
+    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Designer not open")
     assert viewer.stage.fit.paint.name == "test paint"
     assert "not open" in viewer.window.paint.follow.text()
     assert viewer.window.paint.chooser.list.currentText() == "test paint (closed)"
     again = designer()
     again.tell("lab 45 -40 -30")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[1] == -40.0, timeout=10_000)
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[1] == -40.0)
     assert viewer.window.paint.chooser.list.currentText() == "test paint (Designer)"
 
 
@@ -114,9 +115,9 @@ def test_a_paint_that_was_asked_for_is_shown_and_an_open_designer_is_offered(sta
     other = designer()
     other.tell("lab 45 60 40")
     viewer = start(paint="copper", follow=False)
-    qtbot.waitUntil(lambda: "follow" in viewer.messages(), timeout=10_000)
+    qtbot.waitUntil(lambda: "follow" in viewer.messages())
     assert "Designer is open; follow it" in viewer.messages()["follow"]
-    qtbot.waitUntil(lambda: viewer.controller.paint.source.of_designer is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: viewer.controller.paint.source.of_designer is not None)
     assert viewer.stage.fit.paint.name == "Copper"
     assert not viewer.window.paint.follow.isChecked()
     assert not viewer.window.commands.follow.isChecked()
@@ -131,27 +132,23 @@ def test_the_offer_to_follow_leaves_with_designer_and_comes_once(start, designer
     viewer = start(paint="copper", follow=False)
     assert "follow" not in viewer.messages()
     designer()
-    qtbot.waitUntil(lambda: "follow" in viewer.messages(), timeout=10_000)
+    qtbot.waitUntil(lambda: "follow" in viewer.messages())
     designer.opened[-1].process.kill()
-    qtbot.waitUntil(lambda: "follow" not in viewer.messages(), timeout=10_000)
+    qtbot.waitUntil(lambda: "follow" not in viewer.messages())
     designer()
-    qtbot.waitUntil(
-        lambda: viewer.window.status.cell("link").text() == "linked: Designer, not followed", timeout=10_000
-    )
+    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "linked: Designer, not followed")
     assert "follow" not in viewer.messages()
 
 
 def test_another_paint_ends_following_and_following_brings_designer_back(viewer, designer, qtbot) -> None:
     other = designer()
     other.tell("lab 45 60 40")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint", timeout=10_000)
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint")
     viewer.controller.paint.open("solid_white")
     assert not viewer.window.paint.follow.isChecked()
     white = viewer.stage.fit
     other.tell("lab 20 0 0")
-    qtbot.waitUntil(
-        lambda: viewer.controller.paint.source._of_designer.lab_at(45.0)[0] == 20.0, timeout=10_000
-    )
+    qtbot.waitUntil(lambda: viewer.controller.paint.source._of_designer.lab_at(45.0)[0] == 20.0)
     assert viewer.stage.fit is white
     assert viewer.window.status.cell("link").text() == "linked: Designer, not followed"
     viewer.window.paint.follow.click()
@@ -164,7 +161,7 @@ def test_a_time_limited_picture_says_so_and_becomes_exact_by_itself(viewer, qtbo
     cell, shown = viewer.window.status.cell("fit"), []
     viewer.stage.contents_changed.connect(lambda: shown.append((viewer.stage.fit.time_limited, cell.text())))
     viewer.controller.paint.open("copper")
-    qtbot.waitUntil(lambda: len(shown) == 2, timeout=20_000)
+    qtbot.waitUntil(lambda: len(shown) == 2)
     assert [limited for limited, _ in shown] == [True, False]
     assert "time-limited" in shown[1][1]  # what stood there until then
     assert "time-limited" not in cell.text()
@@ -183,7 +180,7 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(viewer, qtbot) -> No
         for tip in (cell.toolTip(), section.fit.toolTip()):
             assert "follows by itself" in tip
         assert all(patch.exact_follows for patch in section.patches.patches)
-    qtbot.waitUntil(lambda: "no exact" in cell.toolTip(), timeout=20_000)
+    qtbot.waitUntil(lambda: "no exact" in cell.toolTip())
     assert "no exact" in section.fit.toolTip()
     assert "time-limited" in cell.text()
     assert not any(patch.exact_follows for patch in section.patches.patches)
@@ -204,12 +201,11 @@ def test_a_fit_without_an_angle_to_compare_at_claims_no_bound(viewer) -> None:
 
 
 def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:
-    viewer.controller.paint._fitter = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S)  # on a busy machine too
     section, cell = viewer.window.paint, viewer.window.status.cell("fit")
 
     def show(paint) -> None:
         viewer.controller.link.received.emit("paint", paint_to_json(paint))
-        qtbot.waitUntil(lambda: viewer.stage.fit.paint == paint, timeout=10_000)
+        qtbot.waitUntil(lambda: viewer.stage.fit.paint == paint)
 
     solid = solid_paint("p", (50.0, 0.0, 0.0))
     show(solid)
@@ -235,14 +231,14 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:
 def test_a_paint_that_cannot_be_is_told_and_leaves_when_the_next_can(viewer, designer, qtbot) -> None:
     other = designer()
     other.tell("lab 45 60 40")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint", timeout=10_000)
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint")
     first = viewer.stage.fit
     other.tell("gloss 195")
-    qtbot.waitUntil(lambda: "paint" in viewer.messages(), timeout=10_000)
+    qtbot.waitUntil(lambda: "paint" in viewer.messages())
     assert "test paint" in viewer.messages()["paint"]
     assert viewer.stage.fit is first
     other.tell("gloss 85")
-    qtbot.waitUntil(lambda: "paint" not in viewer.messages(), timeout=10_000)
+    qtbot.waitUntil(lambda: "paint" not in viewer.messages())
     assert viewer.stage.fit.paint.gloss == Gloss(85.0)
 
 
@@ -251,14 +247,17 @@ def test_the_view_is_published(viewer, qtbot) -> None:
     heard: list[object] = []
     listener.received.connect(lambda topic, value: heard.append(value) if topic == "view" else None)
     listener.start()
-    qtbot.waitUntil(lambda: bool(heard), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(heard))
     viewer.stage.change_view(exposure_ev=1.5)
-    qtbot.waitUntil(lambda: view_from_json(heard[-1], "test") == viewer.view, timeout=10_000)
+    qtbot.waitUntil(lambda: view_from_json(heard[-1], "test") == viewer.view)
     listener.close()
 
 
 def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> None:
-    """300 paints as the link delivers them: no OpenGL object, no texture write, no memory, no new program."""
+    """Paints as the link delivers them: no OpenGL object, no texture write, no memory, no new program.
+
+    Memory is looked at three times: what leaks grows each time, what a thread or a library takes once does not.
+    """
     viewer = start(size=(640, 420))
     viewer.stage.change_view(
         background="grey", camera=Camera(distance=6.0)
@@ -267,25 +266,28 @@ def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> Non
     def change(step: int) -> None:
         paint = solid_paint("p", (30.0 + 40.0 * (step % 50) / 50, 5.0, -5.0))
         viewer.controller.link.received.emit("paint", paint_to_json(paint))
-        with qtbot.waitSignal(viewer.window.picture.frame_drawn, timeout=5000):
+        with qtbot.waitSignal(viewer.window.picture.frame_drawn):
             pass
 
     fitter = viewer.controller.paint._fitter._fitter
     programs = [id(program) for program in fitter.programs]
-    for step in range(30):
+    for step in range(20):
         change(step)
     gc.collect()
     counters = viewer.controller.drawer.counters
     made, uploads, writes = counters.total_created, counters.texture_uploads, counters.buffer_writes
-    memory = resident()
-    for step in range(300):
-        change(step)
-    gc.collect()
+    growth = []
+    for _ in range(3):
+        memory = resident()
+        for step in range(40):
+            change(step)
+        gc.collect()
+        growth.append(resident() - memory)
     assert counters.total_created == made
     assert counters.texture_uploads == uploads
-    assert counters.buffer_writes - writes <= 300
+    assert counters.buffer_writes - writes <= 120
     assert [id(program) for program in fitter.programs] == programs
-    assert resident() - memory < 4e6
+    assert min(growth) < 0.6e6, growth
 
 
 def resident() -> int:
@@ -298,7 +300,9 @@ def test_an_edit_opens_no_file_and_imports_nothing(start, qtbot) -> None:
     watching = [False]
 
     def hook(event: str, arguments: tuple) -> None:
-        if watching[0] and event in ("open", "import"):
+        # What other threads do, such as the counting of the figures of a light, is no part of an edit.
+        ours = threading.current_thread().name.startswith(("MainThread", "brdf-fit"))
+        if watching[0] and ours and event in ("open", "import"):
             seen.append((event, arguments[0]))
 
     sys.addaudithook(hook)  # stays until the process ends, and does nothing unless it is told to watch
@@ -314,14 +318,14 @@ def test_an_edit_opens_no_file_and_imports_nothing(start, qtbot) -> None:
 def test_a_paint_that_breaks_the_schema_never_arrives(viewer, qtbot, caplog) -> None:
     other = LiveLink("designer")
     other.start()
-    qtbot.waitUntil(lambda: "viewer" in other.peers, timeout=10_000)
+    qtbot.waitUntil(lambda: "viewer" in other.peers)
     first = viewer.stage.fit
     good = paint_to_json(solid_paint("good", (60.0, 0.0, 0.0)))
     for bad in ({}, {**good, "gloss": {"gu_20": "shiny"}}, {**good, "version": 99}, {**good, "extra": 1}):
         other.publish("paint", bad)
-        qtbot.waitUntil(lambda: "dropped a paint" in caplog.text, timeout=10_000)
+        qtbot.waitUntil(lambda: "dropped a paint" in caplog.text)
         caplog.clear()
     assert viewer.stage.fit is first
     other.publish("paint", good)
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "good", timeout=10_000)
+    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "good")
     other.close()
