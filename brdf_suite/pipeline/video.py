@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import subprocess
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
@@ -102,8 +103,10 @@ def writing_video(
                 failed = process.wait() != 0
             except BrokenPipeError:
                 failed = True
+                _drop(process.stdin)
             except BaseException:
                 process.kill()
+                _drop(process.stdin)
                 raise
         if failed:
             told.seek(0)
@@ -111,6 +114,12 @@ def writing_video(
             raise FileError(
                 path, f"the video could not be made: {words[-1] if words else 'ffmpeg gave no reason'}"
             )
+
+
+def _drop(pipe: IO[bytes]) -> None:
+    """Close a pipe that nobody reads; what of a frame is still held for it would be the next error."""
+    with contextlib.suppress(BrokenPipeError):
+        pipe.close()
 
 
 def _feeder(pipe: IO[bytes], size: Size) -> Callable[[NDArray[Any]], None]:

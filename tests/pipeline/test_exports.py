@@ -219,11 +219,12 @@ def test_videos_that_cannot_be(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     broken.write_text("#!/bin/sh\necho 'no such codec' >&2\nexit 1\n")
     broken.chmod(0o755)
     monkeypatch.setattr(video, "ffmpeg", lambda: str(broken))
-    with (
-        pytest.raises(FileError, match="could not be made: no such codec"),
-        video.writing_video(path, SIZE, 25.0, {}) as feed,
-    ):
-        feed_black(feed)
+    for size in (SIZE, (16, 16)):  # a small frame is still held when the pipe breaks
+        with (
+            pytest.raises(FileError, match="could not be made: no such codec"),
+            video.writing_video(path, size, 25.0, {}) as feed,
+        ):
+            feed_black(feed, size)
     assert [file.name for file in tmp_path.iterdir()] == ["ffmpeg"]
 
 
@@ -233,9 +234,9 @@ def test_without_ffmpeg_the_way_on_is_told(monkeypatch: pytest.MonkeyPatch) -> N
         video.ffmpeg()
 
 
-def feed_black(feed) -> None:
-    for _ in range(100):
-        feed(np.zeros((48, 64, 3), np.uint8))
+def feed_black(feed, size: tuple[int, int]) -> None:
+    for _ in range(1000):  # more than a pipe holds
+        feed(np.zeros((size[1], size[0], 3), np.uint8))
 
 
 def palette() -> Palette:
