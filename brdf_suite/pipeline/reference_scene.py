@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.light_matrix import light_matrix
+from brdf_suite.appearance.light_matrix import ILLUMINANT_OF, light_matrix
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.lighting.environment import Environment
@@ -117,11 +117,21 @@ def prepare_reference(
     report(progress, 0.0, "starting the path tracer")
     start()
     name, reflectance, notices = load_reflectance(paint)
+    reflectance = in_the_lamp(reflectance, view)
     report(progress, 0.3, "reading the environment")
     _, path = find_environment(view.environment)
     environment = read_environment(path, view.environment_layout, part(progress, 0.3, 0.6))
     mesh = load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.8))
     return build_reference(name, reflectance, view, size, environment, mesh, notices=notices)
+
+
+def in_the_lamp(reflectance: Reflectance, view: View) -> Reflectance:
+    """Return what has spectra as it looks in the view's lamp, as the real-time picture shows it."""
+    from brdf_suite.reflectance.relit import relit
+    from brdf_suite.reflectance.under_light import has_spectra
+
+    illuminant = ILLUMINANT_OF.get(view.light_colour.illuminant, "D65")
+    return relit(reflectance, illuminant) if illuminant != "D65" and has_spectra(reflectance) else reflectance
 
 
 def build_reference(
@@ -151,6 +161,7 @@ def build_reference(
     else:
         translated = translate(reflectance)
         paint, told = translated.term, translated.notices
+    mesh = _with_chosen_materials(mesh, view)
     stock = _stock_terms(mesh, view)
     tint = light_matrix(view.light_colour.illuminant, view.light_colour.adapted)
     radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
@@ -196,6 +207,12 @@ def lobe_term(weights: MaterialWeights, view: View) -> Any:
     )
 
 
+def _with_chosen_materials(mesh: Mesh, view: View) -> Mesh:
+    chosen = {item.part: item.material for item in view.surface_look.materials}
+    parts = tuple(replace(p, material=chosen.get(p.name, p.material)) for p in mesh.parts)
+    return replace(mesh, parts=parts)
+
+
 def _stock_terms(mesh: Mesh, view: View) -> dict[str, Any]:
     from brdf_suite.fitting.lobes.basis import default_basis
 
@@ -211,6 +228,12 @@ def _left_out(view: View) -> tuple[str, ...]:
         told.append("The reference shows flakes as their mean, without sparkle.")
     if view.background == "blurred":
         told.append("The reference shows the environment behind the object as it is, not blurred.")
+    if view.surface_look.ground:
+        told.append("The reference shows no ground and no shadow on it.")
+    if view.relief.normal_map is not None or view.relief.orange_peel > 0.0:
+        told.append("The reference shows a smooth surface, without normal map and orange peel.")
+    if view.two_tone.paint is not None and view.two_tone.mask is not None:
+        told.append("The reference shows the first paint alone.")
     return tuple(told)
 
 
@@ -231,6 +254,8 @@ def _key(name: str, reflectance: Any, view: View, size: Size, environment: Envir
         for array in (reflectance.kd, reflectance.kdd, reflectance.kg):
             digest.update(np.asarray(array).tobytes())
     for p in mesh.parts:
+        if p.material != _PAINT:
+            digest.update(p.material.encode())
         digest.update(p.positions.tobytes())
         digest.update(p.triangles.tobytes())
     return digest.hexdigest()

@@ -6,11 +6,17 @@ import numpy as np
 import pytest
 
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Lamp, LightColour
+from brdf_suite.documents.view_settings import Lamp, LightColour, PartMaterial, Relief, SurfaceLook, TwoTone
 from brdf_suite.files.images import write_exr
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles, sample
-from brdf_suite.pipeline.reference_scene import ReferenceScene, build_reference
+from brdf_suite.pipeline.reference_scene import (
+    ReferenceScene,
+    build_reference,
+    in_the_lamp,
+    load_reflectance,
+)
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.realtime.values import MaterialWeights
 from brdf_suite.reflectance.coat_lobe import CoatLobe
@@ -214,3 +220,33 @@ def test_what_is_left_out_is_told(sphere) -> None:
     made = scene(Lambertian(0.5), even(), sphere, background="blurred")
     assert any("not blurred" in notice for notice in made.notices)
     assert any("sparkle" in notice for notice in made.notices)
+
+
+def test_parts_are_of_the_material_that_the_view_gives_them(sphere) -> None:
+    """Chrome instead of a black paint, and another scene to whoever keeps estimates."""
+    look = SurfaceLook(materials=(PartMaterial(sphere.parts[0].name, "chrome"),))
+    black = scene(Lambertian(0.0), even(), sphere)
+    made = scene(Lambertian(0.0), even(), sphere, surface_look=look)
+    assert made.key != black.key
+    found = traced(made, 8)
+    assert found.radiance[found.coverage > 0.999].mean() > 0.3
+
+
+def test_what_is_not_drawn_is_told(sphere) -> None:
+    view = {
+        "surface_look": SurfaceLook(ground=True),
+        "relief": Relief(orange_peel=1.0),
+        "two_tone": TwoTone("blue", "/a/mask.png"),
+        "background": "blurred",
+    }
+    told = " ".join(scene(Lambertian(0.5), even(), sphere, **view).notices)
+    for word in ("sparkle", "blurred", "ground", "orange peel", "first paint alone"):
+        assert word in told
+
+
+def test_a_paint_with_spectra_is_traced_in_the_lamp(shared_data) -> None:
+    _, reflectance, _ = load_reflectance(shared_data / "brdf" / "krylon_blue.brdf")
+    assert in_the_lamp(reflectance, View()) is reflectance
+    under = in_the_lamp(reflectance, View(light_colour=LightColour("A")))
+    wi, wo = illumination(45.0), aspecular_view(45.0, 45.0)
+    assert np.abs(under.eval(wi, wo) / reflectance.eval(wi, wo) - 1.0).max() > 0.01
