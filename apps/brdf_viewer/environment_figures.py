@@ -11,6 +11,8 @@ from brdf_suite.lighting.statistics import EnvironmentStatistics, Histogram
 _HEIGHT = 56
 _LEAST_BAR = 3.0  # pixels: a sun is a millionth of the sphere, and still has to be seen
 
+_LEAST_SUN = 0.005
+
 
 class HistogramBars(QWidget):
     """Share of the sphere by luminance, a bar for each stop, the darkest at the left."""
@@ -19,7 +21,7 @@ class HistogramBars(QWidget):
         super().__init__(parent)
         self._histogram = Histogram(0.0, (), 0.0)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setFixedHeight(_HEIGHT + self.fontMetrics().height())
+        self.setFixedHeight(_HEIGHT + self.fontMetrics().height() + 2)
         self.setAccessibleName("Histogram of the light")
 
     def set_histogram(self, histogram: Histogram) -> None:
@@ -110,10 +112,13 @@ class EnvironmentFigures(QWidget):
 
 
 def lines(statistics: EnvironmentStatistics) -> list[str]:
-    """Return the figures as short lines."""
+    """Return the figures as short lines.
+
+    A brightest place that gives no half per cent of the light is no sun: an overcast sky has one as well.
+    """
     stops = statistics.dynamic_range_stops
     reach = "partly black" if stops is None else f"{stops:.1f} stops"
-    if statistics.sun_elevation_deg is None:
+    if statistics.sun_elevation_deg is None or statistics.sun_share < _LEAST_SUN:
         sun = "Even: no sun or lamp stands out"
     else:
         sun = (
@@ -121,7 +126,7 @@ def lines(statistics: EnvironmentStatistics) -> list[str]:
             f"{100.0 * statistics.sun_share:.0f} % of the light"
         )
     return [
-        f"Average {statistics.average_luminance:.3g}, from above {statistics.horizontal_illuminance:.3g}",
-        f"Brightest {statistics.brightest_luminance:.3g}, range {reach}",
+        f"Luminance {statistics.average_luminance:.3g} on average, {statistics.brightest_luminance:.3g} at most",
+        f"Range {reach}; illuminance from above {statistics.horizontal_illuminance:.3g}",
         sun,
     ]

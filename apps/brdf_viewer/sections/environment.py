@@ -74,19 +74,20 @@ class EnvironmentSection(Section):
         form = Form()
         form.add_row("Light", self.chooser, "A high-dynamic-range panorama, or a studio, lights the surface")
         form.add_row("Layout", self.layout_list, "How a file's image is laid out, where its shape misleads")
-        form.add_row("", self.edit)
+        self._edit_label = form.add_row("", self.edit)
         form.add_wide(self.facts)
         form.add_wide(self.figures)
         form.add_row("Rotation", self.rotation, PARAMETERS["rotation_deg"].meaning + " (Alt + drag)")
         form.add_row("Exposure", self.exposure, PARAMETERS["exposure_ev"].meaning)
         form.add_row("Background", self.background, "What is seen behind the surface; the light stays")
-        form.add_row("", self.background_colour)
+        self._colour_label = form.add_row("", self.background_colour)
         self.add(form)
 
     def set_background(self, key: str, colour: tuple[float, float, float]) -> None:
         """Show the present background, and its ``colour`` (encoded sRGB, 0 to 1) where it has one."""
         self.background.setCurrentIndex(self.background.findData(key))
         self.background_colour.set_colour(colour)
+        self._colour_label.setVisible(key == "colour")  # an empty label keeps its row open
         self.background_colour.setVisible(key == "colour")
 
     def set_layout(self, key: str, choosable: bool) -> None:
@@ -96,4 +97,5 @@ class EnvironmentSection(Section):
 
     def set_editable(self, editable: bool) -> None:
         """Offer to edit the light where it has a description."""
+        self._edit_label.setVisible(editable)
         self.edit.setVisible(editable)

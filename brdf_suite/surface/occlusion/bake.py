@@ -73,7 +73,7 @@ def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
         numba, which compiles what follows the rays, cannot be used here.
     """
     surface = _joined(mesh)
-    report(progress, 0.0, "sorting the triangles")
+    report(progress, 0.0, "occlusion: sorting the triangles")
     try:
         ready_kernels(part(progress, 0.0, 0.05))
         tree = TriangleTree.of(surface.positions[surface.triangles])
