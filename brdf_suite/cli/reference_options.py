@@ -7,8 +7,13 @@ import math
 
 from brdf_suite.cli.output import print_json, progress_bar
 from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError
 
 RENDERERS = ("realtime", "reference")
+_OF_OTHER = {
+    "realtime": ("spp", "time", "fresh"),
+    "reference": ("bits", "colour_space", "transparent", "follow"),
+}
 
 
 def add_reference(command: argparse.ArgumentParser) -> None:
@@ -31,6 +36,13 @@ def add_reference(command: argparse.ArgumentParser) -> None:
         action="store_true",
         help="reference: begin anew; else the same command goes on from what an interrupted one kept",
     )
+
+
+def check_renderer(options: argparse.Namespace) -> None:
+    """Raise :class:`SuiteError` where an option is for the other renderer: left out silently, it would mislead."""
+    given = [f"--{name.replace('_', '-')}" for name in _OF_OTHER[options.renderer] if getattr(options, name)]
+    if given:
+        raise SuiteError(f"With --renderer {options.renderer} there is no {given[0]}; leave it out.")
 
 
 def run_reference(options: argparse.Namespace, view: View) -> int:

@@ -8,7 +8,7 @@ from pathlib import Path
 from brdf_suite.cli.export_progress import add_export, export_progress
 from brdf_suite.cli.output import print_json
 from brdf_suite.cli.picture_options import add_picture, settings_of
-from brdf_suite.cli.reference_options import add_reference, run_reference
+from brdf_suite.cli.reference_options import add_reference, check_renderer, run_reference
 from brdf_suite.cli.scene_options import add_scene, view_of
 
 
@@ -42,6 +42,7 @@ def run(options: argparse.Namespace) -> int:
 
     from brdf_suite.pipeline.still import render_to_file
 
+    check_renderer(options)
     view = view_of(options)
     if options.renderer == "reference":
         return run_reference(options, view)
