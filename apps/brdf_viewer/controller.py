@@ -98,7 +98,7 @@ class ViewerController(QObject):
         self._meter.shown.connect(self._settle)
         self.tone = ToneControl(self.stage, self.window, lambda: self.drawer, self)
         self.save = PictureExport(self.stage, self.window, ask_picture, self.tone.grab_srgb, self)
-        self.export = ExportControl(self.stage, self.window, self)
+        self.export = ExportControl(self.stage, self.window, self, light_edited=lambda: self.scene.edited)
         dialogs = dialogs or QtDialogs(self.window)
         self.views = ViewFiles(self.stage, self.window, dialogs, self)
         self._connect()

@@ -59,7 +59,10 @@ def ask_source(parent: QWidget) -> str:
 
 
 class ExportControl(QObject):
-    """File ▸ Export: the dialog, then one export at a time."""
+    """File ▸ Export: the dialog, then one export at a time.
+
+    ``light_edited`` tells whether the light on show is in no file as it is: an export would read another.
+    """
 
     def __init__(
         self,
@@ -69,8 +72,10 @@ class ExportControl(QObject):
         *,
         target: AskTarget = ask_target,
         source: AskSource = ask_source,
+        light_edited: Callable[[], bool] = lambda: False,
     ) -> None:
         super().__init__(parent)
+        self._light_edited = light_edited
         self._stage, self._window, self._ask = stage, window, target
         self._process: ExportProcess | None = None
         self._given_up = False
@@ -93,6 +98,11 @@ class ExportControl(QObject):
         if fit is None or self._stage.surface is None or not self._stage.is_complete:
             todo = "Wait until paint, surface and environment are there, and export then."
             messages.show_message(Message(KIND, "There is no picture yet.", todo=todo, severity="error"))
+            return
+        if self._light_edited():
+            todo = "Save it with File ▸ Studio ▸ Save Studio, and export then."
+            what = "The light has been edited and is not saved: an export would show the old one."
+            messages.show_message(Message(KIND, what, todo=todo, severity="error"))
             return
         # As it is when the user asks: the paint may change while the dialog is open.
         view, paint, key = self._view(wanted), self._stage.paint, self._stage.paint_key

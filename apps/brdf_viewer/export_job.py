@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import tempfile
 from dataclasses import dataclass
+from glob import escape
 from pathlib import Path
 from typing import Literal
 
@@ -72,11 +73,15 @@ class ExportJob:
         self.settings, self.path = settings, path
         self._folder = Path(tempfile.mkdtemp(prefix="brdf-export-"))
         self._view = self._folder / f"view{VIEW_ENDING}"
-        save_view(view, self._view)
         self._paint = paint_key
-        if paint is not None:
-            self._paint = str(self._folder / f"paint{PAINT_ENDING}")
-            save_paint(paint, self._paint)
+        try:
+            save_view(view, self._view)
+            if paint is not None:
+                self._paint = str(self._folder / f"paint{PAINT_ENDING}")
+                save_paint(paint, self._paint)
+        except BaseException:
+            self.tidy()
+            raise
 
     def arguments(self) -> list[str]:
         """Return the arguments of ``brdf-suite`` that do it."""
@@ -100,7 +105,7 @@ class ExportJob:
     def leftovers(self) -> list[Path]:
         """Return what an export that was ended by force may have left beside its target."""
         stem = self.path.name if not self.settings.form.ending else self.path.stem
-        return list(self.path.parent.glob(f".{stem[:80]}.{'[0-9a-f]' * 16}*"))
+        return list(self.path.parent.glob(f".{escape(stem[:80])}.{'[0-9a-f]' * 16}*"))
 
     def tidy(self) -> None:
         """Take the scene's files away."""

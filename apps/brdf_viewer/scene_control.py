@@ -79,6 +79,11 @@ class SceneControl(QObject):
         """What is being loaded, by kind."""
         return dict(self._loading)
 
+    @property
+    def edited(self) -> bool:
+        """Whether the light on show is edited, and in no file as it is: the view names another."""
+        return bool(self._edited)
+
     def load_first(self) -> None:
         """Load what the view names."""
         self.open(SURFACE, self._stage.view.surface)

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from brdf_qt.dialogs import Answer, Overwrite
+from brdf_viewer.export_job import FORMATS, ExportSettings
 from brdf_viewer.studio.panel import lamp_line
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QKeySequence, QWheelEvent
@@ -249,8 +250,12 @@ def test_it_is_saved_and_then_named_by_the_view(start, script, tmp_path, qtbot) 
     control = viewer.controller.studio
     control.new("empty")
     settle(viewer)
+    form = FORMATS["picture"][0]
+    viewer.controller.export.export(ExportSettings("picture", form, (64, 48)))
+    assert "is not saved" in viewer.messages()["export"]  # an export would read another light
     script.save_to = tmp_path / "mine.brdfstudio"
     viewer.window.studio.save.click()
+    assert not viewer.controller.scene.edited
     assert load_light(script.save_to) == control.store.value
     assert viewer.view.environment == str(script.save_to)
     assert viewer.window.studio.state.text() == "mine.brdfstudio"
