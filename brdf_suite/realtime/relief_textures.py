@@ -36,11 +36,14 @@ class ReliefTextures:
     def set_normal_map(self, slopes: SlopeMap | None) -> None:
         """Replace the normal map; None: there is none."""
         self._give_back(self._normal_map)
-        self._normal_map = None if slopes is None else (self._slopes(slopes.slopes), slopes.aspect)
+        self._normal_map = None  # also where the graphics card refuses the new one
+        if slopes is not None:
+            self._normal_map = (self._slopes(slopes.slopes), slopes.aspect)
 
     def set_peel(self, tile: PeelTile) -> None:
         """Take the tile that every orange peel is drawn with."""
         self._give_back(self._peel)
+        self._peel = None
         self._peel = (self._slopes(tile.slopes), tile.waves)
 
     def set_mask(self, mask: MaskImage | None) -> None:
