@@ -264,6 +264,7 @@ def test_missing_files_are_named_as_they_were_typed(command) -> None:
     ):
         done = command("render", "blue", "-o", "out.png", option, name)
         refused(done, f"brdf-suite: {name}: there is no such file")
+        assert ("nor a shipped" in done.stderr) == ("." not in name)  # shipped names are no help to a path
 
 
 def test_empty_names_are_refused_in_words(command) -> None:

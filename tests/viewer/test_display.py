@@ -169,7 +169,7 @@ def test_before_there_is_a_picture_none_is_saved(start) -> None:
         ("overcast", "View ▸ Environment ▸ Overcast sky"),
         ("curved panel", "View ▸ Surface ▸ Curved panel"),
         ("copper", "Paint ▸ Open Shipped Paint ▸ Copper"),
-        ("linear", "View ▸ Tone Curve ▸ Linear, clipped"),
+        ("linear", "View ▸ Tone Curve ▸ Linear, clipping marked"),
     ],
 )
 def test_everything_shipped_is_found_by_name(viewer, query, command) -> None:
@@ -187,7 +187,7 @@ def test_everything_shipped_is_found_by_name(viewer, query, command) -> None:
     changed = {
         "overcast": {"environment": "overcast"},
         "curved panel": {"surface": "panel"},
-        "linear": {"tone_curve": "linear"},
+        "linear": {"tone_curve": "linear", "clipping_marks": True},
     }[query]
     kept = dataclasses.replace(before, **changed, camera=viewer.view.camera)
     assert viewer.view == kept
