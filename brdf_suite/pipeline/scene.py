@@ -272,7 +272,8 @@ def _check_there(asked: str | os.PathLike[str], kind: str, shipped: list[str]) -
             f"The name of the {kind} is empty; give a file or a shipped one ({', '.join(shipped)})."
         )
     if not _exists(asked):
-        if Path(asked).suffix or Path(asked).is_absolute():  # a file was meant: the list of names says nothing
+        if Path(asked).suffix or Path(asked).is_absolute():
+            # A file was meant: the names of what is shipped are no help.
             raise FileError(asked, "there is no such file")
         raise FileError(
             asked, f"there is no such file, nor a shipped {kind} of that name ({', '.join(shipped)})"
