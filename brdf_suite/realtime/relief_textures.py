@@ -19,7 +19,6 @@ NORMAL_UNIT, PEEL_UNIT, MASK_UNIT = (
 )
 
 _ANISOTROPY = 8.0
-_MILLIMETRES = 1000.0
 
 
 class ReliefTextures:

@@ -1,5 +1,5 @@
 // Provides: the exposed light of a surface with lobe weights, in the light of the prefiltered maps
-// Needs:    what mesh.vert.glsl hands on; LOBES, FOR_EACH_LOBE
+// Needs:    what mesh.vert.glsl hands on; what lobes.glsl needs; LAMPS, SPARKLE_* and SECOND_PAINT where they are drawn
 uniform vec3 eye;
 
 #include "surface_point.glsl"

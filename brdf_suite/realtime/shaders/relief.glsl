@@ -1,6 +1,6 @@
 // Provides: vec3 slopes_at(sampler2D map, vec2 at), vec3 leaning(vec3 n, vec2 slopes, mat2x3 axes, vec3 v),
 //           mat2x3 surface_axes(vec3 n, vec3 position, vec2 uv),
-//           void normal_map(...) with NORMAL_MAP, void orange_peel(...) with COAT_RELIEF
+//           vec3 normal_map(vec2 uv) with NORMAL_MAP, vec3 orange_peel(vec2 uv) with COAT_RELIEF
 // Needs:    a fragment shader (derivatives)
 //
 // A relief is a map of slopes: red and green dh/du and dh/dv, blue the sum of their squares. Slopes can be averaged,

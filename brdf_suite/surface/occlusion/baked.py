@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,14 +65,3 @@ class BakedMesh:
 
     parts: tuple[BakedPart, ...]
     ground: GroundLight
-
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Return everything as named arrays."""
-        arrays: dict[str, NDArray[Any]] = {
-            "ground_frame": np.array([self.ground.height, *self.ground.low, *self.ground.high]),
-            "ground_transfer": self.ground.transfer,
-        }
-        for number, part in enumerate(self.parts):
-            for name in ("positions", "normals", "uvs", "triangles", "light"):
-                arrays[f"{number}.{name}"] = getattr(part, name)
-        return arrays
