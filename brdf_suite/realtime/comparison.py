@@ -8,7 +8,7 @@ the exposed light (a white of radiance 1 has L* = 100) or of the picture as show
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import moderngl
@@ -20,7 +20,7 @@ from brdf_suite.appearance.difference_scale import STEPS, scale_table
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.context import graphics_errors
-from brdf_suite.realtime.display import LINEAR
+from brdf_suite.realtime.display import LINEAR, SRGB, Display
 from brdf_suite.realtime.offscreen import DEFAULT_SAMPLES, Region, Size, checked_size
 from brdf_suite.realtime.programs import assign
 from brdf_suite.realtime.renderer import Renderer
@@ -122,14 +122,22 @@ class Comparison:
         return values.reshape(size[1], size[0])[::-1].copy()
 
     def _draw_second(
-        self, view: View, target: moderngl.Framebuffer, size: Size, samples: int, region: Region
+        self,
+        view: View,
+        target: moderngl.Framebuffer,
+        size: Size,
+        samples: int,
+        region: Region,
+        display: Display | None = None,
     ) -> None:
         if self._picture is None:
-            self._renderer.render(view, target, size, samples, materials=self._materials, region=region)
+            self._renderer.render(
+                view, target, size, samples, materials=self._materials, region=region, display=display
+            )
         elif self._picture.is_light:
             light = self._target("light", size, "f2")
             self._draw_picture(light, size, 2.0**view.exposure_ev, (0, 0, *size))
-            self._renderer.finish(view, self._texture("light"), target, size, region=region)
+            self._renderer.finish(view, self._texture("light"), target, size, region=region, display=display)
         else:
             self._draw_picture(target, size, 1.0, region)
 
@@ -163,8 +171,10 @@ class Comparison:
         kind = "f2" if light else "f1"
         first, second = self._target(_FIRST, size, kind), self._target(_SECOND, size, kind)
         if not light:
-            self._renderer.render(view, first, size, samples)
-            self._draw_second(view, second, size, samples, (0, 0, *size))
+            # In sRGB, which the difference decodes, whatever the monitor is; marks are no part of the colours.
+            view = replace(view, clipping_marks=False, gamut_marks=False)
+            self._renderer.render(view, first, size, samples, display=SRGB)
+            self._draw_second(view, second, size, samples, (0, 0, *size), SRGB)
             return
         self._renderer.render(view, first, size, samples, display=LINEAR)
         if self._picture is None:

@@ -105,12 +105,14 @@ class PixelProbe:
         eye = self._renderer.camera_matrices(view, size).eye
         to_viewer = eye - place[:3]
         mesh = self._renderer.mesh
+        name = mesh.names[part]
+        chosen = {item.part: item.material for item in view.surface_look.materials}
         return SurfacePoint(
             _triple(place[:3]),
             _triple(normal[:3]),
             _triple(to_viewer / np.linalg.norm(to_viewer)),
-            mesh.names[part],
-            mesh.materials[part],
+            name,
+            chosen.get(name, mesh.materials[part]),
         )
 
     def _geometry(

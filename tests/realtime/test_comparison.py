@@ -13,7 +13,7 @@ from brdf_suite.appearance.difference_scale import scale_colour
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Compare
 from brdf_suite.realtime.comparison import ComparedPicture, Comparison
-from brdf_suite.realtime.display import LINEAR
+from brdf_suite.realtime.display import DISPLAY_P3, LINEAR
 
 SIZE = (61, 40)
 SECOND = {"paint": "paint_b"}
@@ -123,6 +123,14 @@ def test_the_difference_of_the_pictures_is_that_of_what_is_shown(stand) -> None:
     )
     got = stand.comparison.differences(comparing("difference", basis="picture"), SIZE)
     np.testing.assert_allclose(got, delta_e_2000(first, second), atol=0.01)
+
+
+def test_the_difference_of_the_pictures_is_the_same_on_any_monitor(stand) -> None:
+    view = comparing("difference", basis="picture")
+    expected = stand.comparison.differences(view, SIZE)
+    stand.renderer.screen = DISPLAY_P3
+    marked = replace(view, clipping_marks=True, gamut_marks=True)
+    assert np.abs(stand.comparison.differences(marked, SIZE) - expected).max() < 1e-3
 
 
 def test_a_shown_picture_takes_the_place_of_the_second(stand) -> None:

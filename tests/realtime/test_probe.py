@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.documents.view import Camera, View
+from brdf_suite.documents.view_settings import PartMaterial, SurfaceLook
 from brdf_suite.realtime.probe import PixelProbe, SurfacePoint, angle_deg
 
 SIZE = (61, 40)
@@ -67,6 +68,11 @@ def test_the_nearest_part_is_named(probe) -> None:
     behind = probe.at(replace(VIEW, camera=Camera(azimuth_deg=180.0)), SIZE, (30, 20)).point
     assert behind.material == "neutral"
     assert behind.normal == pytest.approx((0.0, 0.0, -1.0), abs=1e-6)
+
+
+def test_the_material_is_the_one_that_the_view_gives_the_part(probe) -> None:
+    look = SurfaceLook(materials=(PartMaterial("paint sphere", "chrome"),))
+    assert probe.at(replace(VIEW, surface_look=look), SIZE, (30, 20)).point.material == "chrome"
 
 
 def test_the_second_paint_is_read_with_its_own_weights(probe) -> None:
