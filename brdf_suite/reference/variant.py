@@ -157,14 +157,14 @@ def _has_cuda() -> bool:
     )
 
 
-@cache
 def start() -> Variant:
-    """Choose the variant and make it Mitsuba's; once in a process. Errors as :func:`choose_variant`."""
+    """Choose the variant, once in a process, and make it Mitsuba's. Errors as :func:`choose_variant`."""
     variant = choose_variant()
     if variant.llvm_path:
         os.environ[LLVM_VARIABLE] = variant.llvm_path
     import mitsuba as mi
 
-    mi.set_variant(variant.name)
+    if mi.variant() != variant.name:  # none yet, or what other code in this process has chosen
+        mi.set_variant(variant.name)
     mi.set_log_level(mi.LogLevel.Error)
     return variant

@@ -10,9 +10,12 @@ from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.reference.variant import Variant, start
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def variant() -> Variant:
-    """The variant of Mitsuba that was started; without one the test is skipped, and says why."""
+    """The variant of Mitsuba that was started; without one the test is skipped, and says why.
+
+    For each file anew: other files of the same process use Mitsuba in other variants.
+    """
     try:
         return start()
     except ReferenceUnavailableError as error:

@@ -134,11 +134,9 @@ def test_without_mitsuba_the_command_says_what_to_install(tmp_path: Path, monkey
     from brdf_suite.reference import variant as variants
 
     variants.choose_variant.cache_clear()
-    variants.start.cache_clear()
     monkeypatch.setattr(variants, "is_installed", lambda: False)
     code = main(["render", "copper", "--renderer", "reference", "-o", str(tmp_path / "a.png")])
     variants.choose_variant.cache_clear()
-    variants.start.cache_clear()
     assert code == 1
     told = capsys.readouterr().err.strip().splitlines()
     assert len(told) == 1

@@ -9,7 +9,7 @@ import pytest
 
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.reference import variant as module
-from brdf_suite.reference.variant import Probed, Variant, choose, choose_variant, probe, version_of
+from brdf_suite.reference.variant import Probed, Variant, choose, choose_variant, probe, start, version_of
 
 OLD, NEW, NEWEST = "/usr/lib/libLLVM-15.so.1", "/usr/lib/libLLVM.so.19.1", "/usr/lib/libLLVM.so.20.1"
 
@@ -100,5 +100,8 @@ def test_choosing_imports_no_mitsuba() -> None:
 def test_the_variant_that_was_chosen_runs(variant: Variant) -> None:
     import mitsuba as mi
 
+    assert mi.variant() == variant.name
+    mi.set_variant("scalar_rgb")  # as other code in the process may
+    assert start() == variant
     assert mi.variant() == variant.name
     assert variant.title.startswith("Mitsuba, ")
