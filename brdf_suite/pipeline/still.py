@@ -11,6 +11,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
+from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target, picture_metadata, write_picture
@@ -79,7 +80,14 @@ def loaded_scene(view: View, progress: Progress | None = None) -> Iterator[Loade
         maps_s = perf_counter() - start
         scene.set_environment(prepared)
         scene.set_surface_images(load_surface_images(ImageRequest.of(view)))
-        scene.set_surface(mesh, baked_where_wanted(mesh, view.surface_look, part(progress, 0.6, 1.0)))
+        try:
+            baked = baked_where_wanted(mesh, view.surface_look, part(progress, 0.6, 1.0))
+        except Cancelled:
+            raise
+        except SuiteError as error:  # no numba, or nowhere to keep its work: all else can be drawn
+            told = f"{error} The picture is drawn without occlusion and ground."
+            baked, mesh = None, replace(mesh, notes=(*mesh.notes, told))
+        scene.set_surface(mesh, baked)
         yield LoadedScene(scene, prepared, mesh, maps_s)
 
 

@@ -20,7 +20,7 @@ from brdf_suite.documents.palette import Group, Palette, Swatch
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint, view_from_json
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Lamp
+from brdf_suite.documents.view_settings import Lamp, SurfaceLook
 from brdf_suite.errors import Cancelled, FileError, SuiteError, ValueRangeError
 from brdf_suite.pipeline import sheet_text, video
 from brdf_suite.pipeline.any_fit import fit_any
@@ -124,6 +124,19 @@ def test_a_cancelled_picture_leaves_the_old_one(tmp_path: Path) -> None:
         render_to_file("blue", VIEW, SIZE, path, progress=stop_at(0.85))
     assert path.read_bytes() == b"old"
     assert [file.name for file in tmp_path.iterdir()] == ["a.png"]
+
+
+def test_without_numba_the_picture_is_drawn_without_occlusion(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(_progress: object) -> None:
+        raise RuntimeError("no locator available")
+
+    monkeypatch.setattr("brdf_suite.surface.occlusion.bake.ready_kernels", refuse)
+    view = replace(VIEW, surface_look=SurfaceLook(scale=0.8))  # not one that is kept
+    made = render_to_file("blue", view, SIZE, tmp_path / "a.png")
+    assert made.path.exists()
+    assert any("drawn without occlusion" in notice for notice in made.notices)
 
 
 def test_a_turned_view_looks_at_the_object_from_the_other_side() -> None:
