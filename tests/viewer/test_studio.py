@@ -106,6 +106,13 @@ def test_a_studio_is_begun_from_a_template(start, script, qtbot) -> None:
     assert viewer.view == view  # it cannot name what no file holds
     assert not np.array_equal(viewer.pixels()[:100, :100], before[:100, :100])
     assert not panel.preview._image.isNull()
+    assert viewer.controller.studio.may_close()
+    assert script.asked == []  # nothing of the user's would be lost
+    panel.lamp.luminance.setValue(9.0)
+    script.answer = Answer.CANCEL
+    assert not viewer.controller.studio.may_close()
+    assert script.asked == ["My studio"]
+    script.answer = Answer.DISCARD
 
 
 def test_fields_of_a_lamp_are_edits_that_can_be_undone(edited) -> None:
@@ -253,6 +260,9 @@ def test_it_is_saved_and_then_named_by_the_view(start, script, tmp_path, qtbot) 
     form = FORMATS["picture"][0]
     viewer.controller.export.export(ExportSettings("picture", form, (64, 48)))
     assert "is not saved" in viewer.messages()["export"]  # an export would read another light
+    script.save_to = tmp_path / "mine.brdfview"
+    assert viewer.controller.views.save()
+    assert "is not saved" in viewer.messages()["view"]  # a view cannot name it
     script.save_to = tmp_path / "mine.brdfstudio"
     viewer.window.studio.save.click()
     assert not viewer.controller.scene.edited

@@ -117,7 +117,7 @@ class StudioControl(QObject):
     def _take(self, light: LightDocument) -> bool:
         if self._open and not self.files.may_discard():
             return False
-        self.store.replace(light, None, clean=False)
+        self.store.replace(light, None)  # clean: a template that nobody has edited is no work to be lost
         self._opened()
         self._live.show(light)
         self._show()
