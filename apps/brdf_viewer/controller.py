@@ -100,7 +100,7 @@ class ViewerController(QObject):
         self.save = PictureExport(self.stage, self.window, ask_picture, self.tone.grab_srgb, self)
         self.export = ExportControl(self.stage, self.window, self, light_edited=lambda: self.scene.edited)
         dialogs = dialogs or QtDialogs(self.window)
-        self.views = ViewFiles(self.stage, self.window, dialogs, self)
+        self.views = ViewFiles(self.stage, self.window, dialogs, self, light_edited=lambda: self.scene.edited)
         self._connect()
         self._show_view(None, view)
         self.studio = StudioControl(self.stage, self.window, self.scene, dialogs, self)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 from brdf_qt.dialogs import Dialogs, Overwrite
 from brdf_qt.file_stamp import FileStamp, stamp_of
-from brdf_qt.message_bar import message_of
+from brdf_qt.message_bar import Message, message_of
 from PySide6.QtCore import QObject, QStandardPaths
 
 from brdf_suite.documents.store import VIEW_ENDING, load_view, save_view
@@ -24,12 +25,22 @@ _TOLD_MS = 6000
 
 
 class ViewFiles(QObject):
-    """File ▸ Open View, Save View, Save View As; what is open is never asked about: Undo brings it back."""
+    """File ▸ Open View, Save View, Save View As; what is open is never asked about: Undo brings it back.
+
+    ``light_edited`` tells whether the light on show is in no file as it is: a view cannot name it.
+    """
 
     def __init__(
-        self, stage: Stage, window: ViewerWindow, dialogs: Dialogs, parent: QObject | None = None
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        dialogs: Dialogs,
+        parent: QObject | None = None,
+        *,
+        light_edited: Callable[[], bool] = lambda: False,
     ) -> None:
         super().__init__(parent)
+        self._light_edited = light_edited
         self._stage, self._window, self._dialogs = stage, window, dialogs
         self._recent = RecentFiles(KIND)
         self._path: Path | None = None
@@ -92,6 +103,12 @@ class ViewFiles(QObject):
             return False
         self._take(path, stamp_of(path))
         self._window.status.showMessage(f"Saved {path.name}", _TOLD_MS)
+        if self._light_edited():
+            what = (
+                f"{path.name} names the light as it was before it was edited: what is on show is not saved."
+            )
+            todo = "Save the studio, and the view once more."
+            self._window.messages.show_message(Message(KIND, what, todo=todo, severity="warning"))
         return True
 
     def _seen(self) -> View:
