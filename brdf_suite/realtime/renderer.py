@@ -224,7 +224,8 @@ class Renderer(OffscreenPictures):
         if not self._environment.exponents:
             raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
         samples = min(samples, self.context.max_samples)
-        samples = samples if samples > 1 else 0
+        # Graphics cards have powers of two of them.
+        samples = 1 << (samples.bit_length() - 1) if samples > 1 else 0
         camera = matrices(view.camera, self.bounds, size)
         framebuffer, light = target.prepare(tile, samples, dtype)
         framebuffer.use()

@@ -59,6 +59,12 @@ def test_samples_smooth_the_rim(renderer, scenes):
     assert levels[1] >= levels[0] + 2
 
 
+def test_odd_numbers_of_samples_are_taken_as_the_power_of_two_below(renderer, scenes):
+    scene(renderer, scenes)
+    pictures = [renderer.render_image(VIEW, (40, 30), samples) for samples in (2, 3)]
+    assert np.array_equal(*pictures)
+
+
 def test_samples_are_averaged_in_linear_light(renderer, scenes):
     """Half covered, black over white: a pixel of the edge is 50 % light, code 188, not code 128."""
     renderer.set_environment(scenes.constant(1.0))
