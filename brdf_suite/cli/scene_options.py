@@ -81,7 +81,7 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         "--azimuth", type=float, default=None, metavar="DEG", help="camera azimuth in degrees"
     )
     command.add_argument(
-        "--elevation", type=float, default=None, metavar="DEG", help="camera elevation in degrees, -89 to 89"
+        "--elevation", type=float, default=None, metavar="DEG", help="camera elevation in degrees, -90 to 90"
     )
     command.add_argument(
         "--tone",
