@@ -85,7 +85,8 @@ def _read_pillow(path: str | os.PathLike[str]) -> NDArray[Any]:
 
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("error")  # pillow warns of a decompression bomb, and goes on
+            # Pillow warns of a decompression bomb, and goes on. No other warning: other threads give theirs.
+            warnings.simplefilter("error", Image.DecompressionBombWarning)
             with Image.open(path) as image:
                 if image.width * image.height > _MOST_PIXELS:
                     raise FileError(path, f"is {image.width} × {image.height} pixels, too large to be read")
