@@ -301,7 +301,8 @@ def test_bad_environments_are_refused_in_one_line(command, shared_data: Path, tm
     cut = tmp_path / "cut.exr"
     cut.write_bytes((shared_data / "environments" / "sunset.exr").read_bytes()[:20_000])
     refused(command("prefilter", cut), "cut.exr")
-    refused(command("prefilter", tmp_path / "missing.exr"), "missing.exr", "booth")
+    refused(command("prefilter", tmp_path / "missing.exr"), "missing.exr", "there is no such file")
+    refused(command("prefilter", "bouth"), "bouth", "nor a shipped environment", "booth")
 
 
 def test_bad_meshes_are_refused_in_one_line(command, tmp_path: Path) -> None:
