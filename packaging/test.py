@@ -1,7 +1,7 @@
 """Prepare this machine and run the tests: ``python3 packaging/test.py [pytest arguments]``.
 
-Without arguments everything runs, in two goes: what needs no screen (Qt's ``offscreen`` platform, OpenGL
-through EGL), and the windows with OpenGL, on X servers of their own (Xvfb). With arguments they
+Without arguments everything runs, in two processes: what needs no screen (Qt's ``offscreen`` platform,
+OpenGL through EGL), and the windows with OpenGL, on an X server of their own (Xvfb). With arguments they
 go to one pytest, as in ``python3 packaging/test.py tests/fitting -k limit``.
 """
 
@@ -29,9 +29,7 @@ def main() -> int:
     else:
         screen = [folder for folder in SCREEN if (ROOT / folder).is_dir()]
         without = [f"--ignore={folder}" for folder in screen]
-        # Two workers, each with a screen of its own where it needs one; a file's tests stay together.
-        workers = ["-n", "2", "--dist", "loadfile"]
-        runs = [[*pytest, *workers, *without], [*pytest, *workers, *screen]]
+        runs = [[*pytest, "-n", "2", "--dist", "loadfile", *without], [*pytest, *screen]]
     try:
         codes = [subprocess.run(run, cwd=ROOT, env=environment, check=False).returncode for run in runs]
     except KeyboardInterrupt:  # pytest has told what there was to tell
