@@ -9,11 +9,12 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.view import Camera, View
+from brdf_suite.pipeline.turning import turned
 from brdf_suite.realtime.camera import dolly_to, frame, orbit, pan, resolve
 from brdf_suite.realtime.comparison import sides
 from brdf_viewer.camera_presets import look_from, signed_deg
 from brdf_viewer.stage import Stage
-from brdf_viewer.turntable import Turntable, turn
+from brdf_viewer.turntable import Turntable
 from brdf_viewer.window import ViewerWindow
 
 
@@ -100,7 +101,7 @@ class CameraControl(QObject):
 
     def _turn(self, degrees: float) -> None:
         settled = dataclasses.replace(self._stage.view, camera=self._settled())
-        self._stage.history.amend(turn(settled, degrees, self._stage.bounds.centre))
+        self._stage.history.amend(turned(settled, degrees, self._stage.bounds.centre))
 
     def _turning(self, running: bool) -> None:
         """The turntable's whole run is one step."""

@@ -1,17 +1,8 @@
-"""The turntable: the object turns before a camera and a light that stand still.
-
-The object itself has no angle in a view, so camera and light are turned together about it, the other way.
-"""
+"""The clock of the turntable; :func:`brdf_suite.pipeline.turning.turned` turns the view."""
 
 from __future__ import annotations
 
-import dataclasses
-import math
-
 from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal
-
-from brdf_suite.documents.view import View
-from brdf_viewer.camera_presets import signed_deg
 
 _LONGEST_STEP_S = 0.1
 
@@ -51,18 +42,3 @@ class Turntable(QObject):
         """One step for the time that has passed; a slow frame makes it slower, not jerky."""
         seconds = min(self._clock.restart() / 1000.0, _LONGEST_STEP_S)
         self.turned.emit(self.deg_per_second * seconds)
-
-
-def turn(view: View, degrees: float, centre: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> View:
-    """Return the view of the object turned by ``degrees`` counter-clockwise seen from above.
-
-    ``centre`` (m) is a point of the axis: the object turns about itself, also where the camera looks past it.
-    """
-    camera, target = view.camera, view.camera.target
-    if target is not None:
-        angle = math.radians(-degrees)
-        x, z = target[0] - centre[0], target[2] - centre[2]
-        turned = (x * math.cos(angle) + z * math.sin(angle), z * math.cos(angle) - x * math.sin(angle))
-        target = (centre[0] + turned[0], target[1], centre[2] + turned[1])
-    camera = dataclasses.replace(camera, azimuth_deg=(camera.azimuth_deg - degrees) % 360.0, target=target)
-    return dataclasses.replace(view, camera=camera, rotation_deg=signed_deg(view.rotation_deg - degrees))

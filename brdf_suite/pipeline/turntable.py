@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 import secrets
 import shutil
@@ -16,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
-from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target, picture_metadata, write_picture
 from brdf_suite.pipeline.still import LoadedScene, loaded_scene
+from brdf_suite.pipeline.turning import turned
 from brdf_suite.pipeline.video import VIDEO_ENDINGS, check_video, ffmpeg, writing_video
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.realtime.camera import Bounds, resolve
@@ -57,37 +56,6 @@ class TurntableFiles:
     height: int
     paint: str
     notices: tuple[str, ...]
-
-
-def turned(view: View, degrees: float, centre: tuple[float, float, float]) -> View:
-    """Return the view of the object turned by ``degrees`` counter-clockwise seen from above, about ``centre`` (m).
-
-    The object has no angle in a view: camera, light and lamps turn about it, the other way.
-    """
-    azimuth = view.camera.azimuth_deg - degrees
-    target = view.camera.target
-    camera = replace(
-        view.camera,
-        azimuth_deg=(azimuth + 180.0) % 360.0 - 180.0,
-        target=None if target is None else _about(target, -degrees, centre),
-    )
-    lamps = tuple(_turned_lamp(lamp, -degrees, centre) for lamp in view.lamps)
-    rotation = (view.rotation_deg - degrees + 180.0) % 360.0 - 180.0
-    return replace(view, camera=camera, rotation_deg=rotation, lamps=lamps)
-
-
-def _about(
-    point: tuple[float, float, float], degrees: float, centre: tuple[float, float, float]
-) -> tuple[float, float, float]:
-    angle = math.radians(degrees)
-    x, z = point[0] - centre[0], point[2] - centre[2]
-    cos, sin = math.cos(angle), math.sin(angle)
-    return centre[0] + x * cos + z * sin, point[1], centre[2] + z * cos - x * sin
-
-
-def _turned_lamp(lamp: Lamp, degrees: float, centre: tuple[float, float, float]) -> Lamp:
-    azimuth = (lamp.azimuth_deg + degrees + 180.0) % 360.0 - 180.0
-    return replace(lamp, position=_about(lamp.position, degrees, centre), azimuth_deg=azimuth)
 
 
 def framed_all_round(view: View, bounds: Bounds, size: Size) -> View:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Any
 
@@ -35,23 +35,7 @@ class OffscreenPictures:
     _tile: LightTarget
     _picture: PictureTarget
     _finish: FinishPass
-
-    def _draw_light(
-        self,
-        view: View,
-        target: LightTarget,
-        tile: Size,
-        samples: int,
-        size: Size,
-        corner: Corner = (0, 0),
-        *,
-        materials: Mapping[str, str] = AS_THEY_ARE,
-        region: Region | None = None,
-        dtype: str = "f2",
-        transparent: bool = False,
-    ) -> moderngl.Texture:
-        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance."""
-        raise NotImplementedError
+    _draw_light: Callable[..., moderngl.Texture]
 
     def _bind(self, target: moderngl.Framebuffer, size: Size, region: Region | None = None) -> None:
         """Make ``target`` the one that the second pass writes into."""

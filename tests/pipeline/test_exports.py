@@ -27,7 +27,8 @@ from brdf_suite.pipeline.any_fit import fit_any
 from brdf_suite.pipeline.contact_sheet import caption, sheet_items, write_sheet
 from brdf_suite.pipeline.picture_file import PictureSettings
 from brdf_suite.pipeline.still import render_to_file
-from brdf_suite.pipeline.turntable import Turn, framed_all_round, turned, write_turntable
+from brdf_suite.pipeline.turning import turned
+from brdf_suite.pipeline.turntable import Turn, framed_all_round, write_turntable
 from brdf_suite.realtime.camera import Bounds, matrices
 from brdf_suite.realtime.tone_curves import to_display
 

@@ -134,12 +134,12 @@ def test_space_turns_the_surface_before_a_still_camera_and_light(viewer, qtbot) 
 
 def test_the_turntable_leaves_the_background_where_it_is(viewer) -> None:
     """The light stands still before the camera, so behind the object nothing moves."""
-    from brdf_viewer.turntable import turn
+    from brdf_suite.pipeline.turning import turned
 
     viewer.stage.change_view(surface=viewer.view.surface)
     wheel(viewer.canvas, -6)
     first = viewer.pixels()
-    viewer.stage.set_view(turn(viewer.view, 120.0, viewer.stage.bounds.centre))
+    viewer.stage.set_view(turned(viewer.view, 120.0, viewer.stage.bounds.centre))
     second = viewer.pixels()
     corner = np.s_[: first.shape[0] // 6, : first.shape[1] // 6]
     assert np.abs(first[corner].astype(int) - second[corner]).max() <= 3
@@ -150,14 +150,14 @@ def test_the_turntable_leaves_the_background_where_it_is(viewer) -> None:
 
 
 def test_the_turntable_turns_the_object_about_itself_where_the_camera_looks_past_it(viewer) -> None:
-    from brdf_viewer.turntable import turn
+    from brdf_suite.pipeline.turning import turned
 
     viewer.stage.change_view(background="grey")
     grey = viewer.pixels()[2, 2]
     drag(viewer.canvas, 60, 20, MIDDLE)
     place = object_centre(viewer.pixels(), grey)
     for degrees in (30.0, 120.0):
-        viewer.stage.set_view(turn(viewer.view, degrees, viewer.stage.bounds.centre))
+        viewer.stage.set_view(turned(viewer.view, degrees, viewer.stage.bounds.centre))
         assert object_centre(viewer.pixels(), grey) == pytest.approx(place, abs=1.0)
 
 

@@ -13,7 +13,6 @@ from brdf_viewer.recent_files import MOST, RecentFiles
 from brdf_viewer.slider_field import SliderField
 from brdf_viewer.source_chooser import Source, SourceChooser, title_of
 from brdf_viewer.stage import Stage
-from brdf_viewer.turntable import turn
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -21,6 +20,7 @@ from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import paint_to_json, save_paint
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import FileError
+from brdf_suite.pipeline.turning import turned
 
 RED, GREY = solid_paint("red", (45.0, 60.0, 40.0)), solid_paint("grey", (50.0, 0.0, 0.0))
 
@@ -37,10 +37,10 @@ def test_signed_deg_is_the_same_angle_within_half_a_turn(angle) -> None:
 @settings(deadline=None, max_examples=30)
 def test_the_turntable_turns_camera_and_light_together(rotation, degrees) -> None:
     view = View(camera=Camera(azimuth_deg=10.0, distance=2.0), rotation_deg=rotation)
-    turned = turn(view, degrees)
-    assert dataclasses.replace(turned, camera=view.camera, rotation_deg=rotation) == view
-    by_camera = turned.camera.azimuth_deg - view.camera.azimuth_deg
-    by_light = turned.rotation_deg - rotation
+    after = turned(view, degrees)
+    assert dataclasses.replace(after, camera=view.camera, rotation_deg=rotation) == view
+    by_camera = after.camera.azimuth_deg - view.camera.azimuth_deg
+    by_light = after.rotation_deg - rotation
     assert (by_camera - by_light + 180.0) % 360.0 == pytest.approx(180.0, abs=1e-6)
     assert (by_camera + degrees + 180.0) % 360.0 == pytest.approx(180.0, abs=1e-6)
 

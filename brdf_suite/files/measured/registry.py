@@ -48,11 +48,6 @@ _HEAD = 1 << 16
 _LARGEST = 8 << 30
 
 
-def format_named(name: str) -> MeasuredFormat:
-    """Return the format called ``name``; raise ``KeyError`` where there is none."""
-    return {known.name: known for known in FORMATS}[name]
-
-
 def sniff(path: PathLike) -> MeasuredFormat:
     """Return the format of the file at ``path``, by its content.
 

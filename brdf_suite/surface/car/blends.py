@@ -90,10 +90,3 @@ def ramp(t: Floats, start: float, end: float) -> Floats:
     u = np.clip((t - start) / (end - start), 0.0, 1.0)
     result: Floats = u * u * u * (u * (6.0 * u - 15.0) + 10.0)
     return result
-
-
-def half_plane(u: Floats, v: Floats, start: tuple[float, float], end: tuple[float, float]) -> Floats:
-    """Return the signed distance to the line from ``start`` to ``end`` in (u, v); negative on its left."""
-    du, dv = end[0] - start[0], end[1] - start[1]
-    result: Floats = ((u - start[0]) * dv - (v - start[1]) * du) / float(np.hypot(du, dv))
-    return result
