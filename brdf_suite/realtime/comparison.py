@@ -25,6 +25,7 @@ from brdf_suite.realtime.offscreen import DEFAULT_SAMPLES, Region, Size, checked
 from brdf_suite.realtime.programs import assign
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.shader_source import compose
+from brdf_suite.realtime.traced_light import TracedLight
 
 _WORKING_TO_RELATIVE = np.asarray(np.linalg.inv(RELATIVE_TO_WORKING.T), np.float64)
 _FIRST, _SECOND = "first", "second"
@@ -60,6 +61,8 @@ class Comparison:
         self._programs: dict[str, tuple[moderngl.Program, moderngl.VertexArray]] = {}
         self._picture: ComparedPicture | None = None
         self._picture_texture: moderngl.Texture | None = None
+        self.traced: TracedLight | None = None
+        """What is shown as the first where its size is the first's: a traced picture instead of a drawn one."""
 
     def set_picture(self, picture: ComparedPicture | None) -> None:
         """Compare with a picture instead of a second paint, or with the paint again."""
@@ -98,13 +101,13 @@ class Comparison:
         size, mode = checked_size(size), view.compare.mode
         width, height = size
         if mode == "off" or (mode == "blink" and not show_second):
-            self._renderer.render(view, target, size, samples)
+            self._draw_first(view, target, size, samples)
         elif mode == "blink":
             self._draw_second(view, target, size, samples, (0, 0, width, height))
         elif mode == "swipe":
             split = divider_px(view.compare.divider, width)
             if split > 0:
-                self._renderer.render(view, target, size, samples, region=(0, 0, split, height))
+                self._draw_first(view, target, size, samples, region=(0, 0, split, height))
             if split < width:
                 self._draw_second(view, target, size, samples, (split, 0, width - split, height))
         elif mode == "side":
@@ -120,6 +123,21 @@ class Comparison:
         self._compare(view, target, size, numbers=True)
         values = np.frombuffer(target.read(components=1, dtype="f4"), np.float32)
         return values.reshape(size[1], size[0])[::-1].copy()
+
+    def _draw_first(
+        self,
+        view: View,
+        target: moderngl.Framebuffer,
+        size: Size,
+        samples: int,
+        *,
+        region: Region | None = None,
+        display: Display | None = None,
+    ) -> None:
+        if self.traced is not None and self.traced.size == size:
+            self.traced.render(view, target, size, region=region, display=display)
+        else:
+            self._renderer.render(view, target, size, samples, region=region, display=display)
 
     def _draw_second(
         self,
@@ -143,7 +161,7 @@ class Comparison:
 
     def _draw_side_by_side(self, view: View, target: moderngl.Framebuffer, size: Size, samples: int) -> None:
         left, right = sides(size)
-        self._renderer.render(view, target, (left[2], left[3]), samples)
+        self._draw_first(view, target, (left[2], left[3]), samples)
         half = (right[2], right[3])
         made = self._target("side", half, "f1")
         self._draw_second(view, made, half, samples, (0, 0, *half))
@@ -173,10 +191,10 @@ class Comparison:
         if not light:
             # In sRGB, which the difference decodes, whatever the monitor is; marks are no part of the colours.
             view = replace(view, clipping_marks=False, gamut_marks=False)
-            self._renderer.render(view, first, size, samples, display=SRGB)
+            self._draw_first(view, first, size, samples, display=SRGB)
             self._draw_second(view, second, size, samples, (0, 0, *size), SRGB)
             return
-        self._renderer.render(view, first, size, samples, display=LINEAR)
+        self._draw_first(view, first, size, samples, display=LINEAR)
         if self._picture is None:
             self._renderer.render(view, second, size, samples, materials=self._materials, display=LINEAR)
         else:

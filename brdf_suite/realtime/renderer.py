@@ -29,7 +29,7 @@ from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.backdrop import backdrop
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
 from brdf_suite.realtime.context import graphics_errors
-from brdf_suite.realtime.display import SRGB, Display
+from brdf_suite.realtime.display import SRGB, Display, Unshowable
 from brdf_suite.realtime.environment_textures import RAMP_UNIT, EnvironmentTextures
 from brdf_suite.realtime.features import surface_features
 from brdf_suite.realtime.finish import FinishPass
@@ -202,6 +202,33 @@ class Renderer(OffscreenPictures):
             self._finish.draw(light, view, display or self.screen)
             self.context.scissor = None
 
+    def draw_backdrop(
+        self, view: View, target: LightTarget, size: Size, region: Region | None = None
+    ) -> moderngl.Texture:
+        """Draw what is seen past the surface, with the ground's shadow, and leave ``target`` bound.
+
+        Return its exposed light, one sample a pixel and without any object, for another's light to be laid over.
+        """
+        if not self._environment.exponents:
+            raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
+        camera = matrices(view.camera, self.bounds, size)
+        framebuffer, light = target.prepare(size, 0)
+        framebuffer.use()
+        self.context.viewport = (0, 0, *size)
+        self.context.scissor = region
+        self.context.enable_only(moderngl.DEPTH_TEST)
+        self.context.depth_func = "<="
+        self._environment.bind()
+        framebuffer.clear(depth=1.0)
+        self._draw_background(view, camera, size, (0, 0))
+        self._draw_ground(view, camera, crop(size, (0, 0), size))
+        return light
+
+    def count_in(self, light: moderngl.Texture, view: View, size: Size, display: Display) -> Unshowable:
+        """Count the pixels of ``light``, exposed radiance of a picture of ``size``, that a screen cannot show."""
+        self._bind(self._picture.prepare(size), size)
+        return self._finish.count(light, view, display)
+
     def release(self) -> None:
         """Give every OpenGL object back; the renderer cannot be used after."""
         self._objects.release_all()
@@ -277,6 +304,8 @@ class Renderer(OffscreenPictures):
                 assign(program, common)
                 ready.add((material.look_ups, words))
             assign(program, self._environment.use_sharp(material.sharp))
+            if "COAT_RELIEF" in words:
+                assign(program, self._relief.peel_uniforms(view, name))
             if lit:
                 assign(program, self._single_lights.uniforms(name, view, has_uv=self._mesh.has_uv[part]))
             material.ramp.use(RAMP_UNIT)
