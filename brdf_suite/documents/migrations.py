@@ -29,12 +29,14 @@ def _fresnel_mode(fields: dict[str, object]) -> dict[str, object]:
     return {**fields, **old, "fresnel": "raised" if on else "off"}
 
 
-VERSIONS: dict[str, int] = {"brdfpaint": 2, "brdfview": 3, "brdfstudio": 1, "brdfpalette": 1}
+VERSIONS: dict[str, int] = {"brdfpaint": 3, "brdfview": 3, "brdfstudio": 1, "brdfpalette": 1}
 """The present version of each format."""
 
 MIGRATIONS: dict[tuple[str, int], Migration] = {
     # Version 2 added fields with defaults and the kind "cook_torrance"; what was there kept its meaning.
     ("brdfpaint", 1): dict,
+    # Version 3 added the orange peel of an aspecular paint, with a default.
+    ("brdfpaint", 2): dict,
     # Version 2 added how the image of the environment is laid out, with a default.
     ("brdfview", 1): dict,
     # Version 3 gave Fresnel three modes instead of on and off, and added fields with defaults.

@@ -1,4 +1,4 @@
-"""The paint as a colourist knows it: a colour per aspecular angle, gloss and flakes.
+"""The paint as a colourist knows it: a colour per aspecular angle, gloss, orange peel and flakes.
 
 All values are frozen; an edit makes a new one. A bad value raises :class:`ValueRangeError` whose ``place``
 names the field (``measurements[1].lab[0]``).
@@ -6,6 +6,7 @@ names the field (``measurements[1].lab[0]``).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
@@ -23,6 +24,9 @@ Lab = tuple[float, float, float]
 # An instrument of a hundred angles is far beyond any made; more is a damaged file.
 _MOST_MEASUREMENTS = 100
 _SAME_ANGLE_DEG = 1e-9
+
+STEEPEST_PEEL_DEG = 5.0
+"""The steepest orange peel, root mean square; a bad coat has half a degree."""
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     {
@@ -46,6 +50,12 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
         ),
         "gloss.gu_60": Parameter(
             "Gloss 60°", "GU", 0.0, 200.0, 95.0, "Reading at 60°, coat and base together"
+        ),
+        "orange_peel.amplitude_um": Parameter(
+            "Orange peel", "µm", 0.0, 20.0, 0.5, "Root mean square height of the coat's waviness"
+        ),
+        "orange_peel.wavelength_mm": Parameter(
+            "Peel wavelength", "mm", 0.5, 50.0, 4.0, "Typical distance from crest to crest of the orange peel"
         ),
         "flakes.density_per_mm2": Parameter(
             "Flake density", "1/mm²", 0.0, 100_000.0, 120.0, "Flakes that can be seen per area"
@@ -100,6 +110,37 @@ class Gloss:
 
 
 @dataclass(frozen=True)
+class OrangePeel:
+    """The waviness of the coat: its root mean square height, µm, and its typical wavelength, mm.
+
+    Waves steeper than :data:`STEEPEST_PEEL_DEG` are refused: that is a relief, and no coat that has run out.
+    """
+
+    amplitude_um: float = 0.5
+    wavelength_mm: float = 4.0
+
+    def __post_init__(self) -> None:
+        for name in ("amplitude_um", "wavelength_mm"):
+            object.__setattr__(self, name, PARAMETERS[f"orange_peel.{name}"].check(getattr(self, name), name))
+        if self.slope_deg > STEEPEST_PEEL_DEG:
+            most = math.tan(math.radians(STEEPEST_PEEL_DEG)) * self.wavelength_mm * 1e3 / (2.0 * math.pi)
+            raise ValueRangeError(
+                "amplitude_um",
+                f"waves of {self.amplitude_um:g} µm and {self.wavelength_mm:g} mm would be steeper than "
+                f"{STEEPEST_PEEL_DEG:g}°; at this wavelength at most {math.floor(100.0 * most) / 100.0:g} µm",
+            )
+
+    @property
+    def slope_deg(self) -> float:
+        """Return the root mean square slope, degrees, of waves of one length: tan = 2π height / wavelength.
+
+        >>> round(OrangePeel(1.11, 4.0).slope_deg, 2)
+        0.1
+        """
+        return math.degrees(math.atan(2.0 * math.pi * self.amplitude_um * 1e-3 / self.wavelength_mm))
+
+
+@dataclass(frozen=True)
 class Flakes:
     """The flakes that sparkle: how many, how large, how tilted, how differently coloured."""
 
@@ -138,6 +179,7 @@ class Paint:
     notes: str = ""
     source: str = ""
     out_of_plane: OutOfPlane = "aspecular"
+    orange_peel: OrangePeel | None = None
 
     def __post_init__(self) -> None:
         check_text(self.name, "name", longest=200, lines=False, empty=False)
@@ -146,6 +188,10 @@ class Paint:
             raise ValueRangeError("gloss", f"gloss readings are wanted, not {describe(self.gloss)}")
         if self.flakes is not None and not isinstance(self.flakes, Flakes):
             raise ValueRangeError("flakes", f"flakes or nothing are wanted, not {describe(self.flakes)}")
+        if self.orange_peel is not None and not isinstance(self.orange_peel, OrangePeel):
+            raise ValueRangeError(
+                "orange_peel", f"orange peel or nothing is wanted, not {describe(self.orange_peel)}"
+            )
         check_choice(self.interpolation, "interpolation", INTERPOLATIONS)
         check_choice(self.out_of_plane, "out_of_plane", OUT_OF_PLANE)
         near = PARAMETERS["near_specular"].check(self.near_specular, "near_specular")

@@ -14,7 +14,7 @@ from typing import TypeVar
 from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.documents.cook_torrance import Clearcoat, CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.migrations import VERSIONS, open_envelope
-from brdf_suite.documents.paint import Flakes, Gloss, Measurement, Paint
+from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, Paint
 from brdf_suite.documents.reading import FieldReader, fill, read_json
 from brdf_suite.documents.view import PARTS, Camera, View
 from brdf_suite.documents.view_settings import Lamp, PartMaterial, SurfaceLook
@@ -110,10 +110,11 @@ def _aspecular(reader: FieldReader) -> Paint:
     name = reader.take("name")
     measurements = tuple(_measurement(item) for item in reader.take_objects("measurements"))
     gloss = fill(reader.take_object("gloss"), Gloss, required=("gu_20",))
-    flakes = _optional(reader, "flakes", Flakes)
-    return fill(
-        reader, Paint, taken={"name": name, "measurements": measurements, "gloss": gloss, "flakes": flakes}
-    )
+    parts = {
+        "flakes": _optional(reader, "flakes", Flakes),
+        "orange_peel": _optional(reader, "orange_peel", OrangePeel),
+    }
+    return fill(reader, Paint, taken={"name": name, "measurements": measurements, "gloss": gloss, **parts})
 
 
 def _cook_torrance(reader: FieldReader) -> CookTorrancePaint:

@@ -18,7 +18,7 @@ from typing import Literal
 
 import numpy as np
 
-from brdf_suite.documents.paint import Flakes, Paint
+from brdf_suite.documents.paint import Flakes, OrangePeel, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.basis import LobeBasis
@@ -73,6 +73,11 @@ class AnyFit:
     fit_seconds: float
     paint_fit: PaintFit | None = None
     flakes: Flakes | None = None
+
+    @property
+    def orange_peel(self) -> OrangePeel | None:
+        """The waviness of the coat, where the fit is of a paint that says so."""
+        return None if self.paint_fit is None else self.paint_fit.orange_peel
 
     @property
     def time_limited(self) -> bool:

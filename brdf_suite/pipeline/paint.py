@@ -14,7 +14,7 @@ import numpy as np
 
 from brdf_suite.appearance.colorimetry import working_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
-from brdf_suite.documents.paint import Flakes, Lab, Paint
+from brdf_suite.documents.paint import Flakes, Lab, OrangePeel, Paint
 from brdf_suite.errors import FittingError, UnreachableError
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.fitter import LobeFit, LobeFitter
@@ -65,6 +65,11 @@ class PaintFit:
     def flakes(self) -> Flakes | None:
         """The paint's flakes, where it has any."""
         return self.paint.flakes
+
+    @property
+    def orange_peel(self) -> OrangePeel | None:
+        """The waviness of the paint's coat, where it has any."""
+        return self.paint.orange_peel
 
     @property
     def fit_seconds(self) -> float:

@@ -76,6 +76,7 @@ class SceneRenderer:
         """
         self._renderer.set_material(material, material_weights(fit.weights, self._angles.of(fit)))
         self._renderer.set_flakes(material, fit.flakes)
+        self._renderer.relief.set_own_peel(material, fit.orange_peel)
 
     def set_environment(self, prepared: PreparedEnvironment) -> None:
         """Show this environment; its maps must have been made for the exponents of the paint's fit."""

@@ -8,6 +8,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.gpu_objects import GpuObjects
@@ -30,7 +31,8 @@ class ReliefTextures:
         self._peel: tuple[moderngl.Texture, int] | None = None  # with waves along an edge
         self._mask: tuple[moderngl.Texture, float] | None = None
         self.make_peel: Callable[[], PeelTile] | None = None
-        """Makes the tile when a view first asks for orange peel."""
+        """Makes the tile when a view or a paint first asks for orange peel."""
+        self._own_peels: dict[str, OrangePeel] = {}
 
     def set_normal_map(self, slopes: SlopeMap | None) -> None:
         """Replace the normal map; None: there is none."""
@@ -45,6 +47,13 @@ class ReliefTextures:
         self._peel = None
         self._peel = (self._slopes(tile.slopes), tile.waves)
 
+    def set_own_peel(self, material: str, peel: OrangePeel | None) -> None:
+        """Give a material the orange peel that is drawn where the view asks for none."""
+        if peel is None or peel.slope_deg == 0.0:
+            self._own_peels.pop(material, None)
+        else:
+            self._own_peels[material] = peel
+
     def set_mask(self, mask: MaskImage | None) -> None:
         """Replace the mask of the second paint; None: there is one paint."""
         self._give_back(self._mask)
@@ -58,7 +67,7 @@ class ReliefTextures:
         words = set()
         if self._normal_map is not None and view.relief.normal_map is not None:
             words.add("NORMAL_MAP")
-        if view.relief.orange_peel > 0.0:
+        if view.relief.orange_peel > 0.0 or self._own_peels:
             if self._peel is None and self.make_peel is not None:
                 self.set_peel(self.make_peel())
             if self._peel is not None:
@@ -79,15 +88,26 @@ class ReliefTextures:
             values["normal_tiles"] = (1.0 / width, 1.0 / (width * aspect))
             values["normal_strength"] = view.relief.normal_strength
         if self._peel is not None:
-            texture, waves = self._peel
-            texture.use(PEEL_UNIT)
-            values["peel_tiles"] = 1.0 / (waves * view.relief.orange_peel_mm)
-            values["peel_slope"] = float(np.tan(np.radians(view.relief.orange_peel)))
+            self._peel[0].use(PEEL_UNIT)
         if self._mask is not None:
             texture, aspect = self._mask
             texture.use(MASK_UNIT)
             values |= mask_coordinates(view, bounds, aspect)
         return values
+
+    def peel_uniforms(self, view: View, material: str) -> dict[str, object]:
+        """Return the uniforms of orange_peel for one material: the view's, or where it has none the paint's own."""
+        if self._peel is None:
+            return {}
+        own = self._own_peels.get(material)
+        if view.relief.orange_peel > 0.0 or own is None:
+            slope, length = view.relief.orange_peel, view.relief.orange_peel_mm
+        else:
+            slope, length = own.slope_deg, own.wavelength_mm
+        return {
+            "peel_tiles": 1.0 / (self._peel[1] * length),
+            "peel_slope": float(np.tan(np.radians(slope))),
+        }
 
     def release(self) -> None:
         """Give the textures back."""

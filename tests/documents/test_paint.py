@@ -7,8 +7,10 @@ import math
 
 import pytest
 
-from brdf_suite.documents.paint import Flakes, Gloss, Measurement, Paint, solid_paint
+from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, Paint, solid_paint
+from brdf_suite.documents.store import paint_from_json, paint_to_json
 from brdf_suite.errors import SuiteError, ValueRangeError
+from brdf_suite.surface.orange_peel import height_rms_um
 
 LABS = {15.0: (62.0, -4.0, -45.0), 45.0: (25.0, 4.0, -38.0), 110.0: (9.0, 8.0, -28.0)}
 
@@ -96,3 +98,20 @@ def test_two_lights_at_one_aspecular_angle_are_told_apart() -> None:
         paint.lab_at(45.0, 15.0)
     with pytest.raises(ValueRangeError, match="light at 20°; there are 15, 45°"):
         paint.lab_at(15.0, 20.0)
+
+
+def test_a_paint_of_version_2_has_no_orange_peel() -> None:
+    old = {**paint_to_json(solid_paint("Old", (50.0, 1.0, 2.0))), "version": 2}
+    del old["orange_peel"]
+    paint = paint_from_json(old)
+    assert paint.orange_peel is None
+    assert paint_to_json(paint)["version"] == 3
+
+
+def test_the_slope_of_orange_peel_is_that_of_its_height() -> None:
+    for peel in (OrangePeel(0.3, 2.0), OrangePeel(5.0, 20.0)):
+        assert height_rms_um(peel.slope_deg, peel.wavelength_mm) == pytest.approx(peel.amplitude_um)
+    with pytest.raises(ValueRangeError, match="steeper than 5°"):
+        OrangePeel(20.0, 0.5)
+    with pytest.raises(ValueRangeError, match="orange peel or nothing"):
+        blue(orange_peel=0.5)

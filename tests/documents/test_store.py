@@ -26,6 +26,7 @@ from brdf_suite.documents.paint import (
     Flakes,
     Gloss,
     Measurement,
+    OrangePeel,
     Paint,
     solid_paint,
 )
@@ -105,6 +106,9 @@ paints = st.builds(
     notes=st.just("") | line(80) | st.just("two\nlines\tand a tab"),
     source=st.just("") | line(80),
     out_of_plane=st.sampled_from(OUT_OF_PLANE),
+    # The highest waves that the steepest slope leaves at the shortest wavelength are 6.9 µm.
+    orange_peel=st.none()
+    | st.builds(OrangePeel, st.floats(0.0, 6.9), numbers(P["orange_peel.wavelength_mm"])),
 )
 C = cook_torrance_module.PARAMETERS
 lobes = st.builds(
@@ -278,7 +282,7 @@ def test_the_file_is_what_the_format_says(tmp_path: Path) -> None:
     assert "Weiß" in text, "readable, not escaped"
     assert text.endswith("}\n")
     value = json.loads(text)
-    assert (value["format"], value["version"], value["kind"]) == ("brdfpaint", 2, "aspecular")
+    assert (value["format"], value["version"], value["kind"]) == ("brdfpaint", 3, "aspecular")
     assert value["measurements"][2] == {
         "illumination_deg": 45.0,
         "aspecular_deg": 110.0,

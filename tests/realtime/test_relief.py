@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Relief, SurfaceLook, TwoTone
 from brdf_suite.errors import ValueRangeError
@@ -110,6 +111,29 @@ def test_orange_peel_is_of_the_coat_alone(renderer: Renderer, scenes: Any) -> No
     lean /= np.linalg.norm(lean)
     mirror = 2.0 * lean[2] * lean - np.array([0, 0, 1])
     assert moved == pytest.approx(mirror, abs=0.03)
+
+
+def test_a_paint_brings_its_own_orange_peel_and_the_view_overrides_it(
+    renderer: Renderer, scenes: Any
+) -> None:
+    renderer.set_environment(up_light(scenes))
+    renderer.set_mesh([sheet(scenes)])
+    renderer.relief.set_peel(PeelTile(np.broadcast_to(np.array([0.8, 0.6]), (16, 16, 2)), 4))
+    for name in ("paint", "paint_b"):
+        renderer.set_material(name, scenes.weights(gloss=1.0))
+    flat = middle(renderer, view())
+    by_view = middle(renderer, view(Relief(orange_peel=5.0, orange_peel_mm=1.0)))
+    renderer.relief.set_own_peel("paint", OrangePeel(13.92, 1.0))
+    assert middle(renderer, view()) == pytest.approx(by_view, abs=4e-3)
+    assert np.abs(by_view - flat).max() > 0.05
+    slight = Relief(orange_peel=1.0, orange_peel_mm=1.0)
+    overridden = middle(renderer, view(slight))
+    # The paint that is compared with has a coat of its own.
+    compared = renderer.linear_tile(view(), SIZE, (48, 30), (2, 2), materials={"paint": "paint_b"})
+    assert compared[0, 0, :3] - 2.0 == pytest.approx(flat, abs=2e-3)
+    renderer.relief.set_own_peel("paint", None)
+    assert middle(renderer, view(slight)) == pytest.approx(overridden, abs=1e-6)
+    assert middle(renderer, view()) == pytest.approx(flat, abs=1e-6)
 
 
 def test_a_relief_too_fine_to_be_seen_is_gloss(renderer: Renderer, scenes: Any) -> None:
