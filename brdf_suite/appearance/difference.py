@@ -61,6 +61,31 @@ def delta_e_2000(lab1: npt.ArrayLike, lab2: npt.ArrayLike) -> Floats:
     >>> round(float(delta_e_2000([50.0, 2.6772, -79.7751], [50.0, 0.0, -82.7485])), 4)
     2.0425
     """
+    lightness, chroma, hue, weights, mean_c, mean_h = _terms_2000(lab1, lab2)
+    lightness, chroma, hue = lightness / weights[0], chroma / weights[1], hue / weights[2]
+    swing = np.radians(30.0) * np.exp(-(((np.degrees(mean_h) - 275.0) / 25.0) ** 2))
+    mean_c7 = mean_c**7
+    rotation = -np.sin(2.0 * swing) * 2.0 * np.sqrt(mean_c7 / (mean_c7 + _TWENTY_FIVE_7))
+    squared = lightness**2 + chroma**2 + hue**2 + rotation * chroma * hue
+    # The rotation term may leave a rounding error below zero where the colours are the same.
+    return np.asarray(np.sqrt(np.maximum(squared, 0.0)))
+
+
+def weights_2000(lab1: npt.ArrayLike, lab2: npt.ArrayLike) -> Floats:
+    """Return S_L, S_C and S_H (..., 3) of CIEDE2000 between L*a*b* arrays (..., 3) that broadcast.
+
+    What a difference of lightness, chroma or hue is divided by, so that 1 of each is about alike to the eye.
+
+    >>> weights_2000([50.0, 0.0, 0.0], [50.0, 0.0, 0.0]).tolist()
+    [1.0, 1.0, 1.0]
+    """
+    return np.stack(np.broadcast_arrays(*_terms_2000(lab1, lab2)[3]), axis=-1)
+
+
+def _terms_2000(
+    lab1: npt.ArrayLike, lab2: npt.ArrayLike
+) -> tuple[Floats, Floats, Floats, tuple[Floats, Floats, Floats], Floats, Floats]:
+    """ΔL', ΔC', ΔH', their weights, and the means of C' and of h' (radians)."""
     first, second = np.asarray(lab1, float), np.asarray(lab2, float)
     l1, a1, b1 = first[..., 0], first[..., 1], first[..., 2]
     l2, a2, b2 = second[..., 0], second[..., 1], second[..., 2]
@@ -90,14 +115,7 @@ def delta_e_2000(lab1: npt.ArrayLike, lab2: npt.ArrayLike) -> Floats:
         + 0.32 * np.cos(3.0 * mean_h + np.radians(6.0))
         - 0.20 * np.cos(4.0 * mean_h - np.radians(63.0))
     )
-    swing = np.radians(30.0) * np.exp(-(((np.degrees(mean_h) - 275.0) / 25.0) ** 2))
-    mean_c7 = mean_c**7
-    rotation = -np.sin(2.0 * swing) * 2.0 * np.sqrt(mean_c7 / (mean_c7 + _TWENTY_FIVE_7))
     middle = (mean_l - 50.0) ** 2
     s_l = 1.0 + 0.015 * middle / np.sqrt(20.0 + middle)
-    lightness = (l2 - l1) / s_l
-    chroma = (c2 - c1) / (1.0 + 0.045 * mean_c)
-    hue = delta_h / (1.0 + 0.015 * mean_c * t)
-    squared = lightness**2 + chroma**2 + hue**2 + rotation * chroma * hue
-    # The rotation term may leave a rounding error below zero where the colours are the same.
-    return np.asarray(np.sqrt(np.maximum(squared, 0.0)))
+    weights = (np.asarray(s_l), np.asarray(1.0 + 0.045 * mean_c), np.asarray(1.0 + 0.015 * mean_c * t))
+    return np.asarray(l2 - l1), np.asarray(c2 - c1), np.asarray(delta_h), weights, mean_c, mean_h
