@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from brdf_qt.fit_error import is_large, large_error_tip, marked
+from brdf_qt.translation import tr
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPalette, QPen, QPolygonF
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QVBoxLayout, QWidget
 
 from brdf_designer.caption import Caption
 from brdf_designer.desk_state import AngleColour, Colours, Curves
+from brdf_designer.standard_patch import StandardPatch
 
 OUTSIDE_TIP = (
     "Outside sRGB: this screen shows the nearest colour by clipping. The paint itself is not clipped."
@@ -34,12 +38,14 @@ def paint_corner(painter: QPainter, rect: QRectF, size: float = CORNER) -> None:
 
 
 class ColourField(QWidget):
-    """One colour, edge to edge; a corner mark where the screen cannot show it."""
+    """One colour, edge to edge, or beside a standard's; a corner mark where the screen cannot show it."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._rgb = QColor(0, 0, 0)
         self._in_gamut = True
+        self._standard: QColor | None = None
+        self._standard_in_gamut = True
         self.setMinimumSize(72, 16)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
@@ -52,17 +58,48 @@ class ColourField(QWidget):
         self.setAccessibleName(f"Colour at {colour.text}: {numbers}")
         self.update()
 
+    def show_standard(self, patch: StandardPatch | None) -> None:
+        """Show a standard's colour in the right half, without a gap between them; ``None`` for the whole field."""
+        rgb = None if patch is None else patch.rgb
+        self._standard = None if rgb is None else QColor(*rgb)
+        self._standard_in_gamut = patch is None or patch.in_gamut
+        self.update()
+
+    def standard(self) -> QColor | None:
+        """Return the standard's colour that is shown; ``None`` where there is none."""
+        return self._standard
+
     def sizeHint(self) -> QSize:
         return QSize(260, 200)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.fillRect(self.rect(), self._rgb)
+        batch = QRectF(self.rect())
+        if self._standard is not None:
+            batch.setWidth(self.width() // 2)
+            other = QRectF(batch.right(), 0, self.width() - batch.right(), self.height())
+            painter.fillRect(other, self._standard)
+            if not self._standard_in_gamut:
+                paint_corner(painter, other, 2 * CORNER)
+            _write(painter, batch, tr("batch"), self._rgb)
+            _write(painter, other, tr("standard"), self._standard)
         if not self._in_gamut:
-            paint_corner(painter, QRectF(self.rect()), 2 * CORNER)
+            paint_corner(painter, batch, 2 * CORNER)
         # A hairline, so that a colour like the surround is still seen as a field.
         painter.setPen(self.palette().dark().color())
         painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+
+
+def _write(painter: QPainter, rect: QRectF, text: str, ground: QColor) -> None:
+    """Write what a half is at its lower edge, in black or white, where it has the room."""
+    inner = rect.adjusted(6, 2, -6, -4)
+    metrics = painter.fontMetrics()
+    if metrics.horizontalAdvance(text) > inner.width() or 3 * metrics.height() > inner.height():
+        return
+    light = 0.2126 * ground.redF() + 0.7152 * ground.greenF() + 0.0722 * ground.blueF() > 0.45
+    painter.setPen(QColor(0, 0, 0) if light else QColor(255, 255, 255))
+    painter.drawText(inner, Qt.AlignmentFlag.AlignBottom | Qt.AlignmentFlag.AlignLeft, text)
 
 
 def lab_text(lab: tuple[float, float, float]) -> str:
@@ -83,6 +120,7 @@ class PatchRow(QWidget):
         self._grid.setVerticalSpacing(2)
         self._grid.setRowStretch(0, 1)
         self._cells: list[tuple[ColourField, Caption, Caption, Caption]] = []
+        self._standard_cells: list[tuple[Caption, Caption]] = []
 
     def show_colours(self, colours: Colours) -> None:
         """Show every measurement; makes or drops fields where their number changes."""
@@ -90,7 +128,7 @@ class PatchRow(QWidget):
             self._cells.append(self._new_cell(len(self._cells)))
         while len(self._cells) > len(colours.angles):
             self._grid.setColumnStretch(len(self._cells) - 1, 0)
-            for widget in self._cells.pop():
+            for widget in (*self._cells.pop(), *self._standard_cells.pop()):
                 self._grid.removeWidget(widget)
                 widget.deleteLater()
         for (field, angle, numbers, _), colour in zip(self._cells, colours.angles, strict=True):
@@ -111,6 +149,20 @@ class PatchRow(QWidget):
             cell[3].setToolTip(large if is_large(error) else _FIT_TIP)
             cell[3].set_forms(text)
 
+    def show_standard(self, patches: Sequence[StandardPatch] | None) -> None:
+        """Show the standard in and under each field, in the order of the fields; ``None``: there is none."""
+        for number, (cell, captions) in enumerate(zip(self._cells, self._standard_cells, strict=True)):
+            patch = None if patches is None else patches[number]
+            cell[0].show_standard(patch)
+            for caption in captions:
+                caption.setVisible(patch is not None)
+            if patch is not None:
+                captions[0].set_forms(*patch.forms)
+                _set_bold(captions[0], patch.passes is False)
+                captions[1].set_forms(*patch.words)
+                for caption in captions:
+                    caption.setToolTip(patch.tip)
+
     def _new_cell(self, column: int) -> tuple[ColourField, Caption, Caption, Caption]:
         field, angle, numbers, fit = ColourField(), Caption(), Caption(), Caption()
         _set_bold(angle, True)
@@ -120,6 +172,11 @@ class PatchRow(QWidget):
         fit.setToolTip(_FIT_TIP)
         for row, widget in enumerate((field, angle, numbers, fit)):
             self._grid.addWidget(widget, row, column)
+        against, words = Caption(), Caption()
+        for row, widget in enumerate((against, words), 4):
+            widget.hide()
+            self._grid.addWidget(widget, row, column)
+        self._standard_cells.append((against, words))
         self._grid.setColumnStretch(column, 1)
         return field, angle, numbers, fit
 
