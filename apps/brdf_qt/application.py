@@ -29,7 +29,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication, QWidget
 
-from brdf_qt import theme
+from brdf_qt import theme, translation
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.settings import ORGANISATION, state_folder
 from brdf_suite.errors import Cancelled
@@ -75,11 +75,12 @@ def surface_format(samples: int = 4) -> QSurfaceFormat:
 
 
 def create_application(
-    name: str, argv: list[str] | None = None, theme_name: str | None = None
+    name: str, argv: list[str] | None = None, theme_name: str | None = None, language: str | None = None
 ) -> QApplication:
-    """Make the application object of program ``name`` ("Designer"), with theme, log and error handling.
+    """Make the application object of program ``name`` ("Designer"), with theme, language, log and error handling.
 
-    ``theme_name`` overrides the remembered theme for this run only. Call once, before any widget.
+    ``theme_name`` and ``language`` (ISO 639 code) override what is remembered for this run only. Call once, before
+    any widget.
     """
     missing = screen_missing()
     if missing is not None:
@@ -94,6 +95,7 @@ def create_application(
     app.setFont(_font(app.font()))
     theme.apply(app, theme_name or theme.current(), remember=False)
     theme.follow_system(app)
+    translation.install(app, language)
     _start_log()
     sys.excepthook = _unhandled
     qInstallMessageHandler(_qt_message)

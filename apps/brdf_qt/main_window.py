@@ -21,6 +21,7 @@ from brdf_qt.section import Inspector
 from brdf_qt.settings import settings
 from brdf_qt.status_line import StatusLine
 from brdf_qt.theme import theme_menu
+from brdf_qt.translation import TRANSLATED, language_menu
 
 LAYOUT_VERSION = 1
 Shortcut = str | QKeySequence | QKeySequence.StandardKey
@@ -148,6 +149,8 @@ class SuiteWindow(QMainWindow):
 
     def _add_common_commands(self) -> None:
         self.view_menu.addMenu(theme_menu(self.view_menu))
+        if self._program in TRANSLATED:
+            self.view_menu.addMenu(language_menu(self.view_menu))
         self.view_menu.addMenu(self.panels_menu)
         self.add_action(self.view_menu, "Show or Hide &Panels", self.toggle_panels, "F4")
         self.palette_window = CommandPalette(self)

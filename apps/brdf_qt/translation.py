@@ -2,12 +2,24 @@
 
 Sources are the English texts themselves; ``packaging/translate.py`` collects them and makes the ``.qm`` files.
 A text is a literal with named places (``tr("Saved in {folder}").format(folder=name)``), never an f-string: the
-tool that collects them reads the source.
+tool that collects them reads the source. Messages of the core (files, fits) are English in every language.
 """
 
 from __future__ import annotations
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
+from PySide6.QtGui import QAction, QActionGroup
+from PySide6.QtWidgets import QMenu
+
+from brdf_qt.settings import settings
+from brdf_suite.resources import resource, resource_names
+
+TRANSLATED = ("Designer",)
+"""The programs whose own texts are collected; another one stays English, rather than half of it."""
+SYSTEM = "system"
+SOURCE = "en"
+_ENDING = ".qm"
+_KEY = "language"
 
 
 def tr(text: str, comment: str | None = None) -> str:
@@ -18,6 +30,63 @@ def tr(text: str, comment: str | None = None) -> str:
     return QCoreApplication.translate("", text, comment)
 
 
-def mark(text: str) -> str:
+def mark(text: str, _comment: str | None = None) -> str:
     """Return ``text`` itself: a constant that is handed to :func:`tr` later, when a translator is there."""
     return text
+
+
+def languages() -> list[str]:
+    """Return the languages that there are, by their ISO 639 codes, English first."""
+    return [SOURCE, *resource_names("translations", _ENDING)]
+
+
+def chosen() -> str:
+    """Return the language that the user chose: a code, or ``system``."""
+    code = str(settings().value(_KEY, SYSTEM))
+    return code if code in languages() else SYSTEM
+
+
+def remember(code: str) -> None:
+    """Choose the language of the next start."""
+    settings().setValue(_KEY, code)
+
+
+def install(app: QCoreApplication, code: str | None = None) -> str:
+    """Install the translators of ``code`` (default: what was chosen) for ``app``; return the code taken.
+
+    Before the first widget: texts that are shown already stay as they are.
+    """
+    if app.applicationName() not in TRANSLATED:
+        return SOURCE
+    wanted = code or chosen()
+    if wanted == SYSTEM:
+        wanted = QLocale.system().name().partition("_")[0]
+    if wanted not in languages() or wanted == SOURCE:
+        return SOURCE
+    ours = QTranslator(app)
+    if not ours.load(str(resource("translations", wanted + _ENDING))):
+        return SOURCE
+    app.installTranslator(ours)
+    # The buttons of Qt's own dialogs; where Qt ships none for a language, they stay English.
+    qts = QTranslator(app)
+    if qts.load(f"qtbase_{wanted}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)):
+        app.installTranslator(qts)
+    return wanted
+
+
+def language_menu(parent: QMenu) -> QMenu:
+    """Return the menu that chooses the language of the next start."""
+    menu = QMenu(tr("&Language"), parent)
+    menu.setToolTipsVisible(True)
+    group = QActionGroup(menu)
+    names = {SYSTEM: tr("As the system has it")}
+    names |= {code: QLocale(code).nativeLanguageName().capitalize() for code in languages()}
+    names[SOURCE] = "English"
+    for code, name in names.items():
+        action = QAction(name, menu, checkable=True, checked=code == chosen())
+        action.setObjectName(f"language_{code}")
+        action.setToolTip(tr("From the next start of the program on"))
+        action.triggered.connect(lambda _checked=False, code=code: remember(code))
+        group.addAction(action)
+        menu.addAction(action)
+    return menu

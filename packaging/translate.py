@@ -1,0 +1,105 @@
+"""Collect the texts of the windows and make the translations that the programs load.
+
+    python packaging/translate.py            # collect into packaging/translations/*.ts, release into resources/
+    python packaging/translate.py --check    # say what is not translated, or not collected; write nothing
+
+The ``.ts`` files are edited by hand or with Qt Linguist (``pyside6-linguist packaging/translations/de.ts``).
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from xml.etree import ElementTree
+
+ROOT = Path(__file__).resolve().parent.parent
+SOURCES = ROOT / "packaging" / "translations"
+RELEASED = ROOT / "resources" / "translations"
+PROGRAMS = ("brdf_qt", "brdf_designer")
+_PLACE = re.compile(r"\{[^}]*\}")
+
+
+def collect(target: Path) -> None:
+    """Bring the ``.ts`` file ``target`` up to what the programs' sources say."""
+    files = [
+        str(path.relative_to(ROOT))
+        for name in PROGRAMS
+        for path in sorted((ROOT / "apps" / name).rglob("*.py"))
+    ]
+    options = [
+        "-no-obsolete",
+        "-locations",
+        "none",
+        "-source-language",
+        "en",
+        "-tr-function-alias",
+        "tr+=mark",
+    ]
+    _tool("pyside6-lupdate", *options, *files, "-ts", str(target))
+
+
+def release(source: Path, target: Path) -> None:
+    """Make the ``.qm`` file ``target`` of a ``.ts`` file."""
+    _tool("pyside6-lrelease", "-silent", str(source), "-qm", str(target))
+
+
+def faults(source: Path) -> list[str]:
+    """Return what is wrong with a ``.ts`` file: texts without translation, places that are lost or invented."""
+    found = []
+    for message in ElementTree.parse(source).iter("message"):
+        text = message.findtext("source") or ""
+        translation = message.find("translation")
+        words = "" if translation is None else (translation.text or "")
+        if not words or (translation is not None and translation.get("type") == "unfinished"):
+            found.append(f"not translated: {text!r}")
+        elif sorted(_PLACE.findall(text)) != sorted(_PLACE.findall(words)):
+            found.append(f"other places in braces: {text!r} and {words!r}")
+        elif text.count("&") != words.count("&") and "&" in text.replace("&&", ""):
+            found.append(f"without its access key: {text!r} and {words!r}")
+    return found
+
+
+def main() -> int:
+    """Collect and release, or check."""
+    parser = argparse.ArgumentParser(description="Translations of the windows.")
+    parser.add_argument(
+        "--check", action="store_true", help="only say what is wrong; status 1 where anything is"
+    )
+    check = parser.parse_args().check
+    wrong = []
+    for source in sorted(SOURCES.glob("*.ts")):
+        if check:
+            with tempfile.TemporaryDirectory() as folder:
+                fresh = Path(folder) / source.name
+                shutil.copyfile(source, fresh)
+                collect(fresh)
+                if _texts(fresh) != _texts(source):
+                    wrong.append(f"{source.name}: texts have changed since they were collected")
+                wrong += [f"{source.name}: {fault}" for fault in faults(fresh)]
+        else:
+            collect(source)
+            release(source, RELEASED / f"{source.stem}.qm")
+            wrong += [f"{source.name}: {fault}" for fault in faults(source)]
+    print("\n".join(wrong) or "Everything is translated.")
+    return 1 if wrong and check else 0
+
+
+def _texts(source: Path) -> set[tuple[str, str]]:
+    messages = ElementTree.parse(source).iter("message")
+    return {(message.findtext("source") or "", message.findtext("comment") or "") for message in messages}
+
+
+def _tool(name: str, *arguments: str) -> None:
+    command = [str(Path(sys.executable).with_name(name)), *arguments]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(f"{name} failed:\n{done.stdout}{done.stderr}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
