@@ -1,0 +1,109 @@
+"""Standards out of files: a paint, every paint of a palette, every sample of a CxF3 file, a measured BRDF."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from brdf_suite.documents.paint import Gloss, Measurement, Paint
+from brdf_suite.documents.palette import Swatch
+from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
+from brdf_suite.errors import FileError, SuiteError, ValueRangeError
+from brdf_suite.pipeline.measuring import is_measured_file, load_measurable
+from brdf_suite.pipeline.scene import find_any_paint
+from brdf_suite.pipeline.standard import Standard, standard_of
+from brdf_suite.progress import Progress, report
+from brdf_suite.reflectance.protocol import Reflectance
+
+CXF_ENDING = ".cxf"
+BY_INSTRUMENT = "Its colours are read by the virtual spectrophotometer."
+
+
+def load_standards(
+    name_or_path: str | os.PathLike[str], progress: Progress | None = None
+) -> tuple[Standard, ...]:
+    """Return the standards in a file, or the shipped or Table 1 paint of that name; never none.
+
+    Raises
+    ------
+    SuiteError
+        There is nothing of that name, or the file cannot be read or holds no standard; with file and place.
+    Cancelled
+        The progress callback asked for it.
+    """
+    path = Path(name_or_path)
+    report(progress, 0.0, f"reading {path.name}")
+    ending = path.suffix.lower()
+    if ending == PALETTE_ENDING:
+        found = _of_palette(path)
+    elif ending == CXF_ENDING:
+        found = _of_cxf(path)
+    elif is_measured_file(path):
+        item = load_measurable(path)
+        found = (_of_reflectance(item.name, str(path), item.reflectance, item.notices),)
+    else:
+        paint = find_any_paint(name_or_path)
+        found = (_of_paint(paint, path.name if path.suffix else ""),)
+    report(progress, 1.0, "read")
+    return found
+
+
+def _of_paint(paint: object, origin: str) -> Standard:
+    if isinstance(paint, Paint):
+        return standard_of(paint, origin)
+    from brdf_suite.documents.store import AnyPaint
+    from brdf_suite.reflectance.build import build_reflectance
+
+    known: AnyPaint = paint  # type: ignore[assignment]  # every other kind is one that can be built
+    return _of_reflectance(known.name, origin, build_reflectance(known), ())
+
+
+def _of_reflectance(name: str, origin: str, reflectance: Reflectance, notices: tuple[str, ...]) -> Standard:
+    from brdf_suite.pipeline.measured_start import estimated_gloss
+
+    gloss = estimated_gloss(reflectance).gloss
+    return Standard(name, origin, (), gloss, None, reflectance, (BY_INSTRUMENT, *notices))
+
+
+def _of_palette(path: Path) -> tuple[Standard, ...]:
+    palette = load_palette(path)
+    found = [_of_swatch(swatch, f"{path.name}") for swatch in palette.swatches]
+    for group in palette.groups:
+        found += [_of_swatch(swatch, f"{path.name}, {group.name}") for swatch in group.swatches]
+    if not found:
+        raise FileError(path, "holds no paint, so there is no standard in it")
+    return tuple(found)
+
+
+def _of_swatch(swatch: Swatch, origin: str) -> Standard:
+    return _of_paint(swatch.paint, origin)
+
+
+def _of_cxf(path: Path) -> tuple[Standard, ...]:
+    # An XML reader, and few sessions need it.
+    from brdf_suite.files.cxf import read_cxf
+
+    file = read_cxf(path)
+    found: list[Standard] = []
+    refused = [*file.refused]
+    for sample in file.samples:
+        try:
+            readings = tuple(
+                Measurement(reading.illumination_deg, reading.aspecular_deg, reading.lab)
+                for reading in sample.readings
+            )
+        except ValueRangeError as error:
+            refused.append(f"{sample.name}: {error}")
+            continue
+        gloss: Gloss | None = sample.gloss
+        try:
+            paint = sample.paint() if gloss is not None else None
+        except ValueRangeError:  # too few angles for a paint; they are enough for a standard
+            paint = None
+        converted = tuple(
+            dict.fromkeys(reading.converted for reading in sample.readings if reading.converted)
+        )
+        found.append(Standard(sample.name, path.name, readings, gloss, paint, None, (*converted, *refused)))
+    if not found:
+        raise SuiteError(f"{path}: no sample can be a standard: {'; '.join(refused)}.")
+    return tuple(found)
