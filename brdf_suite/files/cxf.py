@@ -1,0 +1,284 @@
+"""CxF3 (ISO 17972-1): the multi-angle samples of a file, as standards and as paints.
+
+What is read of a sample, in this order: L*a*b*, LCh or XYZ of D65 and the 10° observer as they stand; else the
+reflectance spectrum, from which L*a*b* follows exactly. Tristimulus values of another light or observer are refused:
+without the spectrum nobody knows what the sample looks like under D65, and an adaptation would only be a guess.
+
+A value belongs to the one angle of its ColorSpecification; where that lists several, to the one whose notation is the
+value's name. A damaged or hostile file is refused whole, with the line.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from itertools import pairwise
+
+import numpy as np
+
+from brdf_suite.appearance.colorimetry import xyz_to_lab
+from brdf_suite.appearance.spaces import lch_to_lab
+from brdf_suite.appearance.spectra import spectrum_to_lab
+from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab
+from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.files.cxf_specification import (
+    BrdfAngle,
+    Specification,
+    child_number,
+    number,
+    read_specifications,
+)
+from brdf_suite.files.cxf_values import CxfFile, CxfReading, CxfSample, plain_name
+from brdf_suite.files.hardened_xml import MOST_BYTES, Element, PathLike, parse_xml
+from brdf_suite.files.measured.bounded_reading import MOST_BANDS, read_bytes
+from brdf_suite.files.paint_fields import setting_from_text
+
+NAMESPACE = "http://colorexchangeformat.com/CxF3-core"
+TAGS = "BRDF Suite"
+"""The name of the TagCollection in which this suite keeps the fields of a paint that CxF3 has no place for."""
+SETTING = "setting."
+"""Goes before the names of settings among the tags, as in ``setting.flakes.size_um``."""
+VERSION = "paint version"
+SOURCE = "source"
+
+_IN_PLANE_DEG = 1e-6
+_COLOURS = ("ColorCIELab", "ColorCIELCh", "ColorCIEXYZ")
+_SPECTRA = ("ReflectanceSpectrum", "CustomSpectrum")
+_OTHER_KINDS = ("Emissive", "Transmittance")
+_GLOSS = re.compile(r"\b(20|60)\b")
+
+_Spectrum = tuple[tuple[float, ...], tuple[float, ...]]
+
+
+def is_cxf(head: bytes) -> bool:
+    """Return whether the first bytes of a file are those of CxF3, whatever its prefix."""
+    return NAMESPACE.encode("ascii") in head or NAMESPACE.encode("utf-16-le") in head
+
+
+def read_cxf(path: PathLike) -> CxfFile:
+    """Return the multi-angle samples of a CxF3 file.
+
+    Raises
+    ------
+    FileError
+        It cannot be read, is not valid, or has no sample at a multi-angle geometry that can be used; with the line.
+    """
+    root = parse_xml(read_bytes(path, MOST_BYTES), path)
+    if root.name != "CxF" or root.namespace != NAMESPACE:
+        raise FileError(path, f"is not CxF3: its root is {root.name[:60]!r}", f"line {root.line}")
+    resources = root.first("Resources")
+    objects = resources.first("ObjectCollection") if resources else None
+    if resources is None or objects is None:
+        raise FileError(path, "holds no sample", f"line {root.line}")
+    specifications = read_specifications(resources, path)
+    samples: list[CxfSample] = []
+    refused: list[str] = []
+    others = 0
+    for element in objects.all("Object"):
+        reader = _SampleReader(element, specifications, path)
+        sample = reader.read()
+        if sample is not None:
+            samples.append(sample)
+            refused += [f"{sample.name}: {reason}" for reason in reader.refused]
+        elif reader.refused:
+            refused += [f"{reader.name}: {reason}" for reason in reader.refused]
+        else:
+            others += 1
+    if not samples:
+        why = f" ({refused[0]})" if refused else ""
+        raise FileError(path, f"holds no sample read at several angles that can be used{why}")
+    if others:
+        refused.append(f"{others} samples that were not read by a multi-angle instrument are left out")
+    return CxfFile(tuple(samples), _notes(samples), tuple(refused))
+
+
+def _notes(samples: list[CxfSample]) -> tuple[str, ...]:
+    notes = []
+    ways = {reading.converted for sample in samples for reading in sample.readings if reading.converted}
+    for way in sorted(ways):
+        count = sum(any(r.converted == way for r in sample.readings) for sample in samples)
+        notes.append(f"{count} of {len(samples)} samples: L*a*b* is {way}.")
+    without = sum(sample.gloss is None for sample in samples)
+    if without:
+        notes.append(
+            f"{without} of {len(samples)} samples say nothing of gloss; as paints they get 90 GU at 20°."
+        )
+    return tuple(notes)
+
+
+class _SampleReader:
+    """Reads one Object; ``refused`` collects what of it cannot be used."""
+
+    def __init__(self, element: Element, specifications: Mapping[str, Specification], path: PathLike) -> None:
+        self._element, self._specifications, self._path = element, specifications, path
+        identity = element.attributes.get("Id", "")
+        self.name = plain_name(element.attributes.get("Name", ""), identity[:200] or "unnamed")
+        self.refused: list[str] = []
+
+    def read(self) -> CxfSample | None:
+        """Return the sample, or None where it has no reading at a multi-angle geometry."""
+        colours: dict[tuple[float, float], tuple[Lab, str]] = {}
+        spectra: dict[tuple[float, float], _Spectrum] = {}
+        unusable: dict[tuple[float, float], str] = {}
+        values = self._element.first("ColorValues")
+        for value in values.children if values else []:
+            if value.name not in _COLOURS + _SPECTRA:
+                continue
+            specification = self._specification_of(value)
+            if not specification.angles or any(kind in specification.kind for kind in _OTHER_KINDS):
+                continue
+            angle = self._angle_of(value, specification)
+            if angle is None:
+                continue
+            key = (angle.illumination_deg, angle.aspecular_deg)
+            if value.name in _SPECTRA:
+                spectra.setdefault(key, self._spectrum(value, specification))
+            elif not specification.is_d65_10:
+                unusable[key] = specification.light
+            else:
+                self._take(colours, key, value)
+        for key, (bands, reflectance) in spectra.items():
+            if key not in colours:
+                lab = spectrum_to_lab(np.array(reflectance), np.array(bands))
+                colours[key] = (_lab(lab), "recomputed from the spectrum")
+        for (light, aspecular), why in unusable.items():
+            if (light, aspecular) not in colours:
+                self.refused.append(
+                    f"the colour at {light:g}as{aspecular:g} is of {why}, and without a spectrum it cannot become "
+                    "that of D65 and 10°"
+                )
+        if not colours:
+            return None
+        readings = tuple(
+            CxfReading(*key, lab, how, *spectra.get(key, (None, None))) for key, (lab, how) in colours.items()
+        )
+        return self._sample(readings)
+
+    def _fail(self, element: Element, reason: str) -> FileError:
+        return FileError(self._path, reason, f"line {element.line}")
+
+    def _specification_of(self, value: Element) -> Specification:
+        name = value.attributes.get("ColorSpecification", "")
+        if name not in self._specifications:
+            raise self._fail(value, f"the ColorSpecification {name[:80]!r} is not in the file")
+        return self._specifications[name]
+
+    def _angle_of(self, value: Element, specification: Specification) -> BrdfAngle | None:
+        angle = specification.angle_of(value.attributes.get("Name", "").strip())
+        if angle is None:
+            reason = (
+                f"{specification.name[:80]} lists {len(specification.angles)} angles, and no name says which of them "
+                f"the value of line {value.line} was read at"
+            )
+        elif abs(angle.azimuth_deg) > _IN_PLANE_DEG:
+            reason = (
+                f"{angle.notation or 'a reading'} is out of the plane of incidence ({angle.azimuth_deg:g}°)"
+            )
+            angle = None
+        else:
+            return angle
+        if reason not in self.refused:
+            self.refused.append(reason)
+        return None
+
+    def _take(
+        self, colours: dict[tuple[float, float], tuple[Lab, str]], key: tuple[float, float], value: Element
+    ) -> None:
+        read: Callable[[Element, PathLike], Lab]
+        read, how = {
+            "ColorCIELab": (_from_lab, ""),
+            "ColorCIELCh": (_from_lch, "from LCh"),
+            "ColorCIEXYZ": (_from_xyz, "from XYZ"),
+        }[value.name]
+        lab = read(value, self._path)
+        for place, number_ in zip(("lab[0]", "lab[1]", "lab[2]"), lab, strict=True):
+            try:
+                PARAMETERS[place].check(number_, PARAMETERS[place].label)
+            except ValueRangeError as error:
+                raise self._fail(value, str(error).rstrip(".")) from error
+        before = colours.get(key)
+        if before is not None and before[1] == how and before[0] != lab:
+            raise self._fail(value, f"a second, different colour at {key[0]:g}as{key[1]:g}")
+        # L*a*b* itself is nearest to what was measured; what was made of it counts less.
+        if before is None or (before[1] and not how):
+            colours[key] = (lab, how)
+
+    def _spectrum(self, value: Element, specification: Specification) -> _Spectrum:
+        path = self._path
+        if value.name == "CustomSpectrum":
+            points = value.all("SpectralPoint")
+            bands = [number(p, p.attributes.get("WL", ""), path, "WL") for p in points]
+            reflectance = [number(p, p.text, path, "a SpectralPoint") for p in points]
+        else:
+            start = value.attributes.get("StartWL")
+            first = specification.start_nm if start is None else number(value, start.strip(), path, "StartWL")
+            words = value.text.split()
+            if first is None or not specification.step_nm or specification.step_nm <= 0.0:
+                raise self._fail(
+                    value, f"neither it nor {specification.name[:80]} says at which wavelengths it was read"
+                )
+            step = specification.step_nm
+            reflectance = [number(value, word, path, "a reflectance") for word in words[: MOST_BANDS + 1]]
+            bands = [first + step * index for index in range(len(reflectance))]
+        if not 2 <= len(bands) <= MOST_BANDS:
+            raise self._fail(value, f"a spectrum of 2 to {MOST_BANDS} bands is wanted, not {len(bands)}")
+        if bands[0] < 100.0 or bands[-1] > 10_000.0 or any(b <= a for a, b in pairwise(bands)):
+            raise self._fail(value, "the wavelengths of a spectrum must rise, from 100 to 10,000 nm")
+        return tuple(bands), tuple(reflectance)
+
+    def _sample(self, readings: tuple[CxfReading, ...]) -> CxfSample:
+        element = self._element
+        comment = element.first("Comment")
+        tags = {
+            tag.attributes.get("Name", ""): (tag, tag.attributes.get("Value", ""))
+            for collection in element.all("TagCollection")
+            if collection.attributes.get("Name") == TAGS
+            for tag in collection.all("Tag")
+        }
+        return CxfSample(
+            name=self.name,
+            kind=element.attributes.get("ObjectType", ""),
+            readings=readings,
+            gloss=self._gloss(),
+            notes=comment.raw if comment is not None else "",
+            source=tags[SOURCE][1] if SOURCE in tags else "",
+            settings={
+                name.removeprefix(SETTING): setting_from_text(text)
+                for name, (_, text) in tags.items()
+                if name.startswith(SETTING)
+            },
+            version=round(number(*tags[VERSION], self._path, VERSION)) if VERSION in tags else None,
+        )
+
+    def _gloss(self) -> Gloss | None:
+        found: dict[str, float] = {}
+        attributes = self._element.first("PhysicalAttributes")
+        for gloss in attributes.all("Gloss") if attributes else []:
+            angle = _GLOSS.search(gloss.attributes.get("Method", ""))
+            if angle is not None:
+                found[angle[1]] = number(gloss, gloss.text, self._path, "Gloss")
+        if "20" not in found:
+            return None
+        try:
+            return Gloss(found["20"], found.get("60"))
+        except ValueRangeError as error:
+            raise self._fail(self._element, str(error).rstrip(".")) from error
+
+
+def _from_lab(value: Element, path: PathLike) -> Lab:
+    return child_number(value, "L", path), child_number(value, "A", path), child_number(value, "B", path)
+
+
+def _from_lch(value: Element, path: PathLike) -> Lab:
+    return _lab(lch_to_lab([child_number(value, name, path) for name in ("L", "C", "H")]))
+
+
+def _from_xyz(value: Element, path: PathLike) -> Lab:
+    return _lab(xyz_to_lab([child_number(value, name, path) for name in ("X", "Y", "Z")]))
+
+
+def _lab(values: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> Lab:
+    return float(values[0]), float(values[1]), float(values[2])
+
+
+__all__ = ["CxfFile", "CxfReading", "CxfSample", "is_cxf", "read_cxf"]

@@ -1,0 +1,219 @@
+"""CxF3 (ISO 17972-1), written: an Object per paint, and one ColorSpecification per angle.
+
+A value in CxF3 cannot name its angle, so each angle has a specification of its own with one BRDFAngle, noted as the
+trade does (``45as15``: light at 45°, 15° from the mirror direction). Tristimulus values are L*a*b* of D65 and the 10°
+observer. Where the spectra are known they stand beside them. Gloss goes into the physical attributes. What CxF3 has no
+place for (flakes, the rule between angles) is kept as tags, which only this suite reads.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from importlib.metadata import version
+from xml.sax.saxutils import escape, quoteattr
+
+import numpy as np
+
+from brdf_suite.appearance.geometries import Geometry
+from brdf_suite.appearance.spectra import DEFAULT_WAVELENGTHS_NM
+from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.migrations import VERSIONS
+from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.files.cxf import NAMESPACE, SETTING, SOURCE, TAGS, VERSION, is_cxf, read_cxf
+from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike, Spectra, Subject, readings_loss
+from brdf_suite.files.paint_fields import setting_text, settings_of
+from brdf_suite.progress import Progress
+
+_FIRST_NM, _LAST_FIRST_NM = 360.0, 400.0
+_LEAST, _MOST = -0.1, 3.0
+"""Between these, both left out, lies a reflectance of the schema (ReflectanceDataType)."""
+_NO_XML = re.compile("[^\t\n -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+
+def losses(subject: Subject) -> tuple[str, ...]:
+    """Return what CxF3 cannot hold of a paint."""
+    told = list(readings_loss(subject))
+    kept = [name for name in settings_of(subject.paint) if "." in name]
+    parts = " and ".join(dict.fromkeys(name.partition(".")[0].replace("_", " ") for name in kept))
+    what = f"The {parts}, the rule between angles" if parts else "The rule between angles"
+    told.append(
+        f"{what} and the near-specular factor go in as tags of this suite; other programs pass over them."
+    )
+    if any(_NO_XML.search(text) for text in (subject.name, subject.paint.notes, subject.paint.source)):
+        told.append("Characters that XML does not know are written as �.")
+    if subject.spectra is not None:
+        told += _spectral_losses(subject.spectra)
+    return tuple(told)
+
+
+def _spectral_losses(spectra: Spectra) -> list[str]:
+    told = []
+    if not _is_even(spectra):
+        told.append(
+            "The spectra are read off at 400 to 700 nm, every 10 nm: CxF3 wants even steps from 360 to 400 nm."
+        )
+    high = sum(not _fits(row) for row in spectra.values)
+    if high:
+        told.append(
+            f"{high} of {len(spectra.values)} spectra are left out: a reflectance there is 3 or more, or -0.1 or less."
+        )
+    return told
+
+
+def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
+    """Write paints as one CxF3 file; raise :class:`FileError` where the disk refuses."""
+    now = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
+    specifications: dict[str, str] = {}
+    objects = [_object(subject, f"paint{i + 1}", now, specifications) for i, subject in enumerate(subjects)]
+    text = (
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
+        f'<cc:CxF xmlns:cc="{NAMESPACE}">\n'
+        "  <cc:FileInformation>\n"
+        f"    <cc:Creator>BRDF Suite {version('brdf-suite')}</cc:Creator>\n"
+        f"    <cc:CreationDate>{now}</cc:CreationDate>\n"
+        "    <cc:Description>Multi-angle colours of paints, D65 and 10° observer</cc:Description>\n"
+        "  </cc:FileInformation>\n"
+        "  <cc:Resources>\n"
+        f"    <cc:ObjectCollection>\n{''.join(objects)}    </cc:ObjectCollection>\n"
+        "    <cc:ColorSpecificationCollection>\n"
+        f"{''.join(specifications.values())}"
+        "    </cc:ColorSpecificationCollection>\n"
+        "  </cc:Resources>\n"
+        "</cc:CxF>\n"
+    )
+    write_atomically(path, text.encode("utf-8"))
+    return ()
+
+
+def _object(subject: Subject, identity: str, now: str, specifications: dict[str, str]) -> str:
+    paint, values = subject.paint, []
+    spectra = None if subject.spectra is None else _even(subject.spectra)
+    for index, reading in enumerate(paint.measurements):
+        geometry = Geometry(reading.illumination_deg, reading.aspecular_deg)
+        row = None if spectra is None else spectra.values[index]
+        bands = None if spectra is None or row is None or not _fits(row) else spectra.wavelengths_nm
+        name = f"D65_10_{geometry.name}" + (
+            "" if bands is None else f"_{bands[0]:.0f}by{bands[1] - bands[0]:.0f}"
+        )
+        if name not in specifications:
+            specifications[name] = _specification(name, geometry, bands)
+        lightness, a, b = (repr(value) for value in reading.lab)
+        values.append(
+            f'          <cc:ColorCIELab Name="{geometry.name}" ColorSpecification="{name}">'
+            f"<cc:L>{lightness}</cc:L><cc:A>{a}</cc:A><cc:B>{b}</cc:B></cc:ColorCIELab>\n"
+        )
+        if bands is not None and row is not None:
+            values.append(
+                f'          <cc:ReflectanceSpectrum Name="{geometry.name}" StartWL="{bands[0]:.0f}" '
+                f'ColorSpecification="{name}">{" ".join(f"{value:.7g}" for value in row)}</cc:ReflectanceSpectrum>\n'
+            )
+    return (
+        f'      <cc:Object ObjectType="Standard" Name={_attribute(paint.name)} Id="{identity}">\n'
+        f"        <cc:CreationDate>{now}</cc:CreationDate>\n"
+        + (f"        <cc:Comment>{escape(_clean(paint.notes))}</cc:Comment>\n" if paint.notes else "")
+        + f"        <cc:ColorValues>\n{''.join(values)}        </cc:ColorValues>\n"
+        + _tags(subject)
+        + "        <cc:PhysicalAttributes>\n"
+        + f'          <cc:Gloss Method="20° GU">{paint.gloss.gu_20!r}</cc:Gloss>\n'
+        + (
+            ""
+            if paint.gloss.gu_60 is None
+            else f'          <cc:Gloss Method="60° GU">{paint.gloss.gu_60!r}</cc:Gloss>\n'
+        )
+        + "        </cc:PhysicalAttributes>\n      </cc:Object>\n"
+    )
+
+
+def _tags(subject: Subject) -> str:
+    tags = {VERSION: str(VERSIONS["brdfpaint"])}
+    if subject.paint.source:
+        tags[SOURCE] = subject.paint.source
+    tags.update({SETTING + name: setting_text(value) for name, value in settings_of(subject.paint).items()})
+    rows = "".join(
+        f"          <cc:Tag Name={_attribute(name)} Value={_attribute(value)}/>\n"
+        for name, value in tags.items()
+    )
+    return f'        <cc:TagCollection Name="{TAGS}">\n{rows}        </cc:TagCollection>\n'
+
+
+def _specification(name: str, geometry: Geometry, bands: tuple[float, ...] | None) -> str:
+    kind = "Colorimetric_Reflectance" if bands is None else "Spectrum_Reflectance"
+    spectral = (
+        ""
+        if bands is None
+        else f'          <cc:WavelengthRange StartWL="{bands[0]:.0f}" Increment="{bands[1] - bands[0]:.0f}"/>\n'
+    )
+    return (
+        f'      <cc:ColorSpecification Id="{name}">\n'
+        "        <cc:TristimulusSpec><cc:Illuminant>D65</cc:Illuminant><cc:Observer>10_Degree</cc:Observer>"
+        f"<cc:Method>{'unknown' if bands is None else 'E308_1nm'}</cc:Method></cc:TristimulusSpec>\n"
+        "        <cc:MeasurementSpec>\n"
+        f"          <cc:MeasurementType>{kind}</cc:MeasurementType>\n"
+        f'          <cc:GeometryChoice><cc:MultiAngle><cc:BRDFAngle Notation="{geometry.name}">'
+        f"<cc:IlluminationAngle>{geometry.illumination_deg!r}</cc:IlluminationAngle>"
+        f"<cc:Aspecular>{geometry.aspecular_deg!r}</cc:Aspecular></cc:BRDFAngle></cc:MultiAngle></cc:GeometryChoice>\n"
+        f"{spectral}"
+        "        </cc:MeasurementSpec>\n"
+        "      </cc:ColorSpecification>\n"
+    )
+
+
+def _clean(text: str) -> str:
+    return _NO_XML.sub("\ufffd", text)
+
+
+def _attribute(text: str) -> str:
+    return quoteattr(_clean(text))
+
+
+def _fits(row: Sequence[float]) -> bool:
+    return all(_LEAST < value < _MOST for value in row)
+
+
+def _is_even(spectra: Spectra) -> bool:
+    bands = np.array(spectra.wavelengths_nm)
+    steps = np.diff(bands)
+    return bool(
+        len(bands) > 1
+        and _FIRST_NM <= bands[0] <= _LAST_FIRST_NM
+        and np.all(np.abs(steps - steps[0]) < 1e-6)
+        and np.all(np.abs(bands - np.round(bands)) < 1e-6)
+    )
+
+
+def _even(spectra: Spectra) -> Spectra:
+    """The spectra at bands that CxF3 can name."""
+    if _is_even(spectra):
+        return spectra
+    bands = np.array(spectra.wavelengths_nm)
+    rows = tuple(tuple(np.interp(DEFAULT_WAVELENGTHS_NM, bands, row).tolist()) for row in spectra.values)
+    return Spectra(tuple(DEFAULT_WAVELENGTHS_NM.tolist()), rows)
+
+
+def read(path: PathLike) -> Imported:
+    """Return the paints of a CxF3 file; samples that make no paint are told in the notes."""
+    found = read_cxf(path)
+    paints, notes = [], [*found.notes, *found.refused]
+    for sample in found.samples:
+        try:
+            paints.append(sample.paint())
+        except (ValueRangeError, FileError) as error:
+            notes.append(str(error).rstrip("."))
+    if not paints:
+        raise FileError(path, f"holds no sample that makes a paint ({notes[-1]})")
+    return Imported(tuple(paints), tuple(notes))
+
+
+FORMAT = ExportFormat(
+    name="cxf",
+    title="CxF3, one specification per angle",
+    ending=".cxf",
+    holds="L*a*b* at every angle (D65, 10°), spectra where they are known, gloss, name, notes.",
+    losses=losses,
+    write=write,
+    read=read,
+    sniff=is_cxf,
+    many=True,
+)

@@ -1,0 +1,142 @@
+"""What is handed over, and what the registry knows of one format that it is handed over in."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.store import AnyPaint
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.progress import Progress
+from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.protocol import Reflectance
+
+PathLike = str | os.PathLike[str]
+
+
+@dataclass(frozen=True)
+class Spectra:
+    """The reflectance factor of each reading: ``values[i][k]`` at ``wavelengths_nm[k]``; 1 is a perfect diffuser."""
+
+    wavelengths_nm: tuple[float, ...]
+    values: tuple[tuple[float, ...], ...]
+
+    def __post_init__(self) -> None:
+        for row in (self.wavelengths_nm, *self.values):
+            if len(row) != len(self.wavelengths_nm) or not all(math.isfinite(value) for value in row):
+                raise ValueRangeError("spectra", "as many finite numbers as wavelengths are wanted")
+
+
+@dataclass(frozen=True, eq=False)
+class Subject:
+    """A paint as it is handed over.
+
+    Parameters
+    ----------
+    paint
+        Its readings, gloss, flakes and texts. Of anything that is not designed by readings, what the virtual
+        instruments read of it.
+    document
+        The paint's own document where it has one.
+    whole
+        Its reflectance where that is not the one of ``paint``: of a measured file, of a Cook-Torrance paint.
+    spectra
+        One per reading of ``paint``, where they are known.
+    """
+
+    paint: Paint
+    document: AnyPaint | None = None
+    whole: Reflectance | None = None
+    spectra: Spectra | None = None
+
+    @property
+    def name(self) -> str:
+        """The paint's name."""
+        return self.paint.name
+
+    @property
+    def computed(self) -> bool:
+        """Whether the readings are the virtual instruments' and not the document's own."""
+        return self.whole is not None
+
+    @cached_property
+    def layers(self) -> PaintReflectance:
+        """The base under its clearcoat that has these readings; :class:`UnreachableError` where there is none."""
+        return build_paint(self.paint)
+
+    @property
+    def reflectance(self) -> Reflectance:
+        """All that is known of how it reflects; :class:`UnreachableError` where no paint has these readings."""
+        return self.layers if self.whole is None else self.whole
+
+
+@dataclass(frozen=True)
+class Imported:
+    """Paints that were read back, and what was assumed, converted or left out on the way."""
+
+    paints: tuple[AnyPaint, ...]
+    notes: tuple[str, ...] = ()
+
+
+Losses = Callable[[Subject], tuple[str, ...]]
+Write = Callable[[Sequence[Subject], PathLike, Progress | None], tuple[str, ...]]
+
+
+@dataclass(frozen=True)
+class ExportFormat:
+    """One format.
+
+    Parameters
+    ----------
+    name
+        Short, as a command-line word.
+    title
+        For lists and dialogs.
+    ending
+        Lower case, with the dot.
+    holds
+        What it carries, a sentence for the user.
+    losses
+        ``(subject) -> sentences``: what of this paint the format cannot hold. Asked before anything is written.
+    write
+        ``(subjects, path, progress) -> notes``: writes the file whole or not at all, and returns sentences about it.
+    read
+        ``(path) -> Imported``, or None where a paint cannot be read back from the format.
+    sniff
+        Whether the first bytes of a file are of this format.
+    many
+        Whether one file takes several paints.
+    """
+
+    name: str
+    title: str
+    ending: str
+    holds: str
+    losses: Losses
+    write: Write
+    read: Callable[[PathLike], Imported] | None = None
+    sniff: Callable[[bytes], bool] | None = None
+    many: bool = False
+
+
+def flake_loss(subject: Subject) -> tuple[str, ...]:
+    """Return the sentence about flakes for formats without sparkle."""
+    if subject.paint.flakes is None:
+        return ()
+    return ("The flakes do not sparkle there: density, size and tilt are left out.",)
+
+
+def readings_loss(subject: Subject) -> tuple[str, ...]:
+    """Return the sentence for formats of readings about a paint that is more than its readings."""
+    if not subject.computed:
+        return ()
+    count = len(subject.paint.measurements)
+    return (
+        f"Only what the virtual instruments read of it goes in: L*a*b* at {count} angles and gloss. How it reflects "
+        "between and beyond them is left out.",
+    )

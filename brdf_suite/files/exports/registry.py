@@ -1,0 +1,40 @@
+"""Which formats paints are handed over in, and reading them back by their content."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from brdf_suite.errors import FileError
+from brdf_suite.files.exports import csv_table, cxf3, json_document
+from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike
+from brdf_suite.files.measured.bounded_reading import open_plain
+
+FORMATS: tuple[ExportFormat, ...] = (
+    cxf3.FORMAT,
+    csv_table.FORMAT,
+    json_document.FORMAT,
+)
+"""In the order in which they are offered."""
+
+_HEAD = 1 << 16
+_LARGEST = 64 << 20
+
+
+def read_paints(path: PathLike, formats: tuple[ExportFormat, ...] = FORMATS) -> Imported:
+    """Return the paints in a file of any format that is read back, known by its content.
+
+    Raises
+    ------
+    FileError
+        It cannot be read, is of no such format, or is damaged; with the place. Nothing is partly read.
+    """
+    with open_plain(path, _LARGEST) as stream:
+        try:
+            head = stream.read(_HEAD)
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    for known in formats:
+        if known.sniff is not None and known.read is not None and known.sniff(head):
+            return known.read(path)
+    titles = ", ".join(known.title for known in formats if known.read is not None)
+    raise FileError(Path(path), f"holds no paints in a format that is read here ({titles})")

@@ -1,0 +1,182 @@
+"""CxF3 of others: what is read of it, what is refused and where."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from brdf_suite.appearance.colorimetry import lab_to_xyz
+from brdf_suite.appearance.spaces import lab_to_lch
+from brdf_suite.appearance.spectra import spectrum_to_lab
+from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.files.cxf import read_cxf
+from brdf_suite.files.hardened_xml import DEEPEST
+
+LABS = {15: (62.0, -4.0, -45.0), 45: (25.0, 4.0, -38.0), 110: (9.0, 8.0, -28.0)}
+
+
+def specification(
+    name: str, angles: str, light: str = "D65", observer: str = "10_Degree", more: str = ""
+) -> str:
+    return (
+        f'<ColorSpecification Id="{name}"><TristimulusSpec><Illuminant>{light}</Illuminant>'
+        f"<Observer>{observer}</Observer><Method>E308_Table5</Method></TristimulusSpec><MeasurementSpec>"
+        "<MeasurementType>Colorimetric_Reflectance</MeasurementType>"
+        f"<GeometryChoice><MultiAngle>{angles}</MultiAngle></GeometryChoice>{more}</MeasurementSpec>"
+        "</ColorSpecification>"
+    )
+
+
+def angle(aspecular: float, *, azimuth: float | None = None, light: float = 45.0) -> str:
+    out = "" if azimuth is None else f"<Azimuth>{azimuth}</Azimuth>"
+    return (
+        f'<BRDFAngle Notation="{light:g}as{aspecular:g}"><IlluminationAngle>{light}</IlluminationAngle>'
+        f"<Aspecular>{aspecular}</Aspecular>{out}</BRDFAngle>"
+    )
+
+
+def document(values: str, specifications: str, more: str = "") -> str:
+    return (
+        '<?xml version="1.0" encoding="UTF-8"?>\n<CxF xmlns="http://colorexchangeformat.com/CxF3-core">\n'
+        '<Resources><ObjectCollection><Object ObjectType="Standard" Name=" 漢字\n blue " Id="o1">'
+        f"<CreationDate>2026-01-01T00:00:00Z</CreationDate>\n<ColorValues>\n{values}\n</ColorValues>{more}</Object>"
+        f"</ObjectCollection>\n<ColorSpecificationCollection>\n{specifications}\n</ColorSpecificationCollection>"
+        "</Resources></CxF>"
+    )
+
+
+def lab_value(lab: tuple[float, float, float], name: str, attribute: str = "") -> str:
+    return (
+        f'<ColorCIELab ColorSpecification="{name}" {attribute}><L>{lab[0]}</L><A>{lab[1]}</A><B>{lab[2]}</B>'
+        "</ColorCIELab>"
+    )
+
+
+def three(**more: str) -> str:
+    values = "\n".join(lab_value(lab, f"s{at}") for at, lab in LABS.items())
+    return document(values, "\n".join(specification(f"s{at}", angle(at)) for at in LABS), **more)
+
+
+@pytest.fixture
+def written(tmp_path: Path):
+    def write(text: str | bytes) -> Path:
+        path = tmp_path / "others.cxf"
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    return write
+
+
+def test_a_specification_per_angle_is_read_with_name_and_gloss(written) -> None:
+    gloss = '<PhysicalAttributes><Gloss Method="GU 20°">88</Gloss><Gloss Method="60">94</Gloss></PhysicalAttributes>'
+    sample = read_cxf(written(three(more=gloss))).samples[0]
+    assert sample.name == "漢字 blue"
+    assert {reading.aspecular_deg: reading.lab for reading in sample.readings} == LABS
+    paint = sample.paint()
+    assert (paint.gloss.gu_20, paint.gloss.gu_60) == (88.0, 94.0)
+    assert paint.lab_at(45.0, 45.0) == LABS[45]
+
+
+def test_unknown_gloss_is_told(written) -> None:
+    found = read_cxf(written(three()))
+    assert found.samples[0].gloss is None
+    assert "gloss" in found.notes[0]
+
+
+def test_values_named_after_one_of_several_angles_are_told_apart(written) -> None:
+    shared = specification("all", "".join(angle(at) for at in LABS))
+    values = "".join(lab_value(lab, "all", f'Name="45as{at}"') for at, lab in LABS.items())
+    assert {r.geometry: r.lab for r in read_cxf(written(document(values, shared))).samples[0].readings} == {
+        f"45as{at}": lab for at, lab in LABS.items()
+    }
+    nameless = "".join(lab_value(lab, "all") for lab in LABS.values())
+    with pytest.raises(FileError, match="no name says which"):
+        read_cxf(written(document(nameless, shared)))
+
+
+def test_lch_and_xyz_become_the_same_colour(written) -> None:
+    lch, xyz = lab_to_lch(LABS[45]), lab_to_xyz(LABS[110])
+    values = (
+        lab_value(LABS[15], "s15")
+        + f'<ColorCIELCh ColorSpecification="s45"><L>{lch[0]}</L><C>{lch[1]}</C><H>{lch[2]}</H></ColorCIELCh>'
+        + f'<ColorCIEXYZ ColorSpecification="s110"><X>{xyz[0]}</X><Y>{xyz[1]}</Y><Z>{xyz[2]}</Z></ColorCIEXYZ>'
+    )
+    found = read_cxf(written(document(values, "".join(specification(f"s{at}", angle(at)) for at in LABS))))
+    for reading in found.samples[0].readings:
+        assert reading.lab == pytest.approx(LABS[int(reading.aspecular_deg)], abs=1e-9)
+    assert any("from LCh" in note for note in found.notes)
+
+
+def test_a_spectrum_replaces_the_colour_of_another_light_and_nothing_else_does(written) -> None:
+    row = np.linspace(0.2, 1.4, 31)
+    bands = '<WavelengthRange StartWL="400" Increment="10"/>'
+    of_a = specification("a", angle(15), "A", "2_Degree", bands)
+    colour = lab_value((50.0, 0.0, 0.0), "a")
+    spectrum = f'<ReflectanceSpectrum ColorSpecification="a">{" ".join(map(repr, row.tolist()))}</ReflectanceSpectrum>'
+    reading = read_cxf(written(document(colour + spectrum, of_a))).samples[0].readings[0]
+    assert reading.lab == pytest.approx(spectrum_to_lab(row), abs=1e-12)
+    assert reading.converted == "recomputed from the spectrum"
+    assert reading.wavelengths_nm is not None
+    assert reading.wavelengths_nm[-1] == 700.0
+    with pytest.raises(FileError, match="without a spectrum it cannot become that of D65 and 10°"):
+        read_cxf(written(document(colour, of_a)))
+
+
+def test_a_reading_out_of_the_plane_is_left_out_and_told(written) -> None:
+    values = "".join(lab_value(lab, f"s{at}") for at, lab in LABS.items()) + lab_value((1, 2, 3), "out")
+    specs = "".join(specification(f"s{at}", angle(at)) for at in LABS)
+    found = read_cxf(written(document(values, specs + specification("out", angle(25, azimuth=30)))))
+    assert len(found.samples[0].readings) == 3
+    assert "out of the plane" in found.refused[0]
+
+
+def test_two_readings_make_no_paint(written) -> None:
+    specs = "".join(specification(f"s{at}", angle(at)) for at in (15, 45))
+    text = document(lab_value(LABS[15], "s15") + lab_value(LABS[45], "s45"), specs)
+    with pytest.raises(ValueRangeError, match="3 angles"):
+        read_cxf(written(text)).samples[0].paint()
+
+
+BOMB = '<!DOCTYPE CxF [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;">]>\n'
+FILE = '<!DOCTYPE CxF [<!ENTITY a SYSTEM "file:///etc/hostname">]>\n'
+
+
+@pytest.mark.parametrize(
+    ("change", "place", "reason"),
+    [
+        (lambda t: t.replace("<CxF", BOMB + "<CxF", 1), "line 2", "document type"),
+        (lambda t: t.replace("<CxF", FILE + "<CxF", 1), "line 2", "document type"),
+        (lambda t: t[: len(t) // 2], "line", "not valid XML"),
+        (lambda t: t.replace("<L>62.0</L>", "<L>nan</L>"), "line 6", "finite number"),
+        (lambda t: t.replace("<L>62.0</L>", "<L>1e999</L>"), "line 6", "finite number"),
+        (lambda t: t.replace("<L>62.0</L>", "<L>620</L>"), "line 6", "outside the range"),
+        (lambda t: t.replace("<L>62.0</L>", ""), "line 6", "has no L"),
+        (
+            lambda t: t.replace('ColorSpecification="s45"', 'ColorSpecification="s46"'),
+            "line 7",
+            "not in the file",
+        ),
+        (lambda t: t.replace("<Aspecular>110", "<Aspecular>140"), "line", "below the surface"),
+        (lambda t: t.replace("CxF3-core", "CxF4"), "line 2", "not CxF3"),
+        (lambda t: t.replace('Id="s45"', 'Id="s15"'), "line", "two ColorSpecifications"),
+        (lambda t: t.replace("<L>62.0</L>", "<x>" * DEEPEST + "</x>" * DEEPEST), "line 6", "nested deeper"),
+        (lambda t: t.replace("UTF-8", "no-such"), "", "valid XML|encoding"),
+        (lambda t: "", "", "no element|valid XML"),
+    ],
+)
+def test_hostile_and_damaged_files_are_refused_with_the_line(
+    written, change, place: str, reason: str
+) -> None:
+    with pytest.raises(FileError, match=reason) as caught:
+        read_cxf(written(change(three())))
+    assert place in (caught.value.place or "")
+
+
+def test_the_files_of_others_are_read_or_refused_by_name(shared_data: Path) -> None:
+    files = sorted((shared_data / "palettes" / "cxf").glob("*.cxf"))
+    assert files
+    for path in files:
+        with pytest.raises(FileError, match="holds no sample"):
+            read_cxf(path)
