@@ -9,17 +9,23 @@ import hashlib
 import json
 import os
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.light_matrix import ILLUMINANT_OF, light_matrix
+from brdf_suite.appearance.light_matrix import light_matrix
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.exposure import ev_of, exposed
+from brdf_suite.pipeline.reference_paint import (
+    in_the_lamp as in_the_lamp,  # asked for here by who builds scenes
+)
+from brdf_suite.pipeline.reference_paint import load_reflectance as load_reflectance
+from brdf_suite.pipeline.reference_paint import load_traced
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, part, report
@@ -33,7 +39,7 @@ from brdf_suite.surface.mesh import Mesh
 
 if TYPE_CHECKING:
     from brdf_suite.reference.passes import Estimate
-    from brdf_suite.reference.scene import TracedScene
+    from brdf_suite.reference.scene import Eye, TracedScene
 
 Size = tuple[int, int]
 Pixels = NDArray[np.float64]
@@ -45,7 +51,7 @@ _LIT_BY = ("camera", "rotation_deg", "fresnel", "light_colour", "lamps", "surfac
 
 @dataclass(frozen=True, eq=False)
 class ReferenceScene:
-    """A scene ready to be traced. ``view`` has its camera placed; ``behind`` (h, w, 3) is what the object leaves free.
+    """A scene ready to be traced. ``view`` has its camera placed.
 
     ``key`` tells the scene: estimates of one key may be put together.
     """
@@ -54,12 +60,22 @@ class ReferenceScene:
     traced: TracedScene
     view: View
     size: Size
-    behind: Pixels
     key: str
     environment: str
     surface: str
     renderer: str
     notices: tuple[str, ...]
+    eye: Eye
+    light: NDArray[np.float32]
+
+    @cached_property
+    def behind(self) -> Pixels:
+        """What the object leaves free, (h, w, 3): radiance, or the screen's light where it is of one colour."""
+        from brdf_suite.reference.backdrop import environment_behind
+
+        if self.view.background in ("environment", "blurred"):
+            return environment_behind(self.light, self.view.rotation_deg, self.eye, self.size)
+        return np.broadcast_to(plain_backdrop(self.view), (self.size[1], self.size[0], 3))
 
     def whole(self, estimate: Estimate) -> Pixels:
         """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
@@ -86,14 +102,6 @@ class ReferenceScene:
         return 1.0
 
 
-def load_reflectance(name_or_path: str | os.PathLike[str]) -> tuple[str, Reflectance, tuple[str, ...]]:
-    """Return name, reflectance and notices of a paint by name or file, or of a measured file; errors as the readers."""
-    from brdf_suite.pipeline.measuring import load_measurable
-
-    item = load_measurable(name_or_path)
-    return item.name, item.reflectance, item.notices
-
-
 def prepare_reference(
     paint: str | os.PathLike[str],
     view: View,
@@ -116,22 +124,14 @@ def prepare_reference(
 
     report(progress, 0.0, "starting the path tracer")
     start()
-    name, reflectance, notices = load_reflectance(paint)
-    reflectance = in_the_lamp(reflectance, view)
+    traced = load_traced(paint, view)
     report(progress, 0.3, "reading the environment")
     _, path = find_environment(view.environment)
     environment = read_environment(path, view.environment_layout, part(progress, 0.3, 0.6))
     mesh = load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.8))
-    return build_reference(name, reflectance, view, size, environment, mesh, notices=notices)
-
-
-def in_the_lamp(reflectance: Reflectance, view: View) -> Reflectance:
-    """Return what has spectra as it looks in the view's lamp, as the real-time picture shows it."""
-    from brdf_suite.reflectance.relit import relit
-    from brdf_suite.reflectance.under_light import has_spectra
-
-    illuminant = ILLUMINANT_OF.get(view.light_colour.illuminant, "D65")
-    return relit(reflectance, illuminant) if illuminant != "D65" and has_spectra(reflectance) else reflectance
+    return build_reference(
+        traced.name, traced.reflectance, view, size, environment, mesh, notices=traced.notices
+    )
 
 
 def build_reference(
@@ -143,11 +143,14 @@ def build_reference(
     mesh: Mesh,
     *,
     notices: tuple[str, ...] = (),
+    kept: ReferenceScene | None = None,
 ) -> ReferenceScene:
-    """Return the scene of what is loaded already; fitted weights in place of a reflectance are traced as they are."""
-    from brdf_suite.reference.backdrop import environment_behind
+    """Return the scene of what is loaded already; fitted weights in place of a reflectance are traced as they are.
+
+    ``kept`` is a scene of the same parts, lamps and size of map: it is changed in place, which takes no building and
+    no compiling, and must not be used after. Errors as :func:`prepare_reference`.
+    """
     from brdf_suite.reference.scene import Eye, SurfacePart, build_scene
-    from brdf_suite.reference.translate import translate
     from brdf_suite.reference.variant import start
 
     variant = start()
@@ -155,40 +158,45 @@ def build_reference(
     view = replace(view, camera=compose(view.camera, bounds, size))
     camera = matrices(view.camera, bounds, size)
     eye = Eye(camera.eye, camera.view_to_world, camera.half_tangents[0])
-    told: tuple[str, ...] = ()
-    if isinstance(reflectance, MaterialWeights):
-        paint = lobe_term(reflectance, view)
-    else:
-        translated = translate(reflectance)
-        paint, told = translated.term, translated.notices
     mesh = _with_chosen_materials(mesh, view)
-    stock = _stock_terms(mesh, view)
+    terms, told = _terms(reflectance, mesh, view)
     tint = light_matrix(view.light_colour.illuminant, view.light_colour.adapted)
     radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
-    traced = build_scene(
-        [SurfacePart(p.material, p.positions, p.normals, p.triangles) for p in mesh.parts],
-        {**stock, _PAINT: paint},
-        radiance,
-        eye,
-        view,
-        size,
-    )
-    if view.background in ("environment", "blurred"):
-        behind = environment_behind(radiance, view.rotation_deg, eye, size)
+    if kept is None:
+        parts = [SurfacePart(p.material, p.positions, p.normals, p.triangles) for p in mesh.parts]
+        traced = build_scene(parts, terms, radiance, eye, view, size)
     else:
-        behind = np.broadcast_to(plain_backdrop(view), (size[1], size[0], 3))
+        traced = kept.traced
+        for material, term in terms.items():
+            traced.set_term(material, term)
+        traced.look_from(eye, size)
+        traced.set_light(None if np.array_equal(radiance, kept.light) else radiance, view.rotation_deg)
     return ReferenceScene(
         name=name,
         traced=traced,
         view=view,
         size=size,
-        behind=behind,
         key=_key(name, reflectance, view, size, environment, mesh),
         environment=environment.name,
         surface=mesh.name,
         renderer=variant.title,
         notices=(*notices, *told, *environment.notes, *mesh.notes, *_left_out(view)),
+        eye=eye,
+        light=radiance,
     )
+
+
+def _terms(
+    reflectance: Reflectance | MaterialWeights, mesh: Mesh, view: View
+) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """Return what each material reflects by, and sentences about it."""
+    from brdf_suite.reference.translate import translate
+
+    stock = _stock_terms(mesh, view)
+    if isinstance(reflectance, MaterialWeights):
+        return {**stock, _PAINT: lobe_term(reflectance, view)}, ()
+    translated = translate(reflectance)
+    return {**stock, _PAINT: translated.term}, translated.notices
 
 
 def lobe_term(weights: MaterialWeights, view: View) -> Any:

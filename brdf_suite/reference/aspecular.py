@@ -63,11 +63,11 @@ class Aspecular:
         base = self.base
         # 2 asin(|R - V|/2) keeps the digits that the cosine has lost near the mirror direction.
         apart = dr.clip(0.5 * dr.norm(d.mirrored(light) - view), 0.0, 1.0)
-        gamma = dr.minimum(2.0 * dr.asin(apart), base.farthest)
-        there = 1.0 - d.fresnel(dr.cos(base.illumination - gamma), base.ior)
+        gamma = dr.minimum(2.0 * dr.asin(apart), d.number(base.farthest))
+        there = 1.0 - d.fresnel(dr.cos(d.number(base.illumination) - gamma), base.ior)
         here = math.pi * (1.0 - float(fresnel_dielectric(math.cos(base.illumination), base.ior)))
         through = (1.0 - d.fresnel(light.z, base.ior)) * (1.0 - d.fresnel(view.z, base.ior))
-        return self._factor(gamma, light, view) * (through / (here * there))
+        return self._factor(gamma, light, view) * (through / (d.number(here) * there))
 
     def _factor(self, gamma: Real, light: Vector, view: Vector) -> Colour:
         base, rule = self.base, self.base.rule
@@ -76,18 +76,18 @@ class Aspecular:
         else:
             if base.by_half_vector:
                 farthest = float(squared_tilt(np.array(base.farthest), base.illumination, base.ior))
-                tilt = dr.minimum(_tilt_between(light, view, base.ior), farthest)
+                tilt = dr.minimum(_tilt_between(light, view, base.ior), d.number(farthest))
             else:
                 tilt = _tilt(gamma, base.illumination, base.ior)
-            bells = zip(rule.ground.tolist(), rule.height.tolist(), rule.u.tolist(), strict=True)
-            factor = mi.Color3f(*(ground + height * dr.exp(-u * tilt) for ground, height, u in bells))
+            ground, height, u = (d.colour(part.tolist()) for part in (rule.ground, rule.height, rule.u))
+            factor = ground + height * dr.exp(-u * tilt)
         if base.near_specular != 1.0 and base.nearest > 0.0:
-            t = dr.maximum(1.0 - gamma / base.nearest, 0.0)
-            factor *= 1.0 + (base.near_specular - 1.0) * (t * t * (3.0 - 2.0 * t))
+            t = dr.maximum(1.0 - gamma * d.number(1.0 / base.nearest), 0.0)
+            factor *= 1.0 + d.number(base.near_specular - 1.0) * (t * t * (3.0 - 2.0 * t))
         return dr.maximum(factor, 0.0)
 
     def _of_table(self, gamma: Real) -> Colour:
-        place = gamma * ((TABLE_POINTS - 1) / self.base.farthest)
+        place = gamma * d.number((TABLE_POINTS - 1) / self.base.farthest)
         low = dr.minimum(mi.UInt32(place), TABLE_POINTS - 2)
         part = place - mi.Float(low)
         first, second = (dr.gather(mi.Color3f, self.table, low + k) for k in (0, 1))
@@ -134,7 +134,7 @@ class Several:
         return total
 
     def _of_two(self, gamma: Real, theta_d: Real) -> tuple[Real, Real]:
-        first, second = (dr.abs(term.base.illumination - 0.5 * gamma) for term in self.terms)
+        first, second = (dr.abs(d.number(term.base.illumination) - 0.5 * gamma) for term in self.terms)
         near, far = dr.minimum(first, second), dr.maximum(first, second)
         passed = dr.clip((theta_d - near) / dr.maximum(far - near, 1e-12), 0.0, 1.0)
         mixed = dr.clip(1.0 - (far - near) / MEETING, 0.0, 1.0)
@@ -158,19 +158,19 @@ class Several:
 def _tilt(gamma: Real, illumination: float, ior: float) -> Real:
     """tan²δ; see :func:`brdf_suite.reflectance.flake_rule.squared_tilt`."""
     # δ = (a - b)/2 with sin a = sin θ0/n: the difference of two angles, as the arc of the sine of the difference.
-    sine = dr.sin(illumination - gamma) / ior
+    sine = dr.sin(d.number(illumination) - gamma) * d.number(1.0 / ior)
     a = math.asin(math.sin(illumination) / ior)
     cosine = dr.sqrt(1.0 - sine * sine)
     # sin(a - b) with its digits: n sin a - n sin b = 2 cos(θ0 - γ/2) sin(γ/2).
-    apart = 2.0 * dr.cos(illumination - 0.5 * gamma) * dr.sin(0.5 * gamma) / ior
+    apart = d.number(2.0 / ior) * dr.cos(d.number(illumination) - 0.5 * gamma) * dr.sin(0.5 * gamma)
     first = math.sin(a)
     # tan((a - b)/2) = (sin a - sin b)/(cos a + cos b).
-    tangent = apart / (math.sqrt(1.0 - first * first) + cosine)
+    tangent = apart / (d.number(math.sqrt(1.0 - first * first)) + cosine)
     return tangent * tangent
 
 
 def _tilt_between(light: Vector, view: Vector, ior: float) -> Real:
-    n2 = ior * ior
+    n2 = d.number(ior * ior)
     up = dr.sqrt(n2 - (light.x**2 + light.y**2)) + dr.sqrt(n2 - (view.x**2 + view.y**2))
     across = (light.x + view.x) ** 2 + (light.y + view.y) ** 2
     return across / (up * up)

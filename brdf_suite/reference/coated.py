@@ -25,21 +25,26 @@ class UnderCoat:
     @property
     def samplers(self) -> Sequence[Sampler]:
         """Those of the base and of the coat."""
-        return (*self.base.samplers, *self._coat.samplers)
+        return (*self.base.samplers, *self.coat.samplers)
 
     @property
-    def _coat(self) -> CoatLobe:
+    def coat(self) -> CoatLobe:
+        """The coat's own lobe."""
         return CoatLobe(self.model.ior, self.model.roughness)
 
     def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
+        return self.base.value(light, view) * self.factor(light, view) + self.coat.value(light, view)
+
+    def factor(self, light: Vector, view: Vector) -> Colour:
+        """Return what the base's f_r is multiplied by, seen through the coat."""
         m = self.model
         through = (1.0 - d.fresnel(light.z, m.ior)) * (1.0 - d.fresnel(view.z, m.ior))
         even = mean_fresnel(m.ior)
         one_way = dr.sqrt(dr.maximum(through, 1e-30))
         inner = 1.0 - (1.0 - even) / m.ior**2
-        stays = (1.0 - m.spread) * (1.0 - one_way) + m.spread * inner
-        mean = (1.0 - m.spread) * one_way + m.spread * (1.0 - even)
-        albedo = mi.Color3f(*m.base_albedo.tolist())
-        series = (through / mean * (1.0 - stays)) / (1.0 - mi.Color3f(stays) * albedo)
-        return self.base.value(light, view) * series + self._coat.value(light, view)
+        direct = d.number(1.0 - m.spread)
+        stays = direct * (1.0 - one_way) + d.number(m.spread * inner)
+        mean = direct * one_way + d.number(m.spread * (1.0 - even))
+        albedo = d.colour(m.base_albedo.tolist())
+        return (through / mean * (1.0 - stays)) / (1.0 - mi.Color3f(stays) * albedo)

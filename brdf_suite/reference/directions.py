@@ -8,6 +8,7 @@ comes from the sum of two directions, and 1 - R·V from their difference.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,12 +23,26 @@ Colour = Any  # mi.Color3f
 TINY = 1e-20
 
 
+def number(value: float) -> Real:
+    """Return a number of a paint as one that the renderer reads from memory.
+
+    Written into the program it would be compiled anew for every paint; so, an edit takes milliseconds.
+    """
+    return dr.opaque(mi.Float, float(value))
+
+
+def colour(values: Sequence[float]) -> Colour:
+    """Return a colour of a paint, as :func:`number`."""
+    return mi.Color3f(*(number(value) for value in values))
+
+
 def fresnel(cosine: Real, ior: float) -> Real:
     """Return the share that a clear dielectric of index ``ior`` reflects; see :mod:`brdf_suite.geometry.fresnel`."""
     c = dr.clip(cosine, 0.0, 1.0)
-    t = dr.sqrt(dr.maximum(1.0 - dr.fma(-c, c, 1.0) / (ior * ior), 0.0))
-    s = (c - ior * t) / dr.maximum(c + ior * t, TINY)
-    p = (ior * c - t) / dr.maximum(ior * c + t, TINY)
+    n, n2 = number(ior), number(1.0 / (ior * ior))
+    t = dr.sqrt(dr.maximum(1.0 - dr.fma(-c, c, 1.0) * n2, 0.0))
+    s = (c - n * t) / dr.maximum(c + n * t, TINY)
+    p = (n * c - t) / dr.maximum(n * c + t, TINY)
     return 0.5 * (s * s + p * p)
 
 
@@ -71,7 +86,7 @@ def cosine_density(light: Vector) -> Real:
 
 def beckmann_mirrored(view: Vector, u: Square, slope: float) -> Vector:
     """Return the view mirrored at facets whose normals are spread as a Beckmann surface of ``slope``."""
-    tan2 = -slope * slope * dr.log(dr.maximum(1.0 - u.x, 1e-30))
+    tan2 = number(-slope * slope) * dr.log(dr.maximum(1.0 - u.x, 1e-30))
     cos_h = dr.rsqrt(1.0 + tan2)
     sin_h = dr.sqrt(tan2) * cos_h
     sine, cosine = dr.sincos(2.0 * math.pi * u.y)
@@ -84,14 +99,14 @@ def beckmann_density(half: Half, slope: float) -> Real:
     steep = 1.0 / (slope * slope)
     tan2 = half.tan2_h
     # D cosθh / (4 wo·h), with 1/cos⁴θh = (1 + tan²θh)².
-    facets = dr.exp(-tan2 * steep) * (steep / math.pi) * dr.square(1.0 + tan2)
+    facets = dr.exp(-tan2 * number(steep)) * number(steep / math.pi) * dr.square(1.0 + tan2)
     return facets * half.cos_h / (4.0 * half.cos_d)
 
 
 def lobe_about_mirror(view: Vector, u: Square, exponent: float) -> Vector:
     """Return directions of the cosine lobe of ``exponent`` about the view's mirror direction."""
     # The cosine is (1 - u)^(1/(E+1)); its complement is worked with, which has the digits.
-    away = one_minus_exp(-dr.log(dr.maximum(1.0 - u.x, 1e-30)) / (exponent + 1.0))
+    away = one_minus_exp(-dr.log(dr.maximum(1.0 - u.x, 1e-30)) * number(1.0 / (exponent + 1.0)))
     sine = dr.sqrt(dr.maximum(away * (2.0 - away), 0.0))
     y, x = dr.sincos(2.0 * math.pi * u.y)
     axis = mirrored(view)
@@ -102,7 +117,7 @@ def lobe_about_mirror(view: Vector, u: Square, exponent: float) -> Vector:
 def mirror_lobe(away: Real, exponent: float) -> Real:
     """Return (1 - ``away``)^E without loss for narrow lobes; 0 beyond a right angle."""
     inside = away < 1.0
-    power = dr.exp(exponent * log_of_one_minus(dr.select(inside, away, 0.0)))
+    power = dr.exp(number(exponent) * log_of_one_minus(dr.select(inside, away, 0.0)))
     return dr.select(inside, power, 0.0)
 
 

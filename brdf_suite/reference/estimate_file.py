@@ -20,6 +20,8 @@ from brdf_suite.files.primaries import REC2020
 from brdf_suite.reference.passes import Estimate
 
 ATTRIBUTE = "brdfSuiteReference"
+_VERSION = 2
+"""1, untold: the squares of passes, all of one size, were not multiplied by their samples."""
 
 
 def write_estimate(
@@ -33,6 +35,7 @@ def write_estimate(
     import OpenEXR
 
     state = {
+        "version": _VERSION,
         "key": key,
         "samples": estimate.samples,
         "passes": estimate.passes,
@@ -76,12 +79,16 @@ def read_estimate(path: str | os.PathLike[str], key: str) -> Estimate | None:
             planes = {name: np.asarray(channel.pixels, np.float64) for name, channel in channels.items()}
         if state["key"] != key:
             return None
+        samples, passes = int(state["samples"]), int(state["passes"])
+        squares = np.stack([planes[f"squares.{name}"] for name in "RGB"], axis=-1)
+        if state.get("version", 1) < _VERSION:
+            squares = squares * (samples / max(passes, 1))
         return Estimate(
             np.stack([planes[f"object.{name}"] for name in "RGB"], axis=-1),
             planes["A"],
-            np.stack([planes[f"squares.{name}"] for name in "RGB"], axis=-1),
-            int(state["samples"]),
-            int(state["passes"]),
+            squares,
+            samples,
+            passes,
             float(state["seconds"]),
         )
     except (RuntimeError, ValueError, KeyError, TypeError, OSError) as error:

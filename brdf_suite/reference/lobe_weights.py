@@ -71,13 +71,13 @@ class LobeWeights:
     def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         away = d.one_minus_mirror_cosine(light, view)
-        base, gloss = mi.Color3f(*self.kd.tolist()), mi.Color3f(0.0)
+        base, gloss = d.colour(self.kd.tolist()), mi.Color3f(0.0)
         for k in self._lobes:
             lobe = d.mirror_lobe(away, float(self.exponents[k]))
             if self.kdd[k].any():
-                base += mi.Color3f(*self.kdd[k].tolist()) * lobe
+                base += d.colour(self.kdd[k].tolist()) * lobe
             if self.kg[k].any():
-                gloss += mi.Color3f(*self.kg[k].tolist()) * lobe
+                gloss += d.colour(self.kg[k].tolist()) * lobe
         base_gain, gloss_gain = self._gains(view.z)
         return base * base_gain + gloss * (gloss_gain / light.z)
 
@@ -90,11 +90,11 @@ class LobeWeights:
         if self.coat == "metal":
             s = dr.clip(1.0 - cosine, 0.0, 1.0)
             rise = s * dr.square(dr.square(s))
-            g = mi.Color3f(*np.maximum(albedo, 1e-4).tolist())
+            g = d.colour(np.maximum(albedo, 1e-4).tolist())
             return one, (g + dr.maximum(1.0 - g, 0.0) * rise) / g
         f = d.fresnel(cosine, self.ior)
         at_fit = float(fresnel_dielectric(math.cos(self.theta_fit_rad), self.ior))
         limit = max(1.0 / float(albedo.max()), 1.0) if albedo.max() > 0.0 else 1.0
-        gloss = dr.minimum(f / at_fit, limit) if at_fit > 0.0 else one
-        base = dr.square((1.0 - f) / (1.0 - at_fit)) if self.coat == "dielectric" else one
+        gloss = dr.minimum(f * d.number(1.0 / at_fit), d.number(limit)) if at_fit > 0.0 else one
+        base = dr.square((1.0 - f) * d.number(1.0 / (1.0 - at_fit))) if self.coat == "dielectric" else one
         return base, mi.Color3f(gloss)

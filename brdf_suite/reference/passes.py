@@ -26,8 +26,9 @@ Pixels = npt.NDArray[np.float64]
 class Estimate:
     """What the passes so far give.
 
-    ``radiance`` (h, w, 3) of the working space and ``coverage`` (h, w) are means; ``squares`` (h, w, 3) is the sum
-    of squared deviations of the passes' radiance from it (Welford). ``samples`` are per pixel, in ``passes`` passes.
+    ``radiance`` (h, w, 3) of the working space and ``coverage`` (h, w) are means over all samples; ``squares``
+    (h, w, 3) is the sum over the passes of their samples times the squared deviation of their radiance from it
+    (West 1979). ``samples`` are per pixel, in ``passes`` passes, which may be of different sizes.
     """
 
     radiance: Pixels
@@ -42,7 +43,8 @@ class Estimate:
         """(h, w, 3): the variance of ``radiance``; infinite while there is one pass only."""
         if self.passes < 2:
             return np.full(self.squares.shape, np.inf)
-        return self.squares / ((self.passes - 1) * self.passes)
+        # Of a pass of n samples the variance is σ²/n, so the squares are σ² for each pass but one.
+        return self.squares / ((self.passes - 1) * self.samples)
 
     @property
     def noise(self) -> float:
@@ -56,16 +58,16 @@ class Estimate:
         return float(np.median(error / np.maximum(luminance, 1e-3 * luminance.mean() + 1e-30)))
 
     def with_pass(self, radiance: Pixels, coverage: Pixels, samples: int, seconds: float) -> Estimate:
-        """Return the estimate with one pass more, of as many samples as each before."""
-        count = self.passes + 1
+        """Return the estimate with one pass of ``samples`` more."""
+        share = samples / (self.samples + samples)
         away = radiance - self.radiance
-        mean = self.radiance + away / count
+        mean = self.radiance + share * away
         return Estimate(
             mean,
-            self.coverage + (coverage - self.coverage) / count,
-            self.squares + away * (radiance - mean),
+            self.coverage + share * (coverage - self.coverage),
+            self.squares + samples * away * (radiance - mean),
             self.samples + samples,
-            count,
+            self.passes + 1,
             self.seconds + seconds,
         )
 
@@ -93,15 +95,21 @@ def trace_pass(scene: TracedScene, samples: int, seed: int) -> tuple[Pixels, Pix
     return image[..., :3], image[..., 3]
 
 
+def step(scene: TracedScene, estimate: Estimate | None = None, *, samples: int = 4) -> Estimate:
+    """Return ``estimate`` with one pass of ``samples`` per pixel more. Errors as :func:`trace_pass`."""
+    found = estimate or Estimate.nothing(scene.size)
+    start = perf_counter()
+    radiance, coverage = trace_pass(scene, samples, seed=found.passes)
+    return found.with_pass(radiance, coverage, samples, perf_counter() - start)
+
+
 def refine(
     scene: TracedScene, estimate: Estimate | None = None, *, samples_per_pass: int = 4
 ) -> Iterator[Estimate]:
     """Yield ever better estimates without end, going on from ``estimate``."""
-    found = estimate or Estimate.nothing(scene.size)
+    found = estimate
     while True:
-        start = perf_counter()
-        radiance, coverage = trace_pass(scene, samples_per_pass, seed=found.passes)
-        found = found.with_pass(radiance, coverage, samples_per_pass, perf_counter() - start)
+        found = step(scene, found, samples=samples_per_pass)
         yield found
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import mitsuba as mi
@@ -46,13 +46,51 @@ class Eye:
     half_width_tangent: float
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class TracedScene:
-    """A scene in Mitsuba; ``terms`` keeps alive what its BSDFs use."""
+    """A scene in Mitsuba. What its methods change is changed in place: nothing is built or compiled anew.
+
+    Attributes
+    ----------
+    scene
+        Mitsuba's.
+    size
+        Width and height, pixels.
+    terms
+        What each material reflects by, by the material's name.
+    """
 
     scene: Any
     size: tuple[int, int]
     terms: Mapping[str, Any]
+    bsdfs: Mapping[str, Any] = field(default_factory=dict)
+
+    def set_term(self, material: str, term: Any) -> None:
+        """Let a material reflect by another term from the next pass on."""
+        self.bsdfs[material].term = term
+        self.terms = {**self.terms, material: term}
+
+    def look_from(self, eye: Eye, size: tuple[int, int]) -> None:
+        """Move the camera, and change the size of the picture."""
+        values = mi.traverse(self.scene)
+        values["sensor.to_world"] = mi.Transform4f(_to_world(eye).matrix)
+        values["sensor.x_fov"] = _field_of_view(eye)
+        for name in ("size", "crop_size"):
+            values[f"sensor.film.{name}"] = mi.ScalarVector2u(*size)
+        values.update()
+        self.size = size
+
+    def set_light(self, radiance: npt.NDArray[np.float32] | None, rotation_deg: float) -> None:
+        """Turn the light, and take another map (h, w, 3) of the same size where one is given."""
+        values = mi.traverse(self.scene)
+        if radiance is not None:
+            pixels = mitsuba_map(radiance)
+            # Mitsuba keeps the last column before the first, and the first after the last.
+            values["light.data"] = mi.TensorXf(
+                np.concatenate((pixels[:, -1:], pixels, pixels[:, :1]), axis=1)
+            )
+        values["light.to_world"] = mi.Transform4f(_turned(rotation_deg).matrix)
+        values.update()
 
 
 def build_scene(
@@ -79,7 +117,7 @@ def build_scene(
         "light": {
             "type": "envmap",
             "bitmap": mi.Bitmap(mitsuba_map(radiance)),
-            "to_world": mi.ScalarTransform4f().rotate([0, 1, 0], view.rotation_deg),
+            "to_world": _turned(view.rotation_deg),
         },
     }
     bsdfs = {name: make_bsdf(term) for name, term in terms.items()}
@@ -87,7 +125,7 @@ def build_scene(
         described[f"lamp_{index}"] = _lamp(lamp)
     for index, part in enumerate(parts):
         described[f"part_{index}"] = _mesh(f"part_{index}", part, bsdfs[part.material])
-    return TracedScene(mi.load_dict(described), size, terms)
+    return TracedScene(mi.load_dict(described), size, terms, bsdfs)
 
 
 def mitsuba_map(radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
@@ -98,17 +136,29 @@ def mitsuba_map(radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
     return np.ascontiguousarray(sample(radiance, where), np.float32)
 
 
-def _sensor(eye: Eye, size: tuple[int, int]) -> dict[str, Any]:
+def _turned(rotation_deg: float) -> Any:
+    return mi.ScalarTransform4f().rotate([0, 1, 0], rotation_deg)
+
+
+def _to_world(eye: Eye) -> Any:
     target = eye.place - eye.axes[:, 2]
+    return mi.ScalarTransform4f().look_at(
+        origin=eye.place.tolist(), target=target.tolist(), up=eye.axes[:, 1].tolist()
+    )
+
+
+def _field_of_view(eye: Eye) -> float:
+    return math.degrees(2.0 * math.atan(eye.half_width_tangent))
+
+
+def _sensor(eye: Eye, size: tuple[int, int]) -> dict[str, Any]:
     return {
         "type": "perspective",
         "fov_axis": "x",
-        "fov": math.degrees(2.0 * math.atan(eye.half_width_tangent)),
+        "fov": _field_of_view(eye),
         "near_clip": 1e-4,
         "far_clip": 1e7,
-        "to_world": mi.ScalarTransform4f().look_at(
-            origin=eye.place.tolist(), target=target.tolist(), up=eye.axes[:, 1].tolist()
-        ),
+        "to_world": _to_world(eye),
         "sampler": {"type": "multijitter"},
         "film": {
             "type": "hdrfilm",

@@ -55,7 +55,7 @@ class Matt:
 
     def share(self, _view: Vector) -> Real:
         """Return the share of a mixture."""
-        return mi.Float(self.weight)
+        return d.number(self.weight)
 
     def draw(self, _view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
@@ -76,7 +76,9 @@ class Facets:
 
     def share(self, view: Vector) -> Real:
         """Return the share of a mixture."""
-        return mi.Float(self.weight) if self.ior is None else self.weight * d.fresnel(view.z, self.ior)
+        return (
+            d.number(self.weight) if self.ior is None else d.number(self.weight) * d.fresnel(view.z, self.ior)
+        )
 
     def draw(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
@@ -96,7 +98,7 @@ class AboutMirror:
 
     def share(self, _view: Vector) -> Real:
         """Return the share of a mixture."""
-        return mi.Float(self.weight)
+        return d.number(self.weight)
 
     def draw(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
@@ -105,7 +107,7 @@ class AboutMirror:
     def density(self, light: Vector, view: Vector) -> Real:
         """Return the density per solid angle."""
         away = d.one_minus_mirror_cosine(light, view)
-        return (self.exponent + 1.0) / (2.0 * math.pi) * d.mirror_lobe(away, self.exponent)
+        return d.number((self.exponent + 1.0) / (2.0 * math.pi)) * d.mirror_lobe(away, self.exponent)
 
 
 @dataclass(frozen=True)
@@ -122,7 +124,7 @@ class Lambertian:
 
     def value(self, _light: Vector, _view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return mi.Color3f(*(a / math.pi for a in self.albedo))
+        return d.colour([a / math.pi for a in self.albedo])
 
 
 @dataclass(frozen=True)
@@ -140,15 +142,19 @@ class CoatLobe:
     def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         half, a2 = Half.of(light, view), self.roughness**2
-        facets = dr.exp(-half.tan2_h / a2) * dr.square(1.0 + half.tan2_h) / (math.pi * a2)
+        facets = (
+            dr.exp(-half.tan2_h * d.number(1.0 / a2))
+            * dr.square(1.0 + half.tan2_h)
+            * d.number(1.0 / (math.pi * a2))
+        )
         shadowing = 1.0 / (1.0 + self._lambda(light.z) + self._lambda(view.z))
-        grey = facets * shadowing * d.fresnel(half.cos_d, self.ior) / (4.0 * light.z * view.z)
-        return mi.Color3f(grey)
+        scale = d.number(0.25 / (math.pi * a2))
+        return mi.Color3f(scale * facets * shadowing * d.fresnel(half.cos_d, self.ior) / (light.z * view.z))
 
     def _lambda(self, cosine: Real) -> Real:
         cosine = dr.maximum(cosine, 1e-8)
         sine = dr.sqrt(dr.maximum(dr.fma(-cosine, cosine, 1.0), TINY_SINE2))
-        a = dr.minimum(cosine / (self.roughness * sine), 1.6)
+        a = dr.minimum(cosine / (d.number(self.roughness) * sine), 1.6)
         return dr.maximum(1.0 - 1.259 * a + 0.396 * a * a, 0.0) / (a * (3.535 + 2.181 * a))
 
 
@@ -175,11 +181,11 @@ class FacetLobe:
         half = Half.of(light, view)
         low = dr.minimum(light.z, view.z)
         grooves = dr.minimum(1.0, 2.0 * half.cos_h * low / half.cos_d)
-        facets = dr.exp(-half.tan2_h / self.slope**2) * dr.square(1.0 + half.tan2_h)
-        grey = facets * grooves / (light.z * view.z) * (self.scale / (math.pi * self.slope**2))
+        facets = dr.exp(-half.tan2_h * d.number(1.0 / self.slope**2)) * dr.square(1.0 + half.tan2_h)
+        grey = facets * grooves / (light.z * view.z) * d.number(self.scale / (math.pi * self.slope**2))
         if self.ior is not None:
             grey *= d.fresnel(half.cos_d, self.ior)
-        return mi.Color3f(*self.ks) * grey
+        return d.colour(self.ks) * grey
 
 
 @dataclass(frozen=True)

@@ -34,6 +34,15 @@ def test_mean_and_variance_are_those_of_the_passes() -> None:
     np.testing.assert_allclose(found.radiance, passes.mean(axis=0), rtol=1e-12)
     np.testing.assert_allclose(found.variance, passes.var(axis=0, ddof=1) / 7, rtol=1e-9)
     assert (found.samples, found.passes, found.seconds) == (28, 7, 3.5)
+    # The same samples in passes of other sizes: the mean of all samples, and a variance of the same size.
+    noise = np.random.default_rng(3).normal(size=(30, SIZE[1], SIZE[0], 3))
+    from brdf_suite.reference.passes import Estimate
+
+    uneven = Estimate.nothing(SIZE)
+    for first, count in ((0, 1), (1, 1), (2, 2), (4, 4), (8, 22)):
+        uneven = uneven.with_pass(noise[first : first + count].mean(axis=0), np.ones(SIZE[::-1]), count, 0.1)
+    np.testing.assert_allclose(uneven.radiance, noise.mean(axis=0), atol=1e-12)
+    assert uneven.variance.mean() == pytest.approx(1.0 / 30.0, rel=0.1)
     one, _ = numbers(np.random.default_rng(1), 1)
     assert np.isinf(one.variance).all()
 

@@ -11,12 +11,8 @@ from brdf_suite.files.images import write_exr
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles, sample
-from brdf_suite.pipeline.reference_scene import (
-    ReferenceScene,
-    build_reference,
-    in_the_lamp,
-    load_reflectance,
-)
+from brdf_suite.pipeline.reference_paint import in_the_lamp, load_reflectance
+from brdf_suite.pipeline.reference_scene import ReferenceScene, build_reference
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.realtime.values import MaterialWeights
 from brdf_suite.reflectance.coat_lobe import CoatLobe

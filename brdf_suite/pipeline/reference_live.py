@@ -1,0 +1,204 @@
+"""A path-traced picture that follows what is edited: what changed is changed in place, and tracing begins anew.
+
+    live = LiveReference()
+    live.show("blue", View(), (640, 360))
+    while not enough:
+        estimate = live.step()        # one pass more
+        picture = live.codes()        # (360, 640, 3) uint8, as a screen shows it
+
+Another paint, camera, turn of the light or size costs some hundredths of a second: nothing is compiled anew, for the
+numbers of a paint are read from memory. Another light, surface or set of lamps is read and built anew. Whoever needs to
+stop within a pass runs this in a process of its own.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.documents.store import AnyPaint
+from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.pipeline.environments import read_environment
+from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
+from brdf_suite.pipeline.reference_scene import ReferenceScene, Size, build_reference
+from brdf_suite.pipeline.scene import find_environment
+from brdf_suite.pipeline.surface import load_shaped
+from brdf_suite.progress import Progress, part, report
+from brdf_suite.surface.mesh import Mesh
+
+if TYPE_CHECKING:
+    from brdf_suite.reference.passes import Estimate
+
+Change = Literal["nothing", "shown", "light"]
+_T = TypeVar("_T")
+
+PASSES = (1, 1, 2)
+"""Samples a pixel of the first passes: a picture at once, and its noise soon."""
+LATER_PASSES = 4
+
+
+@dataclass(frozen=True, eq=False)
+class _Loaded:
+    """What is read for a scene."""
+
+    paint: TracedPaint
+    environment: Environment
+    mesh: Mesh
+
+
+class LiveReference:
+    """One path-traced scene and its newest estimate; for one thread.
+
+    Raises
+    ------
+    ReferenceUnavailableError
+        Mitsuba or LLVM is missing; the message says what to install.
+    """
+
+    def __init__(self) -> None:
+        from brdf_suite.reference.variant import start
+
+        start()
+        self._scene: ReferenceScene | None = None
+        self._estimate: Estimate | None = None
+        self._structure: tuple[object, ...] = ()
+        self._kept: dict[str, tuple[object, Any]] = {}
+
+    @property
+    def scene(self) -> ReferenceScene:
+        """The scene that was shown last: its name, notices, and view with the camera placed."""
+        if self._scene is None:
+            raise SuiteError("Nothing has been shown to the path tracer yet.")
+        return self._scene
+
+    @property
+    def estimate(self) -> Estimate | None:
+        """What the passes so far give; None before the first."""
+        return self._estimate
+
+    def show(
+        self,
+        paint: str | os.PathLike[str] | AnyPaint,
+        view: View,
+        size: Size,
+        progress: Progress | None = None,
+    ) -> Change:
+        """Show a paint, by name, file or document, in a view, ``size`` in pixels.
+
+        Returns ``light`` where tracing begins anew, ``shown`` where only how it is shown changes (exposure, tone
+        curve, backdrop), else ``nothing``. Where it raises, the last scene stays as it was.
+
+        Raises
+        ------
+        FileError
+            The paint, environment or surface cannot be read.
+        UnreachableError
+            No such paint can be.
+        """
+        loaded = self._load(paint, view, progress)
+        report(progress, 0.9, "building the scene")
+        structure = _structure(loaded, view)
+        before = self._scene
+        made = build_reference(
+            loaded.paint.name,
+            loaded.paint.reflectance,
+            view,
+            size,
+            loaded.environment,
+            loaded.mesh,
+            notices=loaded.paint.notices,
+            kept=before if structure == self._structure else None,
+        )
+        self._scene, self._structure = made, structure
+        report(progress, 1.0, "ready")
+        if before is None or before.key != made.key:
+            self._estimate = None
+            return "light"
+        return "nothing" if replace(before.view, camera=made.view.camera) == made.view else "shown"
+
+    def step(self) -> Estimate:
+        """Trace one pass more and return the estimate; the first passes are of few samples.
+
+        Raises
+        ------
+        ReferenceUnavailableError
+            The renderer failed, as it does where memory runs out.
+        """
+        from brdf_suite.reference.passes import step
+
+        done = 0 if self._estimate is None else self._estimate.passes
+        samples = PASSES[done] if done < len(PASSES) else LATER_PASSES
+        self._estimate = step(self.scene.traced, self._estimate, samples=samples)
+        return self._estimate
+
+    def codes(self) -> NDArray[np.uint8]:
+        """Return the picture (h, w, 3), sRGB, as a screen shows it; :class:`SuiteError` before the first pass."""
+        return self.scene.codes(self._newest())
+
+    def whole(self) -> NDArray[np.float64]:
+        """Return the radiance (h, w, 3) with the backdrop; :class:`SuiteError` before the first pass."""
+        return self.scene.whole(self._newest())
+
+    def _newest(self) -> Estimate:
+        if self._estimate is None:
+            raise SuiteError("Nothing has been traced yet.")
+        return self._estimate
+
+    def _load(
+        self, paint: str | os.PathLike[str] | AnyPaint, view: View, progress: Progress | None
+    ) -> _Loaded:
+        asked = os.fspath(paint) if isinstance(paint, (str, os.PathLike)) else paint
+        illuminant = view.light_colour.illuminant
+        report(progress, 0.0, "reading the paint")
+        traced = self._keep("paint", (asked, _stamp(asked), illuminant), lambda: load_traced(asked, view))
+        light = (view.environment, _stamp(view.environment), view.environment_layout)
+        environment = self._keep(
+            "environment",
+            light,
+            lambda: read_environment(
+                find_environment(view.environment)[1], view.environment_layout, part(progress, 0.2, 0.6)
+            ),
+        )
+        look = replace(view.surface_look, materials=(), occlusion=True, ground=False)
+        mesh = self._keep(
+            "surface",
+            (view.surface, _stamp(view.surface), look),
+            lambda: load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.9)),
+        )
+        return _Loaded(traced, environment, mesh)
+
+    def _keep(self, what: str, asked: object, load: Callable[[], _T]) -> _T:
+        """Return what was loaded last where the same is asked for again."""
+        if what not in self._kept or self._kept[what][0] != asked:
+            self._kept[what] = (asked, load())
+        found: _T = self._kept[what][1]
+        return found
+
+
+def _stamp(asked: object) -> tuple[int, int] | None:
+    """Tell a file from what it was before; None for what is no file."""
+    if not isinstance(asked, str):
+        return None
+    try:
+        status = Path(asked).stat()
+    except (OSError, ValueError):  # a shipped name, or a file that whoever reads it will miss
+        return None
+    return status.st_mtime_ns, status.st_size
+
+
+def _structure(loaded: _Loaded, view: View) -> tuple[object, ...]:
+    """What a scene must be built anew for; the rest of it is changed in place."""
+    return (
+        id(loaded.mesh),
+        loaded.environment.radiance.shape,
+        view.lamps,
+        view.surface_look.materials,
+    )
