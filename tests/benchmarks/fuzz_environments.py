@@ -11,7 +11,6 @@ and the description of a studio.
 
 from __future__ import annotations
 
-import argparse
 import importlib.util
 import multiprocessing
 import os
@@ -27,7 +26,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from fuzz_measured import mutate
+from fuzz_measured import mutate, options, told
 
 from brdf_suite.documents.light_store import STUDIO_ENDING, load_light, save_light
 from brdf_suite.documents.studio import Backdrop, Lamp, Sky, Studio
@@ -204,14 +203,8 @@ def _described(folder: Path) -> list[Path]:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("files", nargs="*", type=Path)
-    parser.add_argument("--mutations", type=int, default=10_000)
-    parser.add_argument("--seed", type=int, default=0)
+    parser = options(__doc__, "*")
     parser.add_argument("--kinds", action="store_true", help="files of rare kinds, too")
-    parser.add_argument("--keep", type=Path, help="folder for the files that made a fault")
     arguments = parser.parse_args()
     faults = 0
     with tempfile.TemporaryDirectory() as made:
@@ -223,10 +216,7 @@ def main() -> int:
                 f" the longest took {longest:.2f} s; peak {peak:,.0f} MB",
                 flush=True,
             )
-            for result, count in counts.items():
-                if result.startswith("FAULT"):
-                    faults += count
-                    print(f"  {count} x {result}", flush=True)
+            faults += told(counts)
     return 1 if faults else 0
 
 

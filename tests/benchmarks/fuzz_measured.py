@@ -174,15 +174,28 @@ def fuzz(path: Path, mutations: int, seed: int, keep: Path | None = None) -> tup
     return counts, longest
 
 
-def main() -> int:
+def options(description: str | None, how_many: str) -> argparse.ArgumentParser:
+    """Return the options of a program that damages files; ``how_many`` files as argparse counts them."""
     parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+        description=description, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("files", nargs="+", type=Path)
+    parser.add_argument("files", nargs=how_many, type=Path)
     parser.add_argument("--mutations", type=int, default=10_000)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--keep", type=Path, help="folder for the files that made a fault")
-    arguments = parser.parse_args()
+    return parser
+
+
+def told(counts: Counter[str]) -> int:
+    """Print the faults among the outcomes, and return how many there are."""
+    faults = {result: count for result, count in counts.items() if result.startswith("FAULT")}
+    for result, count in faults.items():
+        print(f"  {count} x {result}", flush=True)
+    return sum(faults.values())
+
+
+def main() -> int:
+    arguments = options(__doc__, "+").parse_args()
     faults = 0
     for path in arguments.files:
         counts, longest = fuzz(path, arguments.mutations, arguments.seed, arguments.keep)
@@ -191,10 +204,7 @@ def main() -> int:
             f" {counts['refused']} refused; the longest took {longest:.2f} s",
             flush=True,
         )
-        for result, count in counts.items():
-            if result.startswith("FAULT"):
-                faults += count
-                print(f"  {count} x {result}", flush=True)
+        faults += told(counts)
     return 1 if faults else 0
 
 
