@@ -12,11 +12,14 @@ from brdf_qt.document_files import DocumentFiles, DocumentFormat
 from brdf_qt.document_store import DocumentStore
 from brdf_qt.link import LiveLink
 from brdf_qt.message_bar import Message
-from brdf_qt.recovery import Recovery
 from PySide6.QtCore import QCoreApplication, QProcess, QTimer
 from PySide6.QtGui import QCloseEvent
 
-from brdf_designer.controller import Controller, Parts
+from brdf_designer.controller import Controller
+from brdf_designer.desk import Desk
+from brdf_designer.recovery_offer import RecoveryOffer
+from brdf_designer.sections import build_sections
+from brdf_designer.tabs import Documents
 from brdf_designer.window import DesignerWindow
 from brdf_suite.documents.paint import Paint, solid_paint
 from brdf_suite.documents.store import (
@@ -60,31 +63,41 @@ class Designer:
     """The program's parts, joined; ``window`` is not yet shown."""
 
     def __init__(self, dialogs: Callable[[DesignerWindow], Dialogs] = QtDialogs) -> None:
-        form = paint_format()
         names = resource_names("paints", PAINT_ENDING)
         first = shipped_paint(FIRST_PAINT) if FIRST_PAINT in names else new_paint()
         self.window = DesignerWindow(names)
-        self.store: DocumentStore[Paint] = DocumentStore(first, self.window)
-        self.files = DocumentFiles(self.store, form, dialogs(self.window), self.window)
-        self.recovery = Recovery(self.store, form, self._autosave_failed, self.window)
+        self.documents = Documents(
+            first, paint_format(), dialogs(self.window), self._autosave_failed, self.window
+        )
         self.link = LiveLink("designer", parent=self.window)
         self.fitter = PaintFitter()
-        parts = Parts(self.store, self.files, self.recovery, self.fitter, self.link.publish)
-        self.controller = Controller(self.window, parts, self.window)
+        self.desk = Desk(self.documents, self.fitter, self.link.publish, self.window, self.window)
+        self.controller = Controller(self.window, self.desk, self.window)
+        self.recovery_offer = RecoveryOffer(self.documents, self.window)
         self._closed = False
         self._join()
-        self.controller.refresh()
-        self.window.keep_opened()
-        self._show_history()
+        self.sections = build_sections(self.desk, self.window)
+        self.window.restore_layout()
+        self.controller.start()
         self.window.show_recent(self.files.recent())
+
+    @property
+    def store(self) -> DocumentStore[Paint]:
+        """The store of the paint in front."""
+        return self.documents.front.store
+
+    @property
+    def files(self) -> DocumentFiles[Paint]:
+        """The file work of the paint in front."""
+        return self.documents.front.files
 
     def start(self) -> None:
         """Do what can wait until the window is painted: plot, link, and unsaved work of earlier runs."""
         self.window.plot.build()
         # The first fit paid for everything that is done once; its time says nothing about the next ones.
-        self.controller.refresh()
+        self.desk.refresh()
         self.link.start()
-        self.controller.offer_recovery()
+        self.recovery_offer.show()
 
     def open(self, name_or_path: str) -> None:
         """Open a file, or a shipped paint by its name."""
@@ -92,7 +105,7 @@ class Designer:
         if name_or_path in resource_names("paints", PAINT_ENDING):
             self.controller.open_shipped(lambda: shipped_paint(name_or_path))
         else:
-            self.files.open(Path(name_or_path))
+            self.documents.open(Path(name_or_path))
 
     def close(self) -> None:
         """Leave the link; unsaved work of a program that is told to end is kept for the next start."""
@@ -100,43 +113,38 @@ class Designer:
         self.fitter.close()
         if not self._closed:
             self._closed = True
-            self.recovery.close(keep=True)
+            self.documents.keep_unsaved()
 
     def _join(self) -> None:
-        window, controller, files = self.window, self.controller, self.files
+        window, controller, documents = self.window, self.controller, self.documents
         window.edited.connect(controller.edit)
         window.gesture_started.connect(controller.begin_gesture)
         window.gesture_finished.connect(controller.end_gesture)
-        window.new_asked.connect(files.new)
-        window.open_asked.connect(files.open)
+        window.new_asked.connect(documents.new)
+        window.open_asked.connect(documents.open)
         window.shipped_asked.connect(lambda name: controller.open_shipped(lambda: shipped_paint(name)))
-        window.save_asked.connect(files.save)
-        window.save_as_asked.connect(files.save_as)
+        window.save_asked.connect(lambda: self.files.save())
+        window.save_as_asked.connect(lambda: self.files.save_as())
         window.undo_asked.connect(controller.undo)
         window.redo_asked.connect(controller.redo)
+        window.tab_chosen.connect(lambda place: documents.show(documents.row[place]))
+        window.tab_close_asked.connect(lambda place: documents.close(documents.row[place]))
+        window.close_front_asked.connect(lambda: documents.close(documents.front))
+        window.tab_moved.connect(documents.move)
+        window.tab_step_asked.connect(documents.step)
+        window.reopen_asked.connect(documents.reopen)
         window.viewer_asked.connect(self._open_viewer)
-        window.recent_cleared.connect(files.clear_recent)
+        window.recent_cleared.connect(lambda: self.files.clear_recent())
         window.close_asked.connect(self._may_close)
         window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
-        self.recovery.written_again.connect(lambda: window.dismiss_message("autosave"))
-        files.recent_changed.connect(lambda: window.show_recent(files.recent()))
-        self.store.history_changed.connect(self._show_history)
-        self.store.replaced.connect(window.close_pickers)
-        # After the controller, which has shown the document by then.
-        self.store.replaced.connect(window.keep_opened)
+        documents.recent_changed.connect(lambda: window.show_recent(self.files.recent()))
         self.link.peers_changed.connect(lambda _count: window.desk_status.show_peers(self.link.peers))
         app = QCoreApplication.instance()
         if app is not None:
             app.aboutToQuit.connect(self.close)
 
-    def _show_history(self) -> None:
-        stack = self.store.stack
-        self.window.show_history(
-            stack.undoText(), stack.redoText(), can_undo=stack.canUndo(), can_redo=stack.canRedo()
-        )
-
     def _may_close(self, question: QCloseEvent) -> None:
-        if self.controller.may_close():
+        if self.documents.may_close_all():
             self._closed = True
             self.link.close()
             question.accept()

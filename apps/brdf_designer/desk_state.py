@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,6 +79,15 @@ class FitState:
     ior: float
     roughness: float
     notices: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class TabState:
+    """What a tab says of its document: title, file, and whether all of it is saved."""
+
+    title: str
+    path: Path | None
+    clean: bool
 
 
 def colours_of(paint: Paint) -> Colours:

@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from brdf_qt.main_window import SuiteWindow
+from brdf_qt.main_window import Shortcut, SuiteWindow
 from brdf_qt.message_bar import Message
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
+from brdf_qt.translation import tr
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QCloseEvent, QColor, QDragEnterEvent, QDropEvent, QKeySequence
-from PySide6.QtWidgets import QColorDialog, QMenu, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtGui import QAction, QCloseEvent, QColor, QDragEnterEvent, QDropEvent, QKeySequence
+from PySide6.QtWidgets import QColorDialog, QDockWidget, QMenu, QSplitter, QVBoxLayout, QWidget
 
 from brdf_designer.angle_plot import AnglePlot
 from brdf_designer.colour_section import ColourEditors
-from brdf_designer.desk_state import Colours, FitState
+from brdf_designer.desk_state import Colours, FitState, TabState
 from brdf_designer.fields import Key
 from brdf_designer.paint_sections import CoatSection, FlakesSection, ModelSection, TextSection
 from brdf_designer.patches import FlopStrip, PatchRow
 from brdf_designer.status import DeskStatus
+from brdf_designer.tabs_bar import DocumentTabs
 from brdf_suite.appearance.colorimetry import display_to_lab
 
 
@@ -29,7 +31,9 @@ class DesignerWindow(SuiteWindow):
     Intents: ``edited(key, value)``, ``gesture_started(key)``, ``gesture_finished()`` as
     :mod:`brdf_designer.fields` names them; ``new_asked``, ``open_asked(Path | None)``, ``shipped_asked(name)``,
     ``save_asked``, ``save_as_asked``, ``undo_asked``, ``redo_asked``, ``viewer_asked``, ``recent_cleared``;
-    ``close_asked(QCloseEvent)``, to be ignored where the window must stay.
+    of the tabs ``tab_chosen(place)``, ``tab_close_asked(place)``, ``close_front_asked``,
+    ``tab_moved(before, after)``, ``tab_step_asked(by)``, ``reopen_asked``; ``close_asked(QCloseEvent)``, to be
+    ignored where the window must stay.
     """
 
     edited = Signal(object, object)
@@ -40,6 +44,12 @@ class DesignerWindow(SuiteWindow):
     shipped_asked = Signal(str)
     save_asked = Signal()
     save_as_asked = Signal()
+    tab_chosen = Signal(int)
+    tab_close_asked = Signal(int)
+    close_front_asked = Signal()
+    tab_moved = Signal(int, int)
+    tab_step_asked = Signal(int)
+    reopen_asked = Signal()
     undo_asked = Signal()
     redo_asked = Signal()
     viewer_asked = Signal()
@@ -52,11 +62,77 @@ class DesignerWindow(SuiteWindow):
         self._colours: Colours | None = None
         self._pickers: dict[int, QColorDialog] = {}
         self.strip, self.patches, self.plot = FlopStrip(), PatchRow(), AnglePlot()
+        self.tabs = DocumentTabs()
+        self._sections: dict[str, Section] = {}
         self._build_centre()
         self._build_inspector()
         self.desk_status = DeskStatus(self.status)
         self._build_menus(shipped)
-        self.restore_layout()
+
+    # What a part of the desk adds.
+
+    def add_section(
+        self, key: str, title: str, widget: QWidget, after: str | None = None, *, is_open: bool = True
+    ) -> Section:
+        """Add a section to the inspector: after the one of key ``after``, otherwise at the end.
+
+        ``is_open`` is how a first start shows it; later starts show it as the user left it.
+        """
+        section = Section(title, key, is_open=is_open)
+        section.add(widget)
+        self.inspector.add_section(section, after=self._sections[after] if after else None)
+        self._sections[key] = section
+        return section
+
+    def section(self, key: str) -> Section:
+        """Return the section of that key: ``colour``, ``coat``, ``flakes``, ``model``, ``paint``, or one added."""
+        return self._sections[key]
+
+    def add_dock(
+        self,
+        key: str,
+        title: str,
+        widget: QWidget,
+        area: Qt.DockWidgetArea = Qt.DockWidgetArea.BottomDockWidgetArea,
+        *,
+        visible: bool = False,
+    ) -> QDockWidget:
+        """Add a panel that docks, floats and hides; listed in View ▸ Panels."""
+        dock = self.add_panel(title, widget, area)
+        dock.setObjectName(f"panel_{key}")
+        dock.setVisible(visible)
+        return dock
+
+    def add_command(
+        self,
+        menu: str,
+        text: str,
+        shortcut: Shortcut | None,
+        slot: Callable[[], object],
+        key: str,
+        *,
+        icon: str | None = None,
+        tip: str = "",
+    ) -> QAction:
+        """Add a command to a menu: ``file``, ``edit``, ``view``, ``paint``, ``window`` or ``help``.
+
+        ``key`` is its object name after ``action_``; Ctrl+K finds it by its text. Quit stays last in File.
+        """
+        menus = {
+            "file": self.file_menu,
+            "edit": self.edit_menu,
+            "view": self.view_menu,
+            "paint": self.paint_menu,
+            "window": self.window_menu,
+            "help": self.help_menu,
+        }
+        before = self._file_end if menu == "file" else None
+        action = self.add_action(menus[menu], text, slot, shortcut, icon, tip)
+        action.setObjectName(f"action_{key}")
+        if before is not None:
+            self.file_menu.removeAction(action)
+            self.file_menu.insertAction(before, action)
+        return action
 
     # What the controller shows.
 
@@ -90,11 +166,19 @@ class DesignerWindow(SuiteWindow):
             part.mark_stale()
         self.patches.show_differences(None)
 
-    def show_document(self, title: str, path: Path | None, clean: bool) -> None:
+    def show_tabs(self, tabs: Sequence[TabState], front: int) -> None:
         """See :class:`brdf_designer.controller.View`."""
-        self.setWindowTitle(f"{title}[*]")
-        self.setWindowFilePath(str(path) if path else "")
-        self.setWindowModified(not clean)
+        self.tabs.show_tabs(tabs, front)
+        shown = tabs[front]
+        self.setWindowTitle(f"{shown.title}[*]")
+        self.setWindowFilePath(str(shown.path) if shown.path else "")
+        self.setWindowModified(not shown.clean)
+        for action in self._step_actions:
+            action.setEnabled(len(tabs) > 1)
+
+    def show_reopen(self, can: bool) -> None:
+        """Show whether a closed tab can be had back."""
+        self.reopen_action.setEnabled(can)
 
     def show_message(self, message: Message) -> None:
         """See :class:`brdf_designer.controller.View`."""
@@ -147,9 +231,15 @@ class DesignerWindow(SuiteWindow):
         split.setObjectName("centre_split")
         centre = QWidget()
         outer = QVBoxLayout(centre)
-        outer.setContentsMargins(8, 8, 8, 8)
-        outer.addWidget(split)
+        outer.setContentsMargins(8, 4, 8, 8)
+        outer.setSpacing(8)
+        outer.addWidget(self.tabs)
+        outer.addWidget(split, 1)
         self.set_centre(centre)
+        self.tabs.chosen.connect(self.tab_chosen)
+        self.tabs.close_asked.connect(self.tab_close_asked)
+        self.tabs.dragged.connect(self.tab_moved)
+        self.tabs.new_asked.connect(self.new_asked)
         self.plot.drag_started.connect(lambda index: self.gesture_started.emit(("lab", index, 0)))
         self.plot.lightness_edited.connect(lambda index, value: self.edited.emit(("lab", index, 0), value))
         self.plot.drag_finished.connect(self.gesture_finished)
@@ -166,16 +256,11 @@ class DesignerWindow(SuiteWindow):
             ModelSection(),
             TextSection(),
         )
-        for title, body in (
-            ("Colour", self.editors),
-            ("Coat", self.coat),
-            ("Flakes", self.flakes),
-            ("Model", self.model),
-            ("Paint", self.texts),
-        ):
-            section = Section(title)
-            section.add(body)
-            self.inspector.add_section(section)
+        self.add_section("colour", tr("Colour"), self.editors)
+        self.add_section("coat", tr("Coat"), self.coat)
+        self.add_section("flakes", tr("Flakes"), self.flakes)
+        self.add_section("model", tr("Model"), self.model)
+        self.add_section("paint", tr("Paint"), self.texts)
         for body in (self.coat, self.flakes, self.model, self.texts):
             body.edited.connect(self.edited)
             body.gesture_started.connect(self.gesture_started)
@@ -195,7 +280,14 @@ class DesignerWindow(SuiteWindow):
         file.addSeparator()
         save = self.add_action(file, "&Save", self.save_asked.emit, keys.Save, "floppy-disk")
         self.add_action(file, "Save &As…", self.save_as_asked.emit, "Ctrl+Shift+S")
+        file.addSeparator()
+        self.add_action(file, tr("&Close Tab"), self.close_front_asked.emit, "Ctrl+W", "x")
+        self.reopen_action = self.add_action(
+            file, tr("Reopen Closed &Tab"), self.reopen_asked.emit, "Ctrl+Shift+T"
+        )
+        self.reopen_action.setEnabled(False)
         self.add_quit()
+        self._file_end = file.actions()[-2]
         self.undo_action = self.add_action(
             self.edit_menu, "&Undo", self.undo_asked.emit, keys.Undo, "arrow-counter-clockwise"
         )
@@ -205,6 +297,15 @@ class DesignerWindow(SuiteWindow):
         self.redo_action.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         self.pick_menu = self.paint_menu.addMenu("&Pick Colour")
         self.solid_menu = self.paint_menu.addMenu("Make &Solid From")
+        self._step_actions = [
+            self.add_action(self.window_menu, text, lambda by=by: self.tab_step_asked.emit(by), keys)
+            for text, by, keys in (
+                (tr("&Next Tab"), 1, "Ctrl+Tab"),
+                (tr("&Previous Tab"), -1, "Ctrl+Shift+Tab"),
+            )
+        ]
+        for step, second in zip(self._step_actions, ("Ctrl+PgDown", "Ctrl+PgUp"), strict=True):
+            step.setShortcuts([step.shortcut(), QKeySequence(second)])
         viewer = self.add_action(self.window_menu, "Open &Viewer", self.viewer_asked.emit, icon="monitor")
         for action in (new, opened, save, None, self.undo_action, self.redo_action, None, viewer):
             if action is None:
@@ -258,8 +359,9 @@ class DesignerWindow(SuiteWindow):
 
     def keep_opened(self) -> None:
         """Take what is shown for what the document had when it was opened: a double click goes back to it."""
-        for field in self.inspector.findChildren(NumberField):
-            field.set_default(field.value())
+        for part in (self.editors, self.coat, self.flakes, self.model):
+            for field in part.findChildren(NumberField):
+                field.set_default(field.value())
 
     def close_pickers(self) -> None:
         """Close every picker: another document has come, and its readings are others."""

@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, QStandardPaths, Signal
 
 from brdf_qt.dialogs import Answer, Dialogs, Overwrite
 from brdf_qt.document_store import DocumentStore
-from brdf_qt.file_stamp import stamp_of
+from brdf_qt.file_stamp import FileStamp, stamp_of
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.settings import settings
 from brdf_suite.errors import SuiteError
@@ -75,9 +75,24 @@ class DocumentFiles(QObject, Generic[T]):
         if not self.may_discard():
             return False
         if path is None:
-            path = self.dialogs.open_path(self._folder(), self.format.filters)
+            path = self.ask_open_path()
             if path is None:
                 return False
+        read = self.read(path)
+        if read is None:
+            return False
+        value, stamp = read
+        self.store.replace(value, path.absolute(), stamp=stamp)
+        self.remember(path.absolute())
+        self.succeeded.emit("open")
+        return True
+
+    def ask_open_path(self) -> Path | None:
+        """Ask which file to open; ``None`` where the user gives up."""
+        return self.dialogs.open_path(self._folder(), self.format.filters)
+
+    def read(self, path: Path) -> tuple[T, FileStamp | None] | None:
+        """Return what ``path`` holds, and its stamp; ``None`` where it cannot be read, which ``failed`` tells."""
         # Before the content is read: a change in between is then asked about once too often, never lost.
         stamp = stamp_of(path)
         try:
@@ -86,11 +101,8 @@ class DocumentFiles(QObject, Generic[T]):
             todo = f"The {self.format.kind} that was open is unchanged."
             self.failed.emit(message_of(error, "open", todo=todo))
             self._forget(path)
-            return False
-        self.store.replace(value, path.absolute(), stamp=stamp)
-        self._remember(path.absolute())
-        self.succeeded.emit("open")
-        return True
+            return None
+        return value, stamp
 
     def open_value(self, value: T) -> bool:
         """Open a document that comes from no file of the user's, such as a shipped one."""
@@ -161,11 +173,12 @@ class DocumentFiles(QObject, Generic[T]):
             self.failed.emit(message_of(error, "save", todo=todo))
             return False
         self.store.mark_clean(path, stamp_of(path))
-        self._remember(path)
+        self.remember(path)
         self.succeeded.emit("save")
         return True
 
-    def _remember(self, path: Path) -> None:
+    def remember(self, path: Path) -> None:
+        """Put ``path`` first among the recent files."""
         kept = [path, *(known for known in self.recent() if known != path)][:MOST_RECENT]
         self._store_recent(kept)
 

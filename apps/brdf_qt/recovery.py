@@ -56,7 +56,7 @@ class Recovery(QObject, Generic[T]):
     ) -> None:
         super().__init__(parent)
         self._store, self._format, self._failed = store, form, failed
-        self._fails = False
+        self._fails = self._closed = False
         self._folder = state_folder("autosave")
         self._file = self._folder / f"{uuid.uuid4().hex}{_ENDING}"
         self._lock = _lock(self._file)
@@ -97,7 +97,7 @@ class Recovery(QObject, Generic[T]):
         content = {
             "path": None if path is None else str(path),
             "stamp": None if stamp is None else stamp.to_json(),
-            "time": datetime.now().isoformat(timespec="seconds"),
+            "time": datetime.now().isoformat(timespec="microseconds"),
             "document": self._format.to_json(self._store.value),
         }
         # No fsync: what a killed process has written stays in the system, and this runs between two frames.
@@ -148,7 +148,15 @@ class Recovery(QObject, Generic[T]):
             )
 
     def close(self, *, keep: bool) -> None:
-        """End this run's autosave: ``keep`` writes what is unsaved, otherwise the file is removed."""
+        """End this run's autosave: ``keep`` writes what is unsaved, otherwise the file is removed.
+
+        Nothing that happens to the store afterwards is written; another call does nothing.
+        """
+        if self._closed:
+            return
+        self._closed = True
+        for signal in (self._store.changed, self._store.replaced, self._store.clean_changed):
+            signal.disconnect(self._schedule)
         self._timer.stop()
         if keep:
             self.write()

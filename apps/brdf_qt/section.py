@@ -10,11 +10,16 @@ from brdf_qt.settings import settings
 
 
 class Section(QWidget):
-    """A titled part of the inspector that opens and closes; remembers which under ``key``."""
+    """A titled part of the inspector that opens and closes; remembers which under ``key``.
+
+    ``is_open`` is how it is shown until the user has opened or closed it.
+    """
 
     toggled = Signal(bool)
 
-    def __init__(self, title: str, key: str | None = None, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, title: str, key: str | None = None, parent: QWidget | None = None, *, is_open: bool = True
+    ) -> None:
         super().__init__(parent)
         self.title = title
         self._key = f"section/{key or title}"
@@ -45,7 +50,7 @@ class Section(QWidget):
         box.addWidget(self._header)
         box.addWidget(self._body)
         box.addWidget(line)
-        self._show(settings().value(self._key, True, type=bool))
+        self._show(settings().value(self._key, is_open, type=bool))
 
     def add(self, widget: QWidget) -> QWidget:
         """Put ``widget`` at the end of the body and return it."""
@@ -88,10 +93,11 @@ class Inspector(QScrollArea):
         self.setWidget(self._inside)
         self.sections: list[Section] = []
 
-    def add_section(self, section: Section) -> Section:
-        """Put ``section`` under the others and return it."""
-        self._box.insertWidget(self._box.count() - 1, section)
-        self.sections.append(section)
+    def add_section(self, section: Section, after: Section | None = None) -> Section:
+        """Put ``section`` under the others, or right under ``after``, and return it."""
+        place = len(self.sections) if after is None else self.sections.index(after) + 1
+        self._box.insertWidget(place, section)
+        self.sections.insert(place, section)
         return section
 
     def sizeHint(self) -> QSize:

@@ -6,13 +6,12 @@ from unittest.mock import create_autospec
 
 import pytest
 from brdf_designer.assembly import paint_format, shipped_paint
-from brdf_designer.controller import Controller, Parts, View
+from brdf_designer.controller import Controller, View
+from brdf_designer.desk import Desk
 from brdf_designer.patches import PatchRow
 from brdf_designer.status import DeskStatus
-from brdf_qt.document_files import DocumentFiles
-from brdf_qt.document_store import DocumentStore
+from brdf_designer.tabs import Documents
 from brdf_qt.link_messages import BadMessageError, encode
-from brdf_qt.recovery import Recovery
 from brdf_qt.status_line import StatusLine
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -27,27 +26,30 @@ def fitter() -> PaintFitter:
     return PaintFitter(time_limit_s=60.0)  # exact, however busy the machine is
 
 
-class Desk:
+class Parts:
     """A controller and all that it works with."""
 
     def __init__(self, fitter, dialogs) -> None:
-        form = paint_format()
         self.view = create_autospec(View, instance=True)
-        self.store = DocumentStore(shipped_paint("blue"))
-        self.files = DocumentFiles(self.store, form, dialogs)
-        self.recovery = Recovery(self.store, form, pytest.fail)
+        self.documents = Documents(shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
         self.published = []
-        parts = Parts(
-            self.store, self.files, self.recovery, fitter, lambda *message: self.published.append(message)
-        )
-        self.controller = Controller(self.view, parts)
+        self.desk = Desk(self.documents, fitter, lambda *message: self.published.append(message), self.view)
+        self.controller = Controller(self.view, self.desk)
+
+    @property
+    def store(self):
+        return self.documents.front.store
+
+    def close(self) -> None:
+        for document in self.documents.row:
+            document.recovery.close(keep=False)
 
 
 @pytest.fixture
-def desk(qapp, fitter, dialogs) -> Desk:
-    desk = Desk(fitter, dialogs)
-    yield desk
-    desk.recovery.close(keep=False)
+def desk(qapp, fitter, dialogs) -> Parts:
+    parts = Parts(fitter, dialogs)
+    yield parts
+    parts.close()
 
 
 def test_an_edit_reaches_document_view_and_link(desk, qtbot):
@@ -69,11 +71,11 @@ def test_many_changes_of_one_turn_are_published_once_the_newest(desk, qtbot):
 
 
 def test_a_paint_that_the_link_refuses_is_told(desk, qtbot):
-    desk.controller._publish = lambda topic, value: encode(topic, value, "me", 1)
+    desk.desk._publish = lambda topic, value: encode(topic, value, "me", 1)
     desk.controller.edit(("source",), "\u20ac" * 10_000)
     qtbot.wait(20)
     desk.view.show_message.assert_not_called()
-    desk.controller._publish = refuse
+    desk.desk._publish = refuse
     desk.controller.edit(("lab", 1, 0), 30.0)
     qtbot.waitUntil(lambda: desk.view.show_message.called)
     assert desk.view.show_message.call_args.args[0].key == "link"
@@ -84,7 +86,7 @@ def refuse(topic, value) -> None:
 
 
 def test_an_unreachable_gloss_is_told_and_the_last_state_stays(desk, qtbot):
-    desk.controller.refresh()
+    desk.desk.refresh()
     qtbot.waitUntil(lambda: len(desk.published) == 1)
     fits = desk.view.show_fit.call_count
     desk.controller.edit(("gloss", "gu_20"), 199.0)
@@ -126,7 +128,7 @@ def test_a_refused_value_is_told_and_the_field_shows_the_document_again(desk):
 
 def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
     hurried = PaintFitter(time_limit_s=1e-6)
-    desk = Desk(hurried, dialogs)
+    desk = Parts(hurried, dialogs)
     desk.controller.edit(("lab", 1, 0), 30.0)
     limited = desk.view.show_fit.call_args.args[0]
     assert limited.time_limited
@@ -138,12 +140,12 @@ def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
     qtbot.wait(20)
     assert len(desk.published) == 1
     hurried.close()
-    desk.recovery.close(keep=False)
+    desk.close()
 
 
 def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot):
     hurried = PaintFitter(time_limit_s=1e-6)
-    desk = Desk(hurried, dialogs)
+    desk = Parts(hurried, dialogs)
     with hurried._fitter._solver._background.lock:
         hurried._fitter._solver._solver.run = lambda *_: Outcome.LOST  # no paint is known that loses it
         desk.controller.edit(("lab", 1, 0), 30.0)
@@ -166,19 +168,19 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
         row.show_differences(large, time_limited=True, exact_follows=state.exact_follows)
         assert told in row._cells[0][3].toolTip()
     hurried.close()
-    desk.recovery.close(keep=False)
+    desk.close()
 
 
 def test_the_optimum_of_a_paint_that_is_no_longer_shown_stays_away(qapp, dialogs, qtbot):
     hurried = PaintFitter(time_limit_s=1e-6)
-    desk = Desk(hurried, dialogs)
+    desk = Parts(hurried, dialogs)
     desk.controller.edit(("lab", 1, 0), 30.0)
     desk.controller.edit(("gloss", "gu_20"), 199.0)
     qtbot.wait(200)
     assert desk.view.show_fit.call_count == 1
     desk.view.mark_fit_stale.assert_called_once()
     hurried.close()
-    desk.recovery.close(keep=False)
+    desk.close()
 
 
 NUMBERS = st.floats(0, 120, allow_nan=False).map(lambda x: round(x, 2))
@@ -197,7 +199,7 @@ EDITS = st.one_of(
 @settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(edits=st.lists(st.tuples(EDITS, st.booleans()), max_size=12))
 def test_any_edits_and_as_many_undos_give_the_identical_paint(qapp, fitter, dialogs, edits):
-    desk = Desk(fitter, dialogs)
+    desk = Parts(fitter, dialogs)
     before = desk.store.value
     for (key, value), in_gesture in edits:
         if in_gesture:
@@ -211,4 +213,4 @@ def test_any_edits_and_as_many_undos_give_the_identical_paint(qapp, fitter, dial
     for _ in range(steps):
         desk.controller.redo()
     assert desk.store.value == after
-    desk.recovery.close(keep=False)
+    desk.close()

@@ -150,7 +150,7 @@ def test_the_picker_shows_the_paint_and_changes_nothing_by_opening(designer):
 
 def test_a_picker_goes_with_its_document(designer):
     designer.window.pick_colour(0)
-    designer.files.new()
+    designer.documents.new()
     assert designer.window._pickers == {}
     assert designer.store.is_clean
 
@@ -241,14 +241,14 @@ def test_save_and_reopen_give_the_identical_paint(designer, dialogs, tmp_path):
 
 
 @pytest.mark.parametrize("answer", list(Answer))
-def test_closing_asks_about_unsaved_changes(designer, dialogs, tmp_path, answer):
+def test_closing_asks_about_unsaved_changes(designer, dialogs, tmp_path, own_session, answer):
     type_in(field(designer, 0, 0), "70")
     dialogs.answer, dialogs.path = answer, tmp_path / "saved"
     closed = designer.window.close()
     assert dialogs.asked == ["Blue"]
     assert closed == (answer is not Answer.CANCEL)
     assert (tmp_path / "saved.brdfpaint").exists() == (answer is Answer.SAVE)
-    left = list(designer.recovery._folder.glob("*.recovery.json"))
+    left = list(own_session.rglob("*.recovery.json"))
     assert answer is Answer.CANCEL or left == []
 
 
@@ -363,7 +363,7 @@ def test_a_double_click_on_a_number_goes_back_to_the_opened_document(designer, t
     file = tmp_path / "matte.brdfpaint"
     paint = shipped_paint("satin_blue")
     save_paint(paint, file)
-    assert designer.files.open(file)
+    assert designer.documents.open(file)
     gloss = designer.window.coat.panel.fields["gloss.gu_20"]
     lightness = designer.window.editors.editors[0].fields[0]
     for field, value in ((gloss, gloss.value() + 3.0), (lightness, 20.0)):

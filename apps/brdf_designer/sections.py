@@ -1,0 +1,19 @@
+"""The parts of the desk that come as a section, a dock or a command of their own, in the order of the inspector."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from brdf_designer.desk import Desk
+from brdf_designer.window import DesignerWindow
+
+PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = ()
+"""What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
+
+Parts are made before the window is shown. What costs time at a start belongs into :meth:`Desk.at_idle`.
+"""
+
+
+def build_sections(desk: Desk, window: DesignerWindow) -> list[object]:
+    """Make every part and return them; their owner keeps them."""
+    return [part(desk, window) for part in PARTS]
