@@ -17,7 +17,7 @@ import numpy as np
 from brdf_suite.appearance.colorimetry import lab_to_working, working_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.appearance.gloss import LOWEST_ROUGHNESS, USUAL_IOR, nearest_coat
-from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.paint import Gloss, Paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
@@ -25,7 +25,7 @@ from brdf_suite.reflectance.albedo import normal_albedo
 from brdf_suite.reflectance.aspecular_base import AspecularBase, Rule
 from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.flake_rule import FlakeRule, squared_tilt
-from brdf_suite.reflectance.gloss_reading import base_gloss
+from brdf_suite.reflectance.gloss_reading import base_gloss, total_gloss
 from brdf_suite.reflectance.monotone_rule import MonotoneRule
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.polynomial_rule import PolynomialRule
@@ -57,6 +57,33 @@ class _Readings:
     wi: Floats
     wo: Floats
     notices: tuple[str, ...]
+
+
+class DarkerThanCoatError(UnreachableError):
+    """A colour darker than its clearcoat alone; ``measurement`` (light, aspecular angle), degrees, and ``share`` ρ."""
+
+    def __init__(self, message: str, measurement: tuple[float, float], share: float) -> None:
+        self.measurement, self.share = measurement, share
+        super().__init__(message)
+
+
+def gloss_of_coat(paint: Paint, ior: float, roughness: float) -> Gloss:
+    """Return what a glossmeter reads at 20 and 60° of the paint's colours under a coat of ``ior`` and ``roughness``.
+
+    The base is what is left of the colours under that very coat, so :func:`build_paint` of the paint with this gloss
+    solves for the same coat again, unless two coats give the same readings.
+
+    Raises
+    ------
+    UnreachableError
+        The coat alone reflects more than a colour reading; the message names the reading.
+    """
+    coat = CoatLobe(ior, roughness)
+    lights = _collect(paint)
+    for readings in lights:
+        _refuse_negative(readings, coat)
+    at_20, at_60 = total_gloss(_base_under(paint, lights, coat)[0], coat)
+    return Gloss(at_20, at_60)
 
 
 def build_paint(paint: Paint) -> PaintReflectance:
@@ -208,11 +235,14 @@ def _refuse_negative(readings: _Readings, coat: CoatLobe) -> None:
     if left.min() >= -_ROUNDING:
         return
     index, channel = np.unravel_index(int(np.argmin(left)), left.shape)
-    raise UnreachableError(
-        f"At {readings.aspecular_deg[index]:g}° the clearcoat of this gloss alone reflects "
+    where = float(readings.aspecular_deg[index])
+    raise DarkerThanCoatError(
+        f"At {where:g}° the clearcoat of this gloss alone reflects "
         f"{share[index, 0]:.4f} (reflectance factor), more than the {readings.rho[index, channel]:.4f} that "
         f"the colour has in the {_CHANNELS[channel]} channel, so the base would be negative. Raise the gloss "
-        "or the lightness."
+        "or the lightness.",
+        (readings.illumination_deg, where),
+        float(share[index, 0]),
     )
 
 
