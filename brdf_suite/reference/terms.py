@@ -142,11 +142,7 @@ class CoatLobe:
     def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         half, a2 = Half.of(light, view), self.roughness**2
-        facets = (
-            dr.exp(-half.tan2_h * d.number(1.0 / a2))
-            * dr.square(1.0 + half.tan2_h)
-            * d.number(1.0 / (math.pi * a2))
-        )
+        facets = dr.exp(-half.tan2_h * d.number(1.0 / a2)) * dr.square(1.0 + half.tan2_h)
         shadowing = 1.0 / (1.0 + self._lambda(light.z) + self._lambda(view.z))
         scale = d.number(0.25 / (math.pi * a2))
         return mi.Color3f(scale * facets * shadowing * d.fresnel(half.cos_d, self.ior) / (light.z * view.z))
