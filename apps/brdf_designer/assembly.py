@@ -20,6 +20,7 @@ from brdf_designer.desk import Desk
 from brdf_designer.recovery_offer import RecoveryOffer
 from brdf_designer.sections import build_sections
 from brdf_designer.tabs import Documents
+from brdf_designer.thumbnails import thumbnails_of
 from brdf_designer.window import DesignerWindow
 from brdf_suite.documents.paint import Paint, solid_paint
 from brdf_suite.documents.store import (
@@ -110,6 +111,7 @@ class Designer:
     def close(self) -> None:
         """Leave the link; unsaved work of a program that is told to end is kept for the next start."""
         self.link.close()
+        thumbnails_of(self.window).close()
         self.fitter.close()
         if not self._closed:
             self._closed = True
