@@ -37,8 +37,10 @@ class PatientBot(QtBot):
     def waitUntil(self, callback, *, timeout=PATIENCE_MS):  # noqa: N802 - the name is Qt's
         return super().waitUntil(callback, timeout=max(timeout, PATIENCE_MS))
 
-    def waitSignal(self, signal, *, timeout=PATIENCE_MS, **more):  # noqa: N802 - the name is Qt's
-        return super().waitSignal(signal, timeout=max(timeout, PATIENCE_MS), **more)
+    def waitSignal(self, signal, *, timeout=PATIENCE_MS, raising=True, **more):  # noqa: N802 - the name is Qt's
+        # Where its absence is no failure, as within assertNotEmitted, all of the time would be waited.
+        limit = max(timeout, PATIENCE_MS) if raising else timeout
+        return super().waitSignal(signal, timeout=limit, raising=raising, **more)
 
     def waitSignals(self, signals, *, timeout=PATIENCE_MS, **more):  # noqa: N802 - the name is Qt's
         return super().waitSignals(signals, timeout=max(timeout, PATIENCE_MS), **more)

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from brdf_suite.files.meshes import read_mesh
+from brdf_suite.resources import resource
 from brdf_suite.surface.car import car
 from brdf_suite.surface.car.body import body
 from brdf_suite.surface.car.proportions import FRONT_AXLE_Z, REAR_AXLE_Z, WHEEL_RADIUS
@@ -142,14 +144,15 @@ def test_paint_uvs_are_millimetres(mesh: Mesh) -> None:
         assert np.average(flat / area < 0.5, weights=area) < 0.02, each.name
 
 
-def test_is_the_same_every_time(mesh: Mesh) -> None:
-    again = car()
-    assert [each.name for each in again.parts] == [each.name for each in mesh.parts]
-    for one, two in zip(mesh.parts, again.parts, strict=True):
-        assert np.array_equal(one.positions, two.positions)
-        assert np.array_equal(one.normals, two.normals)
-        assert np.array_equal(one.uvs, two.uvs)
+def test_the_shipped_car_is_this_one_so_it_is_the_same_every_time(mesh: Mesh) -> None:
+    shipped = read_mesh(resource("meshes", "car.glb"))
+    assert [each.name for each in shipped.parts] == [each.name for each in mesh.parts]
+    for one, two in zip(mesh.parts, shipped.parts, strict=True):
         assert np.array_equal(one.triangles, two.triangles)
+        # Another processor rounds the last bit differently.
+        np.testing.assert_allclose(two.positions, one.positions, rtol=0.0, atol=1e-6)
+        np.testing.assert_allclose(two.normals, one.normals, rtol=0.0, atol=1e-4)
+        np.testing.assert_allclose(two.uvs, one.uvs, rtol=0.0, atol=1e-2)
 
 
 def rays() -> Iterator[tuple[Floats, Floats]]:
