@@ -25,6 +25,8 @@ from brdf_suite.geometry.fresnel import fresnel_dielectric
 
 FLAKE_REFLECTANCE = 0.9
 """Of an aluminium flake, the usual one; published values of the metal are 0.87 to 0.92 over the visible."""
+FLAKE_WAVINESS = 0.01
+"""Radians: standard deviation of the tilt within one flake, which is no perfect mirror (docs/sparkle.md)."""
 LARGEST_SHARE = 0.9
 """Of the base: finer flakes and pigment between them are never absent."""
 

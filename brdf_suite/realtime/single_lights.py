@@ -11,15 +11,13 @@ import moderngl
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.context import graphics_errors
+from brdf_suite.realtime.flake_share import FLAKE_WAVINESS
 from brdf_suite.realtime.gpu_objects import GpuObjects
 from brdf_suite.realtime.light_block import BLOCK_SIZE, NO_LIGHTS, DistantLights, light_block
 from brdf_suite.realtime.light_lobes import COLUMNS, ROWS, light_lobes
 from brdf_suite.realtime.programs import LIGHT_LOBES_UNIT, LIGHTS_BINDING, Features
 from brdf_suite.realtime.stock_materials import stock_materials
 from brdf_suite.realtime.values import MaterialWeights
-
-FLAKE_WAVINESS = 0.01
-"""Radians: standard deviation of the tilt within one flake, which is no perfect mirror (docs/sparkle.md)."""
 
 
 class SingleLights:

@@ -19,10 +19,10 @@ from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.pipeline.scene import default_paint
 from brdf_suite.progress import report
 from brdf_suite.realtime.context import create_context
+from brdf_suite.realtime.flake_share import FLAKE_WAVINESS
 from brdf_suite.realtime.light_block import DistantLights
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.shader_source import SHADERS, compile_program, compose
-from brdf_suite.realtime.single_lights import FLAKE_WAVINESS
 from brdf_suite.realtime.values import MeshPart
 
 BOUNDS = {
