@@ -99,6 +99,11 @@ class Documents(QObject):
         return self._front
 
     @property
+    def dialogs(self) -> Dialogs:
+        """Who asks the user for files."""
+        return self._dialogs
+
+    @property
     def can_reopen(self) -> bool:
         """Whether a closed tab can be had back."""
         return bool(self._closed)
