@@ -1,4 +1,4 @@
-"""Our own sparkle figure, against single flakes that are strewn and counted, and against those that the Viewer draws."""
+"""Our own sparkle figure, against flakes that are strewn and counted, and against those that the Viewer draws."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ from brdf_suite.reflectance.flakes.footprint import flake_footprint
 from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio
 from brdf_suite.reflectance.flakes.spots import spots
 from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_place
-
 
 ROUGHNESS = 0.16
 SLOPE = flake_slope([-0.7071, 0.0, 0.7071], [0.5, 0.0, 0.866], 1.5)
@@ -37,7 +36,7 @@ def peaks(image: np.ndarray, contrast: float) -> np.ndarray:
 
 def test_the_closed_form_counts_flakes_that_are_strewn_one_by_one() -> None:
     density, size, share, spread, pixel, contrast, side = 120.0, 0.02, 0.15, 0.01, 0.145, 0.5, 40.0
-    place, stretch = tilt_place(SLOPE, ROUGHNESS)
+    _, stretch = tilt_place(SLOPE, ROUGHNESS)
     per_square = 4.0 / np.pi * density
     reach2 = 8.0 * (float(stretch) * spread) ** 2
     rng = np.random.default_rng(7)
