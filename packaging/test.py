@@ -1,8 +1,8 @@
 """Prepare this machine and run the tests: ``python3 packaging/test.py [pytest arguments]``.
 
-Without arguments everything runs, in two processes: what needs no screen (Qt's ``offscreen`` platform,
-OpenGL through EGL), and the windows with OpenGL, on an X server of their own (Xvfb). With arguments they
-go to one pytest, as in ``python3 packaging/test.py tests/fitting -k limit``.
+Without arguments everything runs, one after the other: what needs no screen (Qt's ``offscreen`` platform,
+OpenGL through EGL), and the windows with OpenGL, on X servers of their own (Xvfb); each in two workers. With
+arguments they go to one pytest, as in ``python3 packaging/test.py tests/fitting -k limit``.
 """
 
 from __future__ import annotations
@@ -23,13 +23,17 @@ def main() -> int:
         return 0
     python = str(prepare("dev", "reference", "video"))
     environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", "PYTHONFAULTHANDLER": "1"}
+    # Hundreds of tests start programs; each would compile every module again where no bytecode may be kept.
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)
+    environment["PYTHONPYCACHEPREFIX"] = str(ROOT / ".venv" / "bytecode")
     pytest = [python, "-m", "pytest"]
     if sys.argv[1:]:
         runs = [[*pytest, *sys.argv[1:]]]
     else:
         screen = [folder for folder in SCREEN if (ROOT / folder).is_dir()]
         without = [f"--ignore={folder}" for folder in screen]
-        runs = [[*pytest, "-n", "2", "--dist", "loadfile", *without], [*pytest, *screen]]
+        workers = ["-n", "2", "--dist", "loadfile"]
+        runs = [[*pytest, *workers, *without], [*pytest, *workers, *screen]]
     try:
         codes = [subprocess.run(run, cwd=ROOT, env=environment, check=False).returncode for run in runs]
     except KeyboardInterrupt:  # pytest has told what there was to tell

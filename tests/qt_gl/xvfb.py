@@ -20,7 +20,8 @@ def use_screen() -> None:
         return
     os.environ["QT_QPA_PLATFORM"] = "xcb"
     os.environ.setdefault("LIBGL_ALWAYS_SOFTWARE", "1")
-    if os.environ.get("DISPLAY"):
+    # Windows of two workers on one screen would take the focus from each other.
+    if os.environ.get("DISPLAY") and "PYTEST_XDIST_WORKER" not in os.environ:
         return
     program = shutil.which("Xvfb")
     if program is None:
