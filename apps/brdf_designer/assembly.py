@@ -18,7 +18,7 @@ from PySide6.QtGui import QCloseEvent
 from brdf_designer.controller import Controller
 from brdf_designer.desk import Desk
 from brdf_designer.recovery_offer import RecoveryOffer
-from brdf_designer.sections import build_sections
+from brdf_designer.sections import Closable, build_sections
 from brdf_designer.tabs import Documents
 from brdf_designer.thumbnails import thumbnails_of
 from brdf_designer.window import DesignerWindow
@@ -112,6 +112,9 @@ class Designer:
         """Leave the link; unsaved work of a program that is told to end is kept for the next start."""
         self.link.close()
         thumbnails_of(self.window).close()
+        for part in self.sections:
+            if isinstance(part, Closable):
+                part.close()
         self.fitter.close()
         if not self._closed:
             self._closed = True

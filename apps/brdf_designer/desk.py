@@ -167,6 +167,11 @@ class Desk(QObject):
         self.end_gesture()
         self.documents.front.store.redo()
 
+    def go_to(self, place: int) -> None:
+        """Go to a state of the history by its place in :meth:`DocumentStore.states`; nothing of it is lost."""
+        self.end_gesture()
+        self.documents.front.store.go_to(place)
+
     def open_paint(self, paint: Paint, title: str = "", *, clean: bool = False) -> None:
         """Open ``paint`` in a tab of its own, in front, without a file; ``title`` becomes its name.
 

@@ -3,15 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Protocol, runtime_checkable
 
 from brdf_designer.desk import Desk
+from brdf_designer.history import HistoryControl
+from brdf_designer.preview import PreviewControl
 from brdf_designer.window import DesignerWindow
 
-PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = ()
+PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (PreviewControl, HistoryControl)
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 
 Parts are made before the window is shown. What costs time at a start belongs into :meth:`Desk.at_idle`.
 """
+
+
+@runtime_checkable
+class Closable(Protocol):
+    """A part that has something to end when the program ends."""
+
+    def close(self) -> object:
+        """End it; called once."""
 
 
 def build_sections(desk: Desk, window: DesignerWindow) -> list[object]:

@@ -103,6 +103,16 @@ class DesignerWindow(SuiteWindow):
         dock.setVisible(visible)
         return dock
 
+    def add_history(self, strip: QWidget) -> None:
+        """Put the strip of states under the desk."""
+        self._centre_box.addWidget(strip)
+
+    def add_preview(self, preview: QWidget) -> None:
+        """Put the picture beside the plot."""
+        self.lower_split.addWidget(preview)
+        self.lower_split.setStretchFactor(1, 2)
+        self.lower_split.setSizes([560, 400])
+
     def add_command(
         self,
         menu: str,
@@ -223,14 +233,20 @@ class DesignerWindow(SuiteWindow):
         split = QSplitter(Qt.Orientation.Vertical)
         split.setHandleWidth(8)
         split.addWidget(top)
-        split.addWidget(self.plot)
+        self.lower_split = QSplitter(Qt.Orientation.Horizontal)
+        self.lower_split.setHandleWidth(8)
+        self.lower_split.setChildrenCollapsible(False)
+        self.lower_split.setObjectName("lower_split")
+        self.lower_split.addWidget(self.plot)
+        self.lower_split.setStretchFactor(0, 3)
+        split.addWidget(self.lower_split)
         split.setStretchFactor(0, 3)
         split.setStretchFactor(1, 2)
         split.setChildrenCollapsible(False)
         split.setSizes([560, 360])
         split.setObjectName("centre_split")
         centre = QWidget()
-        outer = QVBoxLayout(centre)
+        self._centre_box = outer = QVBoxLayout(centre)
         outer.setContentsMargins(8, 4, 8, 8)
         outer.setSpacing(8)
         outer.addWidget(self.tabs)

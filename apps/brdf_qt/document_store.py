@@ -65,6 +65,7 @@ class DocumentStore(QObject, Generic[T]):
         self._stamp: FileStamp | None = None
         self._gesture = 0
         self._gesture_name: str | None = None
+        self._travelling = False
         self.stack = QUndoStack(self)
         self.stack.setUndoLimit(MOST_STEPS)
         stack = self.stack
@@ -141,6 +142,29 @@ class DocumentStore(QObject, Generic[T]):
         self.end_gesture()
         self.stack.redo()
 
+    def states(self) -> tuple[tuple[str, T], ...]:
+        """Return every state of the history, the oldest first: the step that led to it and its value.
+
+        The first has no step (""). The present one is at place ``stack.index()``; those behind it are what Redo
+        would bring back.
+        """
+        steps = [self.stack.command(place) for place in range(self.stack.count())]
+        if not steps:
+            return (("", self._value),)
+        return (("", steps[0].old), *((step.actionText(), step.new) for step in steps))
+
+    def go_to(self, place: int) -> None:
+        """Undo or redo to place ``place`` of :meth:`states`; ``changed`` tells of it once."""
+        self.end_gesture()
+        old = self._value
+        self._travelling = True
+        try:
+            self.stack.setIndex(place)
+        finally:
+            self._travelling = False
+        if old != self._value:
+            self.changed.emit(old, self._value)
+
     def replace(
         self, value: T, path: Path | None, *, clean: bool = True, stamp: FileStamp | None = None
     ) -> None:
@@ -189,5 +213,5 @@ class DocumentStore(QObject, Generic[T]):
 
     def _take(self, value: T) -> None:
         old, self._value = self._value, value
-        if old != value:
+        if old != value and not self._travelling:
             self.changed.emit(old, value)

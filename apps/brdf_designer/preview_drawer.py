@@ -1,0 +1,78 @@
+"""Draws the small picture with the renderer of the suite; imported only where there is an OpenGL context."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from brdf_suite.documents.view import View
+
+if TYPE_CHECKING:
+    from brdf_designer.preview_scene import PreviewScene
+    from brdf_suite.pipeline.paint import PaintFit
+    from brdf_suite.pipeline.picture import SceneRenderer
+    from brdf_suite.realtime.camera import Bounds
+    from brdf_suite.realtime.context import Context
+
+Grey = tuple[float, float, float]
+
+
+class PreviewContents:
+    """What is to be drawn: the newest scene and fit; a new context draws the same anew."""
+
+    def __init__(self) -> None:
+        self.scene: PreviewScene | None = None
+        self.fit: PaintFit | None = None
+
+
+class PreviewDrawer:
+    """Draws the contents in one context; what has changed since the last frame is handed over first.
+
+    ``surround`` gives the grey (R = G = B, 0 to 1) that is shown while there is nothing to draw.
+    """
+
+    def __init__(self, context: Context, contents: PreviewContents, surround: Callable[[], Grey]) -> None:
+        self._context, self._contents, self._surround = context, contents, surround
+        self._renderer: SceneRenderer | None = None
+        self._scene: PreviewScene | None = None
+        self._fit: PaintFit | None = None
+
+    @property
+    def bounds(self) -> Bounds | None:
+        """The box around the form; ``None`` before the first frame."""
+        return None if self._renderer is None else self._renderer.bounds
+
+    @property
+    def drawn(self) -> PaintFit | None:
+        """The fit of the last frame."""
+        return self._fit
+
+    def draw(self, framebuffer: Any, size: tuple[int, int], view: object) -> bool:
+        """Draw one frame; a new paint costs one buffer write. Return whether nothing was uploaded."""
+        scene, fit = self._contents.scene, self._contents.fit
+        if scene is None or fit is None or not isinstance(view, View):
+            framebuffer.clear(*self._surround(), 1.0)
+            return False
+        if self._renderer is None:
+            # Deferred: with the renderer come its shaders, which the window does not wait for.
+            from brdf_suite.pipeline.picture import SceneRenderer
+
+            self._renderer = SceneRenderer(self._context)
+        uploads = scene is not self._scene
+        if uploads:
+            if self._scene is None or scene.surface is not self._scene.surface:
+                self._renderer.set_surface(scene.surface)
+            self._renderer.set_environment(scene.light)
+            self._scene, self._fit = scene, None
+        if fit is not self._fit:
+            self._renderer.set_paint_fit(fit)
+            self._fit = fit
+        self._renderer.draw(view, framebuffer, size)
+        return not uploads
+
+    def release(self) -> None:
+        """Give every OpenGL object back."""
+        if self._renderer is not None:
+            self._renderer.release()
+            self._renderer = None
+        self._scene = self._fit = None
