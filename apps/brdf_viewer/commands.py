@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from brdf_qt.main_window import SuiteWindow
+from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu
@@ -16,6 +17,7 @@ from brdf_viewer.sections.fresnel import FRESNEL_TITLES, LOOK_UP_TITLES
 from brdf_viewer.sections.sparkle import SPARKLE_TITLES
 from brdf_viewer.sections.tone import TONE_TITLES
 from brdf_viewer.source_chooser import Source
+from brdf_viewer.traced.words import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
 
 
 class ViewerCommands(QObject):
@@ -44,6 +46,8 @@ class ViewerCommands(QObject):
         The view goes to its file, or to another one.
     figures_wanted(bool)
         The figures over the picture.
+    renderer_wanted(key), quality_wanted(key), trace_stop_wanted(), trace_resume_wanted(), trace_save_wanted()
+        Which renderer makes the picture; what is traced is to stop, to go on, or to be saved.
     undo_wanted(), redo_wanted()
         A step of the view.
     """
@@ -74,6 +78,11 @@ class ViewerCommands(QObject):
     palette_close_wanted = Signal()
     view_save_wanted = Signal()
     view_save_as_wanted = Signal()
+    renderer_wanted = Signal(str)
+    quality_wanted = Signal(str)
+    trace_stop_wanted = Signal()
+    trace_resume_wanted = Signal()
+    trace_save_wanted = Signal()
     undo_wanted = Signal()
     redo_wanted = Signal()
 
@@ -184,6 +193,14 @@ class ViewerCommands(QObject):
             "floppy-disk",
             "Save the picture as PNG, at its full number of pixels, with paint and settings noted in it",
         )
+        self._window.add_action(
+            menu,
+            tr("Save T&raced Picture…"),
+            self.trace_save_wanted.emit,
+            "Ctrl+Shift+R",
+            "floppy-disk",
+            tr("Save what the ray tracer or the reference has made, as EXR with the variance of each pixel"),
+        )
         for text, kind, keys, tip in (
             ("E&xport Picture…", "picture", "Ctrl+Shift+X", "A picture of any size, as PNG or EXR"),
             (
@@ -253,6 +270,7 @@ class ViewerCommands(QObject):
         for group in self._source_groups.values():
             # A file of the user's is none of them, and a choice that fails goes back.
             group.setExclusionPolicy(QActionGroup.ExclusionPolicy.ExclusiveOptional)
+        self._add_renderers()
         self._tone = self._choices(menu.addMenu("T&one Curve"), TONE_TITLES, self.tone_curve_wanted)
         self._background = self._choices(
             menu.addMenu("&Background"), BACKGROUND_TITLES, self.background_wanted
@@ -266,6 +284,36 @@ class ViewerCommands(QObject):
         self._fresnel = self._choices(menu.addMenu("Fres&nel"), FRESNEL_TITLES, self.fresnel_wanted)
         self._look_up = self._choices(menu.addMenu("&Look-up"), LOOK_UP_TITLES, self.look_up_wanted)
         self._sparkle = self._choices(menu.addMenu("Spar&kle"), SPARKLE_TITLES, self.sparkle_wanted)
+
+    def _add_renderers(self) -> None:
+        menu = self._window.view_menu.addMenu(tr("&Renderer"))
+        titles = {key: tr(title) for key, title in RENDERER_TITLES.items()}
+        self._renderers = self._choices(menu, titles, self.renderer_wanted)
+        for number, action in enumerate(self._renderers.actions(), 1):
+            action.setShortcut(QKeySequence(f"Ctrl+{number}"))
+            action.setToolTip(tr(RENDERER_TIPS[action.data()]) + f" (Ctrl+{number})")
+        menu.addSeparator()
+        qualities = {
+            key: tr("Ray-traced: {quality}").format(quality=tr(QUALITY_TITLES[key])) for key in QUALITY_TITLES
+        }
+        self._qualities = self._choices(menu, qualities, self.quality_wanted)
+        menu.addSeparator()
+        add = self._window.add_action
+        add(
+            menu,
+            tr("&Stop Refining"),
+            self.trace_stop_wanted.emit,
+            "Ctrl+.",
+            tip=tr("Keep the picture as it is"),
+        )
+        add(menu, tr("&Go On Refining"), self.trace_resume_wanted.emit, "Ctrl+Shift+.")
+
+    def show_renderer(self, renderer: str, quality: str) -> None:
+        """Tick which renderer makes the picture, and the ray tracer's quality where it is that."""
+        for action in self._renderers.actions():
+            action.setChecked(action.data() == renderer)
+        for action in self._qualities.actions():
+            action.setChecked(action.data() == quality and renderer == "raytraced")
 
     def _add_compare(self) -> None:
         menu = self._window.view_menu.addMenu("&Compare")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.tasks import TaskRunner
+from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
@@ -22,7 +23,8 @@ from brdf_viewer.frozen_paints import freeze, frozen_title
 from brdf_viewer.overlay import Label, Scale
 from brdf_viewer.recent_files import RecentFiles
 from brdf_viewer.source_chooser import Source, title_of
-from brdf_viewer.stage import Stage
+from brdf_viewer.stage import OWN_KEY, RealTimePicture, Stage
+from brdf_viewer.traced.words import SHORT_TITLES
 from brdf_viewer.window import ViewerWindow
 
 if TYPE_CHECKING:
@@ -71,6 +73,7 @@ class CompareControl(QObject):
         window.picture.canvas_changed.connect(self._listen)
         stage.view_changed.connect(self._view_changed)
         stage.contents_changed.connect(self._show)
+        stage.traced_changed.connect(self._traced_changed)
         self._list()
         self._listen(window.picture.canvas)
         self._view_changed(None, stage.view)
@@ -83,15 +86,15 @@ class CompareControl(QObject):
     def set_mode(self, mode: str) -> None:
         """Show A and B in this way; without a B, say how to get one."""
         self._change(mode=mode)
-        if mode != "off" and self._stage.view.compare.paint is None:
+        if mode != "off" and self._stage.view.compare.paint is None and self._stage.compared is None:
             self._offer()
 
     def choose(self, key: str) -> None:
         """Take a shipped paint or a file as B; where nothing is compared yet, side by side."""
-        if key not in self._names:
+        if key not in self._names and key != OWN_KEY:
             key = str(Path(key).absolute())
         mode = self._stage.view.compare.mode
-        self._change(paint=key, mode="side" if mode == "off" else mode)
+        self._change(paint=key or None, mode="side" if mode == "off" else mode)
 
     def freeze(self) -> None:
         """Keep the paint on show, as it is now, as B."""
@@ -127,7 +130,7 @@ class CompareControl(QObject):
         """Show the other one and stay with it."""
         if self._stage.view.compare.mode != "blink":
             self.toggle_blink()
-        elif self._stage.second is not None:
+        elif self._stage.compared is not None:
             self.flip()
         self._blink.stop()
 
@@ -224,15 +227,20 @@ class CompareControl(QObject):
         self._gesture.finished.connect(self._stage.history.end)
         self._show()
 
+    def _traced_changed(self) -> None:
+        self._list()
+        self._show()
+
     def _list(self) -> None:
-        shipped = [Source(name, _title(name)) for name in self._names]
+        own = [] if self._stage.renderer == "realtime" else [Source(OWN_KEY, tr("This paint in real time"))]
+        shipped = [*own, *(Source(name, _title(name)) for name in self._names)]
         files = [Source(path, _title(path)) for path in self._recent.paths()]
         self._window.compare.chooser.set_sources(shipped, files)
 
     def _show(self) -> None:
         """Bring section, menu, overlay and clock to what is compared."""
         stage, window = self._stage, self._window
-        compare, second = stage.view.compare, stage.second
+        compare, second = stage.view.compare, stage.compared
         key = self._loading or compare.paint
         window.compare.show_compare(compare)
         window.compare.chooser.show_source(key or "", "" if key is None else _title(key))
@@ -251,7 +259,11 @@ class CompareControl(QObject):
         picture = isinstance(second.value, ComparedPicture) and not second.value.is_light
         basis = "picture" if picture else compare.basis
         scale = Scale(compare.scale_delta_e, _OF[basis]) if shown == "difference" else None
-        names = (f"A  {stage.fit.name}", f"B  {name_of(second.key, second.value)}")
+        first = stage.fit.name
+        if stage.renderer != "realtime":
+            made_by = stage.renderer if stage.traced is not None else "realtime"
+            first = f"{first}, {tr(SHORT_TITLES[made_by]).lower()}"
+        names = (f"A  {first}", f"B  {name_of(second.key, second.value, stage.fit.name)}")
         width = window.picture.device_size[0]
         labels = labels_of(shown, names, stage.shows_second, divider_px(compare.divider, width) / width)
         window.overlay.show_labels(labels, divider, scale)
@@ -283,13 +295,17 @@ def labels_of(mode: str, names: tuple[str, str], shows_second: bool, divider: fl
     return ()
 
 
-def name_of(key: str, value: AnyFit | ComparedPicture) -> str:
-    """Return what B is called."""
+def name_of(key: str, value: AnyFit | ComparedPicture | RealTimePicture, first: str = "") -> str:
+    """Return what B is called; ``first`` is what A is."""
+    if isinstance(value, RealTimePicture):
+        return f"{first}, {tr(SHORT_TITLES['realtime']).lower()}"
     return title_of(key, {}) if isinstance(value, ComparedPicture) else value.name
 
 
-def second_facts(value: AnyFit | ComparedPicture) -> list[str]:
+def second_facts(value: AnyFit | ComparedPicture | RealTimePicture) -> list[str]:
     """Return what there is to say of B."""
+    if isinstance(value, RealTimePicture):
+        return [tr("B is this paint in real time: what differs is the renderer's doing")]
     if isinstance(value, ComparedPicture):
         rows, columns = value.pixels.shape[:2]
         what = "light (linear)" if value.is_light else "as shown, with a tone curve of its own"

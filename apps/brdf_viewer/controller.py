@@ -21,7 +21,7 @@ from brdf_suite.realtime.context import Context
 from brdf_viewer.camera_control import CameraControl
 from brdf_viewer.compare_control import KIND, CompareControl
 from brdf_viewer.drawing import StageDrawer
-from brdf_viewer.export_control import ExportControl
+from brdf_viewer.export_control import ExportControl, ask_target
 from brdf_viewer.figures_overlay import FiguresOverlay
 from brdf_viewer.file_kinds import AskFile, AskPicture, all_endings, ask_file, ask_picture, kind_of
 from brdf_viewer.frame_meter import FrameMeter
@@ -39,6 +39,7 @@ from brdf_viewer.stage import Stage
 from brdf_viewer.studio.control import StudioControl
 from brdf_viewer.surface_control import SurfaceControl
 from brdf_viewer.tone_control import ToneControl
+from brdf_viewer.traced.control import TracedControl
 from brdf_viewer.view_files import ViewFiles
 from brdf_viewer.window import ViewerWindow
 
@@ -106,6 +107,7 @@ class ViewerController(QObject):
         self.studio = StudioControl(self.stage, self.window, self.scene, dialogs, self)
         self.lighting = LightingControl(self.stage, self.window, lambda: self.drawer, self)
         self.sparkle = SparkleControl(self.stage, self.window, self)
+        self.traced = TracedControl(self.stage, self.window, self._tasks, ask_target, self)
         self.compare = CompareControl(self.stage, self.window, self._tasks, ask, self)
         self.readout = Readout(self.stage, self.window, lambda: self.drawer, self)
         self.figures = FiguresOverlay(self.stage, self.window, self._meter, self.readout, self)
@@ -257,6 +259,7 @@ class ViewerController(QObject):
         self.studio.close()
         self.lighting.close()
         self.compare.close()
+        self.traced.close()
         self.export.close()
         self._loader.stop()
         self.surface.close()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
@@ -15,8 +15,13 @@ from brdf_suite.realtime.context import Context
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.probe import PixelProbe
 from brdf_suite.realtime.renderer import Renderer
+from brdf_suite.realtime.traced_light import TracedLight
 from brdf_viewer.angle_fits import AngleFits
 from brdf_viewer.stage import Prop, Stage
+from brdf_viewer.traced.wanted import first_size
+
+if TYPE_CHECKING:
+    from brdf_viewer.traced.process import TracedPicture
 
 Grey = tuple[float, float, float]
 SECOND_MATERIALS = {PAINT_MATERIAL: SECOND_MATERIAL}
@@ -58,6 +63,9 @@ class StageDrawer:
         self._second: Prop[Any] | None = None
         self._comparison: Comparison | None = None
         self._probe: PixelProbe | None = None
+        self._traced: TracedLight | None = None
+        self._traced_picture: TracedPicture | None = None
+        self._with_own: Comparison | None = None
 
     @property
     def counters(self) -> Counters:
@@ -94,15 +102,25 @@ class StageDrawer:
         if fit is not self._fit:
             self._renderer.set_paint_fit(fit)
             self._fit = fit
-        uploads += [self._bring_second(), self._bring_images()]
+        uploads += [self._bring_second(), self._bring_images(), self._bring_traced()]
         if view.exposure_mode == "automatic" and self._stage.metered_ev is None:
             self.meter(view, size)
         shown = exposed(view, self._stage.metered_ev)
-        if self._second is None or self._comparison is None or shown.compare.mode == "off":
-            self._renderer.draw(shown, framebuffer, size)
+        traced = self.traced_light(first_size(shown, size))
+        comparison = self._compared()
+        if comparison is not None and shown.compare.mode != "off":
+            comparison.traced = traced
+            comparison.draw(shown, framebuffer, size, show_second=self._stage.shows_second)
+        elif traced is not None and traced.size == size:
+            traced.render(shown, framebuffer, size)
         else:
-            self._comparison.draw(shown, framebuffer, size, show_second=self._stage.shows_second)
+            self._renderer.draw(shown, framebuffer, size)
         return not any(uploads)
+
+    def traced_light(self, size: tuple[int, int]) -> TracedLight | None:
+        """Return what shows the traced picture where there is one of this size on the stage."""
+        there = self._traced is not None and self._traced_picture is not None and self._traced.size == size
+        return self._traced if there else None
 
     def meter(self, view: View, size: tuple[int, int]) -> None:
         """Measure the exposure of what is drawn, for the stage to show it at; 0 EV where no object is seen."""
@@ -130,6 +148,32 @@ class StageDrawer:
             self._second = None
             self._refused("compare", error)
         return picture is not None
+
+    def _compared(self) -> Comparison | None:
+        """Return what draws two pictures, where there are two."""
+        if self._second is not None:
+            return self._comparison
+        if self._stage.compared is None:
+            return None
+        if self._with_own is None:
+            self._with_own = Comparison(self._renderer.renderer, {})
+        return self._with_own
+
+    def _bring_traced(self) -> bool:
+        """Bring the newest traced picture; tell whether one was uploaded."""
+        wanted = self._stage.traced
+        if wanted is self._traced_picture:
+            return False
+        self._traced_picture = wanted
+        if self._traced is None:
+            self._traced = TracedLight(self._renderer.renderer)
+        try:
+            if wanted is not None:
+                self._traced.set_picture(wanted.pixels)
+        except SuiteError as error:
+            self._traced_picture = None
+            self._refused("traced", error)
+        return wanted is not None
 
     def _bring_images(self) -> bool:
         """Upload what lies on the paint; tell whether there was something."""

@@ -50,6 +50,7 @@ class PictureOverlay(QWidget):
         self.divider: float | None = None
         self.scale: Scale | None = None
         self.figures: tuple[str, ...] = ()
+        self.mark = ""
         self._picture = picture
         picture.installEventFilter(self)
         self._follow()
@@ -66,6 +67,12 @@ class PictureOverlay(QWidget):
             self.figures = lines
             self._changed()
 
+    def show_mark(self, words: str) -> None:
+        """Say at the lower right which renderer made the picture; empty: nothing."""
+        if words != self.mark:
+            self.mark = words
+            self._changed()
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.ChildAdded):
             self._follow()
@@ -77,7 +84,7 @@ class PictureOverlay(QWidget):
         paint_overlay(painter, QRectF(self.rect()), self)
 
     def _changed(self) -> None:
-        words = [*(label.text for label in self.labels), *self.figures]
+        words = [*(label.text for label in self.labels), *self.figures, *([self.mark] if self.mark else [])]
         self.setAccessibleName("; ".join(words))
         self.setVisible(bool(words) or self.divider is not None or self.scale is not None)
         self.update()
@@ -98,6 +105,20 @@ def paint_overlay(painter: QPainter, area: QRectF, overlay: PictureOverlay) -> N
     if overlay.divider is not None:
         _divider(painter, area, overlay.divider)
     bottom = area.bottom() - _MARGIN
+    if overlay.mark:
+        # A line of its own below all else: figures and scale stand on it, at any width.
+        tall = metrics.height() + 2 * _PADDING
+        wide = min(metrics.horizontalAdvance(overlay.mark) + 2 * _PADDING, area.width() - 2 * _MARGIN)
+        _chip(
+            painter,
+            metrics,
+            QPointF(area.right() - _MARGIN - wide, bottom - tall),
+            (overlay.mark,),
+            area.width() - 2 * _MARGIN,
+        )
+        if overlay.scale is not None or overlay.figures:
+            area = area.adjusted(0.0, 0.0, 0.0, -tall - _PADDING)
+            bottom = area.bottom() - _MARGIN
     if overlay.scale is not None:
         bottom = _scale(painter, metrics, area, overlay.scale) - _PADDING
     if overlay.figures:

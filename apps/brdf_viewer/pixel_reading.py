@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,7 +12,9 @@ from brdf_suite.documents.view import View
 from brdf_suite.pipeline.picture import PAINT_MATERIAL, SECOND_MATERIAL
 from brdf_suite.realtime.comparison import ComparedPicture, divider_px, sides
 from brdf_suite.realtime.probe import PixelProbe, Probe, SurfacePoint
+from brdf_suite.realtime.traced_light import TracedLight
 from brdf_viewer.dominant_light import DominantLight
+from brdf_viewer.stage import RealTimePicture
 
 _SECOND = {PAINT_MATERIAL: SECOND_MATERIAL}
 Lab = tuple[float, float, float]
@@ -83,19 +85,22 @@ def read_pixel(
     light: DominantLight | None,
     *,
     shows_second: bool = False,
+    traced: TracedLight | None = None,
 ) -> CursorReading:
     """Read the pixel (column, row from the top) of the window; the context must be current.
 
-    ``view`` is at the exposure at which it is shown; ``second`` what is compared with, None for nothing.
+    ``view`` is at the exposure at which it is shown; ``second`` what is compared with, None for nothing. Where the
+    first picture is ``traced``, its radiance is that picture's; the point is the surface's all the same.
     """
     if second is None:
-        return CursorReading((_of_paint("", probe.at(view, size, pixel), view),), None, light)
+        return CursorReading((_of_paint("", _first(probe, traced, view, size, pixel), view),), None, light)
     readings = []
     for which, own_size, place in parts_at(view, size, pixel, shows_second=shows_second):
         if which == "A":
-            readings.append(_of_paint("A", probe.at(view, own_size, place), view))
+            readings.append(_of_paint("A", _first(probe, traced, view, own_size, place), view))
             continue
-        there = probe.at(view, own_size, place, materials=_SECOND)
+        materials = {} if isinstance(second, RealTimePicture) else _SECOND
+        there = probe.at(view, own_size, place, materials=materials)
         if isinstance(second, ComparedPicture):
             readings.append(_of_picture(second, own_size, place, view, there.point))
         else:
@@ -103,6 +108,14 @@ def read_pixel(
     both = len(readings) == 2 and readings[1].radiance is not None
     delta_e = float(delta_e_2000(readings[0].lab, readings[1].lab)) if both else None
     return CursorReading(tuple(readings), delta_e, light)
+
+
+def _first(probe: PixelProbe, traced: TracedLight | None, view: View, size: Size, pixel: Pixel) -> Probe:
+    found = probe.at(view, size, pixel)
+    if traced is None or traced.size != size:
+        return found
+    red, green, blue, coverage = (float(value) for value in traced.pixel(view, size, pixel))
+    return replace(found, radiance=(red, green, blue), coverage=coverage)
 
 
 def _of_paint(which: str, found: Probe, view: View) -> PixelReading:

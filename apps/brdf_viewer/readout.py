@@ -16,6 +16,7 @@ from brdf_viewer.dominant_light import dominant_light
 from brdf_viewer.drawing import StageDrawer
 from brdf_viewer.pixel_reading import CursorReading, long_lines, read_pixel, short_words
 from brdf_viewer.stage import Stage
+from brdf_viewer.traced.wanted import first_size
 from brdf_viewer.window import ViewerWindow
 
 REST_MS = 60
@@ -79,7 +80,7 @@ class Readout(QObject):
         size, ratio = picture.device_size, picture.canvas.devicePixelRatioF()
         pixel = (int(place.x() * ratio), int(place.y() * ratio))
         light = dominant_light(stage.view, stage.light_figures)
-        second = None if stage.second is None or stage.view.compare.mode == "off" else stage.second.value
+        second = None if stage.compared is None or stage.view.compare.mode == "off" else stage.compared.value
         picture.look(
             lambda: self._show(
                 read_pixel(
@@ -90,6 +91,7 @@ class Readout(QObject):
                     second,
                     light,
                     shows_second=stage.shows_second,
+                    traced=drawer.traced_light(first_size(stage.view, size)),
                 )
             )
         )

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from brdf_suite.lighting.statistics import EnvironmentStatistics
     from brdf_suite.pipeline.any_fit import AnyFit
     from brdf_suite.realtime.comparison import ComparedPicture
+    from brdf_viewer.traced.process import TracedPicture
+    from brdf_viewer.traced.request import Renderer
 
 T = TypeVar("T")
 
@@ -41,6 +43,18 @@ class SurfaceProp(Prop[Mesh]):
     baked: BakedMesh | None = None
 
 
+@dataclasses.dataclass(frozen=True)
+class RealTimePicture:
+    """The paint on show as it is drawn in real time: what its traced picture is compared with."""
+
+    name = "real-time"
+
+
+OWN_KEY = ""
+"""The key of what a traced picture is compared with where nothing else is chosen: its own paint in real time."""
+_OWN = Prop(OWN_KEY, RealTimePicture())
+
+
 class Stage(QObject):
     """Holds frozen values and tells of their changes.
 
@@ -50,10 +64,13 @@ class Stage(QObject):
         Two :class:`View` that differ.
     contents_changed()
         A new paint fit, environment or surface is to be drawn.
+    traced_changed()
+        Another renderer was chosen, or there is a traced picture now, or none any more.
     """
 
     view_changed = Signal(object, object)
     contents_changed = Signal()
+    traced_changed = Signal()
 
     def __init__(self, view: View, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -66,6 +83,8 @@ class Stage(QObject):
         self.second: Prop[AnyFit | ComparedPicture] | None = None
         self.second_relit: Prop[AnyFit | ComparedPicture] | None = None
         self.shows_second = False
+        self.renderer: Renderer = "realtime"
+        self.traced: TracedPicture | None = None
         self.metered_ev: float | None = None
         self.light_figures: EnvironmentStatistics | None = None
         self._environment: Prop[PreparedEnvironment] | None = None
@@ -88,6 +107,13 @@ class Stage(QObject):
     def drawn_second(self) -> Prop[AnyFit | ComparedPicture] | None:
         """What is compared with, as it is drawn: see :attr:`drawn_fit`."""
         return self.second if self.second_relit is None else self.second_relit
+
+    @property
+    def compared(self) -> Prop[AnyFit | ComparedPicture] | Prop[RealTimePicture] | None:
+        """What the picture is compared with: the second paint or picture, or the traced one's own in real time."""
+        if self.second is not None or self.renderer == "realtime":
+            return self.second
+        return _OWN
 
     @property
     def exposed_view(self) -> View:
@@ -173,6 +199,17 @@ class Stage(QObject):
         self.second = None if key is None or value is None else Prop(key, value)
         self.second_relit = None
         self.contents_changed.emit()
+
+    def set_renderer(self, renderer: Renderer) -> None:
+        """Have the picture made by this renderer; the real-time one is shown until another's is there."""
+        self.renderer = renderer
+        self.traced_changed.emit()
+
+    def set_traced(self, picture: TracedPicture | None) -> None:
+        """Show this traced picture of the present scene from the next frame on; None: the real-time one."""
+        was, self.traced = self.traced, picture
+        if (was is None) is not (picture is None):
+            self.traced_changed.emit()
 
     def set_environment(self, key: str, environment: PreparedEnvironment) -> None:
         """Light with this environment from the next frame on; one of which maps are missing may be taken back."""

@@ -61,6 +61,7 @@ class ToneControl(QObject):
         section.profile_edited.connect(self.use_profile)
         stage.view_changed.connect(self._changed)
         stage.contents_changed.connect(self._count.start)
+        stage.traced_changed.connect(self._count.start)
         window.picture.frame_drawn.connect(self._first_frame)
         window.installEventFilter(self)
         self._show(stage.view)
@@ -141,7 +142,12 @@ class ToneControl(QObject):
         size = (max(1, round(width * scale)), max(1, round(height * scale)))
 
         def count() -> None:
-            self.counted = drawer.renderer.count_unshowable(self._stage.exposed_view, size, self.display)
+            view, whole = self._stage.exposed_view, picture.device_size
+            traced = drawer.traced_light(whole)
+            if traced is not None:  # its pixels are there, and in no other size
+                self.counted = traced.count_unshowable(view, whole, self.display)
+                return
+            self.counted = drawer.renderer.count_unshowable(view, size, self.display)
 
         picture.with_context(count, redraw=False)
         self._window.tone.set_counted(self.counted)

@@ -22,6 +22,7 @@ from brdf_viewer.sections.fresnel import FresnelSection
 from brdf_viewer.sections.lighting import LightingSection
 from brdf_viewer.sections.paint import PaintSection
 from brdf_viewer.sections.relief import ReliefSection
+from brdf_viewer.sections.renderer import RendererSection
 from brdf_viewer.sections.sparkle import SparkleSection
 from brdf_viewer.sections.surface import SurfaceSection
 from brdf_viewer.sections.tone import ToneSection
@@ -59,6 +60,7 @@ class ViewerWindow(SuiteWindow):
         self.fresnel = FresnelSection()
         self.sparkle = SparkleSection()
         self.tone = ToneSection()
+        self.renderer = RendererSection()
         self.compare = CompareSection()
         for section in (
             self.environment,
@@ -69,6 +71,7 @@ class ViewerWindow(SuiteWindow):
             self.fresnel,
             self.sparkle,
             self.tone,
+            self.renderer,
             self.compare,
             self.camera,
         ):
@@ -83,8 +86,8 @@ class ViewerWindow(SuiteWindow):
         self._busy: dict[str, tuple[float, str]] = {}
         self._busy_shown = ""
         self._busy_delay = QTimer(self, singleShot=True, interval=_BUSY_AFTER_MS, timeout=self._show_busy)
-        for name in ("frame", "lobes", "fit", "exposure", "environment", "palette"):
-            self.status.cell(name, elastic=name in ("fit", "environment", "palette"))
+        for name in ("frame", "renderer", "lobes", "fit", "exposure", "environment", "palette"):
+            self.status.cell(name, elastic=name in ("renderer", "fit", "environment", "palette"))
         for name in ("readout", "link"):
             self.status.cell(name, right=True, elastic=name == "link")
         self.restore_layout()

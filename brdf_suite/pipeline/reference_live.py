@@ -27,10 +27,12 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
+from brdf_suite.pipeline.reference_optics import Dress, load_dress
 from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
 from brdf_suite.pipeline.reference_scene import ReferenceScene, Size, build_reference
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
+from brdf_suite.pipeline.surface_images import ImageRequest
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.surface.mesh import Mesh
 
@@ -52,6 +54,7 @@ class _Loaded:
     paint: TracedPaint
     environment: Environment
     mesh: Mesh
+    dress: Dress
 
 
 class LiveReference:
@@ -90,8 +93,14 @@ class LiveReference:
         view: View,
         size: Size,
         progress: Progress | None = None,
+        *,
+        environment: Environment | None = None,
+        mesh: Mesh | None = None,
     ) -> Change:
         """Show a paint, by name, file or document, in a view, ``size`` in pixels.
+
+        ``environment`` and ``mesh``, where they are given, take the place of those that the view names: a light that
+        is being edited is in no file.
 
         Returns ``light`` where tracing begins anew, ``shown`` where only how it is shown changes (exposure, tone
         curve, backdrop), else ``nothing``. Where it raises, the last scene stays as it was.
@@ -103,7 +112,7 @@ class LiveReference:
         UnreachableError
             No such paint can be.
         """
-        loaded = self._load(paint, view, progress)
+        loaded = self._load(paint, view, environment, mesh, progress)
         report(progress, 0.9, "building the scene")
         structure = _structure(loaded, view)
         before = self._scene
@@ -115,6 +124,8 @@ class LiveReference:
             loaded.environment,
             loaded.mesh,
             notices=loaded.paint.notices,
+            paint=loaded.paint,
+            dress=loaded.dress,
             kept=before if structure == self._structure else None,
         )
         self._scene, self._structure = made, structure
@@ -153,14 +164,19 @@ class LiveReference:
         return self._estimate
 
     def _load(
-        self, paint: str | os.PathLike[str] | AnyPaint, view: View, progress: Progress | None
+        self,
+        paint: str | os.PathLike[str] | AnyPaint,
+        view: View,
+        environment: Environment | None,
+        mesh: Mesh | None,
+        progress: Progress | None,
     ) -> _Loaded:
         asked = os.fspath(paint) if isinstance(paint, (str, os.PathLike)) else paint
         illuminant = view.light_colour.illuminant
         report(progress, 0.0, "reading the paint")
         traced = self._keep("paint", (asked, _stamp(asked), illuminant), lambda: load_traced(asked, view))
         light = (view.environment, _stamp(view.environment), view.environment_layout)
-        environment = self._keep(
+        environment = environment or self._keep(
             "environment",
             light,
             lambda: read_environment(
@@ -168,12 +184,15 @@ class LiveReference:
             ),
         )
         look = replace(view.surface_look, materials=(), occlusion=True, ground=False)
-        mesh = self._keep(
+        mesh = mesh or self._keep(
             "surface",
             (view.surface, _stamp(view.surface), look),
             lambda: load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.9)),
         )
-        return _Loaded(traced, environment, mesh)
+        request = ImageRequest.of(view)
+        files = (request.normal_map, request.mask, request.second_paint)
+        dress = self._keep("dress", (request, *map(_stamp, files)), lambda: load_dress(view))
+        return _Loaded(traced, environment, mesh, dress)
 
     def _keep(self, what: str, asked: object, load: Callable[[], _T]) -> _T:
         """Return what was loaded last where the same is asked for again."""

@@ -1,0 +1,365 @@
+"""Keeps a traced picture in step with the stage: begins it when hand and scene rest, drops it when they change.
+
+The real-time picture is shown, and says so, until there is a traced one of the very scene. So a gesture is never
+slower than it is without a tracer, and no picture is ever of something else than what the window tells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
+
+from brdf_qt.message_bar import Message
+from brdf_qt.settings import settings
+from brdf_qt.tasks import TaskRunner
+from brdf_qt.translation import tr
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtWidgets import QWidget
+
+from brdf_suite.documents.store import view_to_json
+from brdf_viewer.sections.renderer import DEFAULT_SAMPLES
+from brdf_viewer.stage import Stage
+from brdf_viewer.traced.frame_rate import FrameRate
+from brdf_viewer.traced.hand_over import HandOver, forget_others, write_request
+from brdf_viewer.traced.process import TracedPicture, TraceProcess
+from brdf_viewer.traced.request import QUALITIES, RENDERERS, Quality, Renderer, TraceRequest
+from brdf_viewer.traced.wanted import Wanted, wanted_of
+from brdf_viewer.traced.words import SHORT_TITLES, picture_words, rate_words
+from brdf_viewer.window import ViewerWindow
+
+KIND = "traced"
+REST_MS = 200
+"""A reference begins when nothing has changed for so long: in the middle of a drag it would only be thrown away."""
+
+LIVE_S = 0.125
+"""A ray-traced frame that takes no longer is shown while the hand moves, though it is a frame late."""
+
+_KEEP_MS = 120_000
+"""The process outlives a look at the real-time picture: to start it again takes seconds."""
+
+_TOLD_MS = 6000
+Ask = Callable[[QWidget, str, str, str], str]
+T = TypeVar("T", bound=str)
+
+
+class TracedControl(QObject):
+    """The renderer that is chosen, its process, and its newest picture on the stage.
+
+    Parameters
+    ----------
+    ask
+        Asks where to save: the window, a suggested name, what it is, the ending; empty where nowhere.
+    make_process
+        Makes what traces.
+
+    Signals: ``changed()`` where the picture, or what is said of it, has changed.
+    """
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        runner: TaskRunner,
+        ask: Ask,
+        parent: QObject | None = None,
+        *,
+        make_process: Callable[[QObject], TraceProcess] = TraceProcess,
+    ) -> None:
+        super().__init__(parent)
+        self._stage, self._window, self._runner, self._ask = stage, window, runner, ask
+        self._make_process = make_process
+        self._process: TraceProcess | None = None
+        self._generation = 0
+        self._asked: Wanted | None = None  # what is traced, or was
+        self._answered = True  # whether there is a picture of what was asked for last
+        self._stopped = False
+        self._step = ""
+        self._notices: tuple[str, ...] = ()
+        self._hand_over = HandOver()
+        self.rate = FrameRate()
+        self.quality: Quality = _known(str(settings().value("traced/quality")), QUALITIES, "fast")
+        self.samples = int(str(settings().value("traced/samples", DEFAULT_SAMPLES)))
+        self._rest = QTimer(self, singleShot=True, timeout=self._begin)
+        self._leave = QTimer(self, singleShot=True, interval=_KEEP_MS, timeout=self._end_process)
+        section, commands = window.renderer, window.commands
+        for signal in (section.renderer_edited, commands.renderer_wanted):
+            signal.connect(self.set_renderer)
+        for signal in (section.quality_edited, commands.quality_wanted):
+            signal.connect(self.set_quality)
+        section.samples_edited.connect(self.set_samples)
+        for signal in (section.stop_wanted, commands.trace_stop_wanted):
+            signal.connect(self.stop)
+        for signal in (section.resume_wanted, commands.trace_resume_wanted):
+            signal.connect(self.resume)
+        for signal in (section.save_wanted, commands.trace_save_wanted):
+            signal.connect(self.save)
+        stage.view_changed.connect(lambda *_: self._follow())
+        stage.contents_changed.connect(self._follow)
+        window.picture.frame_drawn.connect(self._follow)  # of another size, perhaps
+        self._show()
+
+    @property
+    def renderer(self) -> Renderer:
+        """The renderer that is chosen."""
+        return self._stage.renderer
+
+    def set_renderer(self, key: str) -> None:
+        """Take another renderer; the real-time one ends what is traced."""
+        renderer = _known(key, RENDERERS, "realtime")
+        if renderer == self.renderer:
+            return
+        self._window.messages.dismiss(KIND)
+        self._stage.set_renderer(renderer)
+        self._drop()
+        self._notices, self._stopped = (), False
+        self.rate.clear()
+        if renderer == "realtime":
+            self._leave.start()
+        else:
+            self._leave.stop()
+            self._follow()
+        self._show()
+
+    def set_quality(self, key: str) -> None:
+        """Trace rays with another preset; remembered. With another renderer on show, the ray tracer is taken."""
+        self.quality = _known(key, QUALITIES, "fast")
+        settings().setValue("traced/quality", self.quality)
+        self.rate.clear()
+        self.set_renderer("raytraced")
+        self._follow()
+        self._show()
+
+    def set_samples(self, count: int) -> None:
+        """Stop the reference at so many samples a pixel, 0: never; remembered."""
+        self.samples = max(0, count)
+        settings().setValue("traced/samples", self.samples)
+        picture = self._stage.traced
+        if self.renderer == "reference" and (
+            self.samples == 0 or picture is None or picture.samples < self.samples
+        ):
+            self.resume()
+        self._show()
+
+    def stop(self) -> None:
+        """Refine no more; the picture stays until something changes."""
+        if self.renderer == "realtime" or self._process is None:
+            return
+        self._stopped = True
+        self._send({"do": "pause"})
+        self._show()
+
+    def resume(self) -> None:
+        """Go on with what was stopped."""
+        if self.renderer == "realtime":
+            return
+        self._stopped = False
+        self._send({"do": "resume", "samples": self._limit})
+        self._show()
+
+    def save(self) -> None:
+        """Ask for a file, and have the newest picture written to it as EXR."""
+        fit = self._stage.fit
+        if self._stage.traced is None or fit is None or self._process is None:
+            todo = tr("Choose the ray tracer or the reference under View ▸ Renderer, and save when it shows.")
+            what = tr("There is no traced picture yet.")
+            self._window.messages.show_message(Message(KIND, what, todo=todo, severity="error"))
+            return
+        name = f"{fit.name} {self.renderer}"
+        chosen = self._ask(self._window, name, tr("EXR, radiance with its variance"), ".exr")
+        if not chosen:
+            return
+        path = Path(chosen)
+        path = path.with_name(path.name + ".exr") if path.suffix.lower() != ".exr" else path
+        view = view_to_json(self._stage.exposed_view)
+        self._send({"do": "save", "path": str(path.absolute()), "view": view})
+
+    def close(self) -> None:
+        """End the process: the window closes."""
+        self._rest.stop()
+        self._end_process()
+
+    @property
+    def _limit(self) -> int:
+        return self.samples if self.renderer == "reference" else 0
+
+    def _wanted(self) -> Wanted | None:
+        return wanted_of(self._stage, self.renderer, self.quality, self._window.picture.device_size)
+
+    def _follow(self, *_: object) -> None:
+        """The scene may be another one: what is shown of the old one goes, and a new one is begun."""
+        if self.renderer == "realtime":
+            return
+        wanted = self._wanted()
+        if wanted is None:
+            self._drop()
+            return
+        if self._asked is not None and self._asked.same(wanted):
+            return
+        live = self.renderer == "raytraced"
+        if not (live and self._is_live):
+            self._hide()
+        if not live:
+            if self._asked is not None:
+                self._send({"do": "pause"})
+                self._asked = None
+            self._rest.start(REST_MS)
+            self._show()
+        elif self._answered and not self._rest.isActive():
+            self._rest.start(0)
+
+    @property
+    def _is_live(self) -> bool:
+        """Whether the tracer keeps up with a hand."""
+        return 0.0 < self.rate.frame_s <= LIVE_S
+
+    def _begin(self) -> None:
+        wanted = self._wanted()
+        if wanted is None or (self._asked is not None and self._asked.same(wanted)):
+            return
+        if self._process is None:
+            self._start_process()
+        assert self._process is not None
+        self._generation += 1
+        self._asked, self._answered, self._stopped, self._step = wanted, False, False, ""
+        pieces = self._hand_over.pieces(wanted, self._generation, self._process.folder, self._limit)
+        self._runner.submit(KIND, write_request, pieces, done=self._handed_over, failed=self._not_handed_over)
+        self._show()
+
+    def _handed_over(self, request: TraceRequest) -> None:
+        if request.generation == self._generation:
+            self._send(request.to_json())
+            forget_others(request)
+
+    def _not_handed_over(self, error: Exception) -> None:
+        self._fail(str(error))
+
+    def _start_process(self) -> None:
+        self._process = process = self._make_process(self)
+        process.opened.connect(self._opened)
+        process.moved.connect(self._moved)
+        process.pictured.connect(self._pictured)
+        process.failed.connect(lambda generation, text: generation == self._generation and self._fail(text))
+        process.crashed.connect(self._crashed)
+        process.saved.connect(self._saved)
+        process.not_saved.connect(self._not_saved)
+        process.start()
+
+    def _end_process(self) -> None:
+        self._runner.cancel(KIND)
+        process, self._process = self._process, None
+        self._hand_over = HandOver()
+        if process is not None:
+            process.end()
+            process.deleteLater()
+
+    def _send(self, message: dict[str, object]) -> None:
+        if self._process is not None:
+            self._process.send(message)
+
+    def _opened(self, generation: int, _title: str, notices: list[str]) -> None:
+        if generation == self._generation:
+            self._notices, self._step = tuple(notices), ""
+            self._show()
+
+    def _moved(self, generation: int, _fraction: float, what: str) -> None:
+        if generation == self._generation and self._step != what:
+            self._step = what
+            self._show()
+
+    def _pictured(self, picture: TracedPicture) -> None:
+        if picture.generation != self._generation or self.renderer == "realtime":
+            return
+        first, self._answered = not self._answered, True
+        if first or picture.done:
+            self.rate.add(picture.seconds)
+        wanted = self._wanted()
+        current = wanted is not None and self._asked is not None and self._asked.same(wanted)
+        fits = wanted is not None and picture.size == wanted.size
+        if current or (self.renderer == "raytraced" and self._is_live and fits):
+            self._stage.set_traced(picture)
+            self._window.picture.redraw()
+        self._show()
+        if not current:
+            self._follow()  # the newest of what came meanwhile
+
+    def _crashed(self, text: str) -> None:
+        process, self._process = self._process, None
+        self._hand_over = HandOver()
+        if process is not None:
+            process.end()
+            process.deleteLater()
+        if self.renderer != "realtime":
+            self._fail(text)
+
+    def _fail(self, text: str) -> None:
+        """Say why there is no traced picture, and go on with the real-time one."""
+        wanted = self.renderer
+        self.set_renderer("realtime")
+        message = Message(
+            KIND,
+            text,
+            todo=tr("The real-time picture goes on."),
+            severity="error",
+            actions=((tr("Try Again"), lambda: self.set_renderer(wanted)),),
+        )
+        self._window.messages.show_message(message)
+
+    def _saved(self, path: str) -> None:
+        self._window.messages.dismiss(KIND)
+        self._window.status.showMessage(tr("Saved {name}").format(name=Path(path).name), _TOLD_MS)
+
+    def _not_saved(self, path: str, text: str) -> None:
+        todo = tr("Choose another name or folder.")
+        self._window.messages.show_message(Message(KIND, text, where=path, todo=todo, severity="error"))
+
+    def _drop(self) -> None:
+        """What is traced is wanted no more."""
+        self._rest.stop()
+        self._runner.cancel(KIND)
+        if self._asked is not None:
+            self._send({"do": "pause"})
+        self._generation += 1
+        self._asked, self._answered, self._step = None, True, ""
+        self._hide()
+
+    def _hide(self) -> None:
+        if self._stage.traced is not None:
+            self._stage.set_traced(None)
+            self._window.picture.redraw()
+
+    def _show(self) -> None:
+        """Bring section, menu, status bar and the words over the picture to what there is."""
+        window, renderer, picture = self._window, self.renderer, self._stage.traced
+        section = window.renderer
+        section.show_renderer(renderer, self.quality, self.samples, denoised=False)
+        window.commands.show_renderer(renderer, self.quality)
+        running = renderer != "realtime" and not self._stopped and not (picture is not None and picture.done)
+        section.show_work(running=running, stopped=self._stopped, has_picture=picture is not None)
+        words = "" if renderer == "realtime" else self._words(picture)
+        section.set_state(words, "\n".join(self._notices) if renderer != "realtime" else "")
+        window.overlay.show_mark(words)
+        window.status.cell("renderer").set(
+            words,
+            tr("Which renderer made the picture, and how far it is"),
+            "fresh" if picture is not None else "stale",
+        )
+        self.changed.emit()
+
+    def _words(self, picture: TracedPicture | None) -> str:
+        title = tr(SHORT_TITLES[self.renderer])
+        if picture is None:
+            if self._stopped:
+                return tr("Real-time picture; {renderer}: stopped").format(renderer=title)
+            step = self._step or (tr("waits for things to rest") if self._asked is None else tr("begins"))
+            return tr("Real-time picture; {renderer}: {step}").format(renderer=title, step=step)
+        words = picture_words(self.renderer, picture)
+        if self.renderer == "raytraced":
+            words = "   ".join(word for word in (words, rate_words(self.rate.frame_s)) if word)
+        return words + ("   " + tr("stopped") if self._stopped and not picture.done else "")
+
+
+def _known(key: str, known: tuple[T, ...], default: T) -> T:
+    return next((item for item in known if item == key), default)

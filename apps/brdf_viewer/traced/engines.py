@@ -1,0 +1,145 @@
+"""The renderers that trace, behind one face: a scene is opened, and gives ever better pictures until nobody asks.
+
+Only the process that traces imports this: Mitsuba can end a process, and holds the interpreter while it renders.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError
+from brdf_suite.progress import Progress, part, report
+from brdf_viewer.traced.request import TraceRequest
+from brdf_viewer.traced.scene_files import read_environment_file, read_surface_file
+
+if TYPE_CHECKING:
+    from brdf_suite.lighting.environment import Environment
+    from brdf_suite.pipeline.reference_live import LiveReference
+    from brdf_suite.surface.mesh import Mesh
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """A picture so far.
+
+    ``pixels`` (h, w, 4) float32: the object's radiance of the working space before exposure, weighted by its
+    coverage, and that coverage. ``samples`` a pixel, of ``of`` (0: without end). ``noise``: the standard error of the
+    luminance as a share of it, median over the object; None where it is not estimated. ``seconds`` were spent.
+    """
+
+    pixels: NDArray[np.float32]
+    samples: int
+    of: int
+    noise: float | None
+    seconds: float
+
+
+class Job(Protocol):
+    """A scene that is open. ``title`` names the renderer, ``notices`` are what it leaves out."""
+
+    title: str
+    notices: tuple[str, ...]
+
+    def frames(self) -> Iterator[Frame]:
+        """Yield ever better pictures; SuiteError where the renderer fails."""
+        ...
+
+    def save(self, path: Path, view: View) -> None:
+        """Write the newest picture as EXR with its variance, in ``view``'s background; FileError."""
+        ...
+
+
+class Engines:
+    """Opens requests; what is the same as in the last one is not read again."""
+
+    def __init__(self) -> None:
+        self._read: dict[str, tuple[object, Any]] = {}
+        self._reference: LiveReference | None = None
+
+    def open(self, request: TraceRequest, progress: Progress | None = None) -> Job:
+        """Return the scene of a request, ready to be traced.
+
+        Raises
+        ------
+        SuiteError
+            The renderer cannot run here, or what is asked for cannot be read.
+        """
+        report(progress, 0.0, "reading the light")
+        environment: Environment = self._kept("light", request.environment, read_environment_file)
+        mesh: Mesh = self._kept("surface", request.surface, read_surface_file)
+        return self._open_reference(request, environment, mesh, progress)
+
+    def _open_reference(
+        self, request: TraceRequest, environment: Environment, mesh: Mesh, progress: Progress | None
+    ) -> ReferenceJob:
+        # Here, because Mitsuba comes with it.
+        from brdf_suite.pipeline.reference_live import LiveReference
+
+        if self._reference is None:
+            report(progress, 0.2, "starting the path tracer")
+            self._reference = LiveReference()
+        live = self._reference
+        live.show(
+            request.paint,
+            request.view,
+            request.size,
+            part(progress, 0.3, 1.0),
+            environment=environment,
+            mesh=mesh,
+        )
+        return ReferenceJob(live)
+
+    def _kept(self, kind: str, key: object, read: Any) -> Any:
+        known = self._read.get(kind)
+        if known is None or known[0] != key:
+            self._read[kind] = known = (key, read(key))
+        return known[1]
+
+
+class ReferenceJob:
+    """The path tracer: unbiased, without end."""
+
+    def __init__(self, live: LiveReference) -> None:
+        self._live = live
+        self.title = live.scene.renderer
+        self.notices = live.scene.notices
+
+    def frames(self) -> Iterator[Frame]:
+        """Yield ever better pictures without end."""
+        while True:
+            estimate = self._live.step()
+            yield Frame(
+                _with_coverage(estimate.radiance, estimate.coverage),
+                estimate.samples,
+                0,
+                estimate.noise if np.isfinite(estimate.noise) else None,
+                estimate.seconds,
+            )
+
+    def save(self, path: Path, view: View) -> None:
+        """Write radiance, variance and all that a render goes on from."""
+        from brdf_suite.reference.estimate_file import write_estimate
+
+        estimate = self._live.estimate
+        if estimate is None:
+            raise SuiteError("There is no picture yet.")
+        scene = replace(self._live.scene, view=replace(view, camera=self._live.scene.view.camera))
+        told = (
+            f"{scene.name} on {scene.surface} in {scene.environment}, path-traced, {estimate.samples} samples"
+        )
+        write_estimate(path, estimate, scene.whole(estimate), scene.key, {"comments": told})
+
+
+def _with_coverage(radiance: NDArray[Any], coverage: NDArray[Any]) -> NDArray[np.float32]:
+    """Return (h, w, 4) of radiance and coverage."""
+    pixels = np.empty((*coverage.shape, 4), np.float32)
+    pixels[..., :3] = radiance
+    pixels[..., 3] = coverage
+    return pixels

@@ -1,0 +1,77 @@
+"""A scene from the stage to files that another process reads; what has been written already is named again."""
+
+from __future__ import annotations
+
+import contextlib
+from dataclasses import dataclass
+from pathlib import Path
+
+from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, save_paint
+from brdf_suite.progress import Progress, report
+from brdf_suite.surface.mesh import Mesh
+from brdf_viewer.traced.request import TraceRequest
+from brdf_viewer.traced.scene_files import write_environment, write_surface
+from brdf_viewer.traced.wanted import Wanted
+
+
+@dataclass(frozen=True, eq=False)
+class Pieces:
+    """What a thread is to write; ``surface`` and ``paint`` are numbered, each number is one content."""
+
+    wanted: Wanted
+    generation: int
+    folder: Path
+    surface: int
+    paint: int
+    samples: int
+
+
+class HandOver:
+    """Numbers what changes, for one folder."""
+
+    def __init__(self) -> None:
+        self._surface: tuple[Mesh | None, int] = (None, 0)
+        self._paint: tuple[AnyPaint | None, int] = (None, 0)
+
+    def pieces(self, wanted: Wanted, generation: int, folder: Path, samples: int) -> Pieces:
+        """Return what is to be written for a scene."""
+        if wanted.surface is not self._surface[0]:
+            self._surface = (wanted.surface, self._surface[1] + 1)
+        if wanted.paint is not None and wanted.paint != self._paint[0]:
+            self._paint = (wanted.paint, self._paint[1] + 1)
+        return Pieces(wanted, generation, folder, self._surface[1], self._paint[1], samples)
+
+
+def write_request(pieces: Pieces, progress: Progress) -> TraceRequest:
+    """Write what is not written yet and return the request; FileError where the disk does not take it."""
+    wanted, folder = pieces.wanted, pieces.folder
+    report(progress, 0.0, "handing the scene over")
+    environment = write_environment(wanted.environment, folder)
+    surface = write_surface(wanted.surface, folder, pieces.surface)
+    paint = wanted.paint_key
+    if wanted.paint is not None:
+        file = folder / f"paint-{pieces.paint}{PAINT_ENDING}"
+        if not file.exists():
+            save_paint(wanted.paint, file)
+        paint = str(file)
+    return TraceRequest(
+        pieces.generation,
+        wanted.renderer,
+        wanted.quality,
+        wanted.view,
+        wanted.size,
+        paint,
+        environment,
+        surface,
+        pieces.samples,
+    )
+
+
+def forget_others(request: TraceRequest) -> None:
+    """Remove what older requests left in the folder; the tracer has it in memory, or asks for it no more."""
+    wanted = {request.environment, request.surface, Path(request.paint)}
+    for pattern in ("light-*.npz", "surface-*.npz", f"paint-*{PAINT_ENDING}"):
+        for path in request.environment.parent.glob(pattern):
+            if path not in wanted:
+                with contextlib.suppress(OSError):  # still being read, on a system that holds such files
+                    path.unlink(missing_ok=True)

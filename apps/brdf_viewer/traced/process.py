@@ -1,0 +1,170 @@
+"""The process that traces, seen from the window: lines of JSON to it and from it, and its end, however it comes."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import sys
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from brdf_qt.translation import tr
+from PySide6.QtCore import QObject, QProcess, Signal
+
+from brdf_viewer.traced.picture_slots import Pixels, take
+
+WORKER = ("-m", "brdf_viewer.traced.worker")
+_LAST_WORDS = 4000
+"""Characters kept of what the process prints beside its answers: its last words are what a crash leaves."""
+_END_MS = 5000
+
+
+@dataclass(frozen=True, eq=False)
+class TracedPicture:
+    """A picture of one generation.
+
+    ``pixels`` (h, w, 4): radiance of the working space, weighted by the object's coverage, and that coverage.
+    ``samples`` a pixel, of ``of`` (0: without end); ``noise`` is a share of the luminance, None where unknown;
+    ``seconds`` were spent on it. ``done``: it is as good as it was asked to become.
+    """
+
+    generation: int
+    pixels: Pixels
+    samples: int
+    of: int
+    noise: float | None
+    seconds: float
+    done: bool
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height."""
+        return (self.pixels.shape[1], self.pixels.shape[0])
+
+
+class TraceProcess(QObject):
+    """Runs one worker; a new object for a new one.
+
+    Signals
+    -------
+    opened(generation, title, notices), moved(generation, fraction, what), pictured(TracedPicture)
+        What becomes of a request.
+    failed(generation, text)
+        It cannot be traced; the process goes on.
+    saved(path), not_saved(path, text)
+        What became of a picture that was to be saved.
+    crashed(text)
+        The process has ended, and nobody asked it to.
+    """
+
+    opened = Signal(int, str, list)
+    moved = Signal(int, float, str)
+    pictured = Signal(object)
+    failed = Signal(int, str)
+    saved = Signal(str)
+    not_saved = Signal(str, str)
+    crashed = Signal(str)
+
+    def __init__(self, parent: QObject | None = None, *, program: Sequence[str] = WORKER) -> None:
+        super().__init__(parent)
+        self.folder = Path(tempfile.mkdtemp(prefix="brdf-traced-"))
+        self._program = list(program)
+        self._rest = b""
+        self._words = ""
+        self._wanted = True
+        self._process = QProcess(self)
+        self._process.readyReadStandardOutput.connect(self._read)
+        self._process.readyReadStandardError.connect(self._listen)
+        self._process.finished.connect(self._finished)
+        self._process.errorOccurred.connect(self._not_started)
+
+    @property
+    def process_id(self) -> int:
+        """The worker's process; 0 where there is none."""
+        return int(self._process.processId())
+
+    def start(self) -> None:
+        """Begin; what is sent is read as soon as it can be."""
+        self._process.start(sys.executable, [*self._program, str(self.folder)])
+
+    def send(self, message: dict[str, Any]) -> None:
+        """Ask for something; nothing where the process has ended."""
+        if self._process.state() != QProcess.ProcessState.NotRunning:
+            self._process.write(json.dumps(message).encode() + b"\n")
+
+    def end(self) -> None:
+        """End it, in the middle of whatever it does: it holds nothing that is not asked for again."""
+        self._wanted = False
+        if self._process.state() != QProcess.ProcessState.NotRunning:
+            self._process.kill()
+            self._process.waitForFinished(_END_MS)
+        shutil.rmtree(self.folder, ignore_errors=True)  # in the temporary folder, which is emptied anyway
+
+    def _read(self) -> None:
+        *lines, self._rest = (self._rest + self._process.readAllStandardOutput().data()).split(b"\n")
+        for line in lines:
+            if self._wanted and line:
+                self._take(json.loads(line))
+
+    def _take(self, answer: dict[str, Any]) -> None:
+        what, generation = answer["say"], int(answer.get("generation", 0))
+        if what == "picture":
+            self._take_picture(answer, generation)
+        elif what == "opened":
+            self.opened.emit(generation, str(answer["title"]), list(answer["notices"]))
+        elif what == "moved":
+            self.moved.emit(generation, float(answer["fraction"]), str(answer["what"]))
+        elif what == "failed":
+            self.failed.emit(generation, str(answer["text"]))
+        elif what == "saved":
+            self.saved.emit(str(answer["path"]))
+        elif what == "not_saved":
+            self.not_saved.emit(str(answer["path"]), str(answer["text"]))
+
+    def _take_picture(self, answer: dict[str, Any], generation: int) -> None:
+        width, height = answer["size"]
+        try:
+            pixels = take(self.folder, int(answer["slot"]), (int(width), int(height)))
+        except (OSError, ValueError, MemoryError) as error:
+            self.failed.emit(generation, tr("The picture could not be read: {reason}").format(reason=error))
+            return
+        self.send({"do": "taken", "slot": answer["slot"]})
+        noise = answer["noise"]
+        self.pictured.emit(
+            TracedPicture(
+                generation,
+                pixels,
+                int(answer["samples"]),
+                int(answer["of"]),
+                None if noise is None else float(noise),
+                float(answer["seconds"]),
+                bool(answer["done"]),
+            )
+        )
+
+    def _listen(self) -> None:
+        found = self._process.readAllStandardError().data().decode("utf-8", errors="replace")
+        self._words = (self._words + found)[-_LAST_WORDS:]
+
+    def _not_started(self, error: QProcess.ProcessError) -> None:
+        if error == QProcess.ProcessError.FailedToStart and self._wanted:
+            self._wanted = False
+            reason = self._process.errorString()
+            self.crashed.emit(tr("The renderer could not be started: {reason}.").format(reason=reason))
+
+    def _finished(self, code: int, status: QProcess.ExitStatus) -> None:
+        self._read()
+        if not self._wanted:
+            return
+        self._wanted = False
+        self._listen()
+        lines = [line for line in self._words.splitlines() if line.strip()]
+        last = lines[-1].strip() if lines else tr("it left no word; the computer may be out of memory")
+        if status == QProcess.ExitStatus.CrashExit:
+            text = tr("The renderer crashed (signal {code}): {words}.")
+        else:
+            text = tr("The renderer ended (status {code}): {words}.")
+        self.crashed.emit(text.format(code=code, words=last.rstrip(".")))

@@ -1,0 +1,51 @@
+"""What is said of a traced picture: over it, in the status bar and in its section."""
+
+from __future__ import annotations
+
+from brdf_qt.translation import mark, tr
+
+from brdf_viewer.traced.process import TracedPicture
+
+RENDERER_TITLES = {
+    "realtime": mark("Real-time"),
+    "raytraced": mark("Ray-traced"),
+    "reference": mark("Reference (path-traced)"),
+}
+RENDERER_TIPS = {
+    "realtime": mark("Drawn from fitted lobes in prefiltered light, at once"),
+    "raytraced": mark("The paint itself in many lights, with shadows and reflections; a picture in a moment"),
+    "reference": mark(
+        "The paint itself, path-traced: the truth to compare with; refines while nothing changes"
+    ),
+}
+QUALITY_TITLES = {"fast": mark("Fast"), "medium": mark("Medium"), "high": mark("High")}
+SHORT_TITLES = {
+    "realtime": mark("Real-time"),
+    "raytraced": mark("Ray-traced"),
+    "reference": mark("Reference"),
+}
+
+
+def picture_words(renderer: str, picture: TracedPicture) -> str:
+    """Return what a picture is: samples, the noise that is left, or the frame rate."""
+    words = [tr(SHORT_TITLES[renderer])]
+    if picture.of and not picture.done:
+        words.append(tr("{count} of {all} samples").format(count=picture.samples, all=picture.of))
+    else:
+        words.append(tr("{count} samples").format(count=picture.samples))
+    if picture.noise is not None:
+        words.append(tr("noise {percent} %").format(percent=f"{100.0 * picture.noise:.2g}"))
+    return "   ".join(words)
+
+
+def rate_words(frame_s: float) -> str:
+    """Return a frame rate, or the time of a frame where that says more.
+
+    >>> rate_words(0.05), rate_words(4.0)
+    ('20 frames/s', '4.0 s a frame')
+    """
+    if frame_s <= 0.0:
+        return ""
+    if frame_s > 1.0:
+        return tr("{seconds} s a frame").format(seconds=f"{frame_s:.1f}")
+    return tr("{rate} frames/s").format(rate=f"{1.0 / frame_s:.2g}")

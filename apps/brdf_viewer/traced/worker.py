@@ -1,0 +1,217 @@
+"""``python -m brdf_viewer.traced.worker FOLDER``: traces what it is asked for on its input, until that is closed.
+
+Requests are lines of JSON, answers too; pictures lie in :mod:`.picture_slots`. Between two passes it looks for a
+newer request, so nothing is ever finished that nobody waits for. It imports no Qt: it opens no window. When its input
+ends, however the window ended, it removes ``FOLDER`` and is gone.
+
+Requests: ``render`` (:mod:`.request`), ``pause``, ``resume`` with the samples to stop at, ``taken`` with a slot,
+``save`` with a path and a view. Answers: ``moved``, ``opened``, ``picture``, ``failed``, each with the generation;
+``saved`` and ``not_saved`` with the path.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+import os
+import queue
+import shutil
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, TextIO
+
+from brdf_suite.documents.store import view_from_json
+from brdf_suite.errors import SuiteError
+from brdf_viewer.traced.engines import Engines, Frame, Job
+from brdf_viewer.traced.picture_slots import SlotWriter
+from brdf_viewer.traced.request import TraceRequest
+
+log = logging.getLogger(__name__)
+
+Message = dict[str, Any]
+Say = Callable[[Message], None]
+NICENESS = 10
+"""The window draws with the same processors where no graphics card does: its gestures go first."""
+
+
+class Inbox:
+    """Reads requests on a thread; ``closed`` once the other side has gone."""
+
+    def __init__(self, lines: TextIO) -> None:
+        self._lines = lines
+        self._waiting: queue.SimpleQueue[Message | None] = queue.SimpleQueue()
+        self.closed = False
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def take(self, *, wait: bool) -> list[Message]:
+        """Return what has come; with ``wait`` at least one message, unless the input has ended."""
+        found: list[Message] = []
+        while not self.closed:
+            try:
+                message = self._waiting.get(block=wait and not found)
+            except queue.Empty:
+                break
+            if message is None:
+                self.closed = True
+            else:
+                found.append(message)
+        return found
+
+    def _read(self) -> None:
+        for line in self._lines:
+            self._waiting.put(json.loads(line))
+        self._waiting.put(None)
+
+
+class Worker:
+    """Traces the newest request; everything else waits for nobody."""
+
+    def __init__(self, folder: Path, inbox: Inbox, say: Say, engines: Engines) -> None:
+        self._slots = SlotWriter(folder)
+        self._inbox, self._say, self._engines = inbox, say, engines
+        self._request: TraceRequest | None = None
+        self._job: Job | None = None
+        self._frames: Iterator[Frame] | None = None
+        self._untold: Frame | None = None
+        self._paused = False
+        self._samples = 0
+
+    def run(self) -> None:
+        """Work until the input ends."""
+        while not self._inbox.closed:
+            for message in self._inbox.take(wait=not self._has_work):
+                self._take(message)
+            if not self._inbox.closed and self._has_work:
+                self._attempt(self._step)
+
+    @property
+    def _has_work(self) -> bool:
+        opening = self._request is not None and self._job is None
+        return opening or (self._frames is not None and not self._paused)
+
+    def _take(self, message: Message) -> None:
+        what = message["do"]
+        if what == "render":
+            self._request = TraceRequest.from_json(message)
+            self._job = self._frames = self._untold = None
+            self._paused, self._samples = False, self._request.samples
+        elif what == "pause":
+            self._paused = True
+        elif what == "resume":
+            self._paused, self._samples = False, int(message["samples"])
+        elif what == "taken":
+            self._slots.give_back(int(message["slot"]))
+            if self._untold is not None:
+                self._tell(self._untold)
+        elif what == "save":
+            self._save(Path(message["path"]), message)
+
+    def _step(self) -> None:
+        request = self._request
+        assert request is not None
+        if self._job is None:
+            self._job = self._engines.open(request, self._moved)
+            self._say(
+                {
+                    "say": "opened",
+                    "generation": request.generation,
+                    "title": self._job.title,
+                    "notices": list(self._job.notices),
+                }
+            )
+            self._frames = self._job.frames()
+            return
+        assert self._frames is not None
+        frame = next(self._frames, None)
+        if frame is None:
+            self._frames = None
+            return
+        if self._samples and frame.samples >= self._samples:
+            self._paused = True
+        self._tell(frame)
+
+    def _tell(self, frame: Frame) -> None:
+        self._untold = frame
+        if not self._slots.is_free or self._request is None:
+            return
+        slot = self._slots.put(frame.pixels)
+        self._untold = None
+        height, width = frame.pixels.shape[:2]
+        done = bool((self._samples and frame.samples >= self._samples) or frame.samples == frame.of)
+        self._say(
+            {
+                "say": "picture",
+                "generation": self._request.generation,
+                "slot": slot,
+                "size": [width, height],
+                "samples": frame.samples,
+                "of": self._samples or frame.of,
+                "noise": frame.noise,
+                "seconds": frame.seconds,
+                "done": done,
+            }
+        )
+
+    def _moved(self, fraction: float, what: str) -> None:
+        assert self._request is not None
+        self._say(
+            {"say": "moved", "generation": self._request.generation, "fraction": fraction, "what": what}
+        )
+
+    def _save(self, path: Path, message: Message) -> None:
+        try:
+            if self._job is None:
+                raise SuiteError("There is no picture yet")
+            self._job.save(path, view_from_json(message["view"]))
+        except (SuiteError, MemoryError, OSError) as error:
+            self._say({"say": "not_saved", "path": str(path), "text": _words(error)})
+        else:
+            self._say({"say": "saved", "path": str(path)})
+
+    def _attempt(self, step: Callable[[], None]) -> None:
+        """Do a step; what fails is told and not tried again: the window asks anew where that makes sense."""
+        try:
+            step()
+        except Exception as error:  # whatever went wrong, the user must hear of it
+            if not isinstance(error, SuiteError | MemoryError | OSError):
+                log.exception("the tracer met a fault of its own")
+            generation = -1 if self._request is None else self._request.generation
+            self._request = self._job = self._frames = self._untold = None
+            self._say({"say": "failed", "generation": generation, "text": _words(error)})
+
+
+def _words(error: BaseException) -> str:
+    if isinstance(error, MemoryError):
+        return "There is not enough memory for a picture of this size; make the window smaller."
+    if isinstance(error, SuiteError | OSError):
+        return str(error)
+    return f"The renderer met a fault of its own: {type(error).__name__}: {error}"
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Trace until the input ends; return the exit status."""
+    folder = Path((sys.argv[1:] if arguments is None else arguments)[0])
+    # What libraries print must not come between the answers.
+    voice = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)
+    if hasattr(os, "nice"):  # not on Windows
+        os.nice(NICENESS)
+    said = threading.Lock()
+
+    def say(message: Message) -> None:
+        with said:
+            print(json.dumps(message), file=voice, flush=True)
+
+    try:
+        Worker(folder, Inbox(sys.stdin), say, Engines()).run()
+    except BrokenPipeError:
+        pass  # the window is gone, and nobody listens
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)  # in the system's temporary folder, which is emptied anyway
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
