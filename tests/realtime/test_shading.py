@@ -126,7 +126,7 @@ def test_lobes_against_quadrature(renderer, scenes):
             [1.2 + d[..., 0] + 0.3 * d[..., 1] ** 2, 1 + 0.8 * d[..., 1], 1.1 - 0.9 * d[..., 2]], -1
         )
 
-    omega = scenes.directions(40).reshape(-1, 3)
+    omega = scenes.directions(24).reshape(-1, 3)
     solid = np.abs(omega).max(-1) ** 3  # solid angle of a cube's texel ∝ its largest component cubed
     solid *= 4 * np.pi / solid.sum()
     radiance = light(omega) * solid[:, None]
@@ -138,7 +138,7 @@ def test_lobes_against_quadrature(renderer, scenes):
         return scenes.cube((e + 1) / (2 * np.pi) * integral(scenes.directions(size), e), 2.0)
 
     maps = EnvironmentMaps(
-        exponents, tuple(prefiltered(e, 32) for e in exponents), prefiltered(1.0, 24), prefiltered(1.0, 4)
+        exponents, tuple(prefiltered(e, 24) for e in exponents), prefiltered(1.0, 16), prefiltered(1.0, 4)
     )
     weights = MaterialWeights(exponents, kd, kdd, kg, coat="none")
     image, cos, n, v = draw(renderer, scenes, maps, weights, replace(VIEW, look_up="paper"))
