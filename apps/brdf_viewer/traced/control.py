@@ -272,8 +272,8 @@ class TracedControl(QObject):
     def _pictured(self, picture: TracedPicture) -> None:
         if picture.generation != self._generation or self.renderer == "realtime":
             return
-        first, self._answered = not self._answered, True
-        if first or picture.done:
+        self._answered = True
+        if picture.done:
             self.rate.add(picture.seconds)
         wanted = self._wanted()
         current = wanted is not None and self._asked is not None and self._asked.same(wanted)

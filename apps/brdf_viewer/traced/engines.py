@@ -20,6 +20,8 @@ from brdf_viewer.traced.request import TraceRequest
 from brdf_viewer.traced.scene_files import read_environment_file, read_surface_file
 
 if TYPE_CHECKING:
+    from brdf_suite.pipeline.raytraced import RaytracedImage, RaytracedSession
+
     from brdf_suite.lighting.environment import Environment
     from brdf_suite.pipeline.reference_live import LiveReference
     from brdf_suite.surface.mesh import Mesh
@@ -62,6 +64,7 @@ class Engines:
     def __init__(self) -> None:
         self._read: dict[str, tuple[object, Any]] = {}
         self._reference: LiveReference | None = None
+        self._raytraced: RaytracedSession | None = None
 
     def open(self, request: TraceRequest, progress: Progress | None = None) -> Job:
         """Return the scene of a request, ready to be traced.
@@ -74,6 +77,8 @@ class Engines:
         report(progress, 0.0, "reading the light")
         environment: Environment = self._kept("light", request.environment, read_environment_file)
         mesh: Mesh = self._kept("surface", request.surface, read_surface_file)
+        if request.renderer == "raytraced":
+            return self._open_raytraced(request, environment, mesh, progress)
         return self._open_reference(request, environment, mesh, progress)
 
     def _open_reference(
@@ -95,6 +100,26 @@ class Engines:
             mesh=mesh,
         )
         return ReferenceJob(live)
+
+    def _open_raytraced(
+        self, request: TraceRequest, environment: Environment, mesh: Mesh, progress: Progress | None
+    ) -> RaytracedJob:
+        from brdf_suite.pipeline.raytraced import RaytracedSession
+
+        if self._raytraced is None:
+            report(progress, 0.2, "starting the ray tracer")
+            self._raytraced = RaytracedSession()
+        session = self._raytraced
+        session.show(
+            request.paint,
+            request.view,
+            request.size,
+            quality=request.quality,
+            progress=part(progress, 0.3, 1.0),
+            environment=environment,
+            mesh=mesh,
+        )
+        return RaytracedJob(session)
 
     def _kept(self, kind: str, key: object, read: Any) -> Any:
         known = self._read.get(kind)
@@ -135,6 +160,27 @@ class ReferenceJob:
             f"{scene.name} on {scene.surface} in {scene.environment}, path-traced, {estimate.samples} samples"
         )
         write_estimate(path, estimate, scene.whole(estimate), scene.key, {"comments": told})
+
+
+class RaytracedJob:
+    """The ray tracer: one picture of the preset's samples, in passes."""
+
+    def __init__(self, session: RaytracedSession) -> None:
+        self._session = session
+        self._newest: RaytracedImage | None = None
+        self.title = session.renderer
+        self.notices = tuple(session.notices)
+
+    def frames(self) -> Iterator[Frame]:
+        """Yield ever better pictures until the preset's samples are there."""
+        for image in self._session.passes():
+            self._newest = image
+            pixels = _with_coverage(image.radiance, image.coverage)
+            yield Frame(pixels, image.samples, image.of, None, image.seconds)
+
+    def save(self, path: Path, view: View) -> None:
+        """Write radiance and coverage; its lights and samples are few and fixed, so it has no variance to tell."""
+        raise NotImplementedError
 
 
 def _with_coverage(radiance: NDArray[Any], coverage: NDArray[Any]) -> NDArray[np.float32]:
