@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_qt.command_search import search
+from brdf_qt.translation import tr
 
 _ACTION = Qt.ItemDataRole.UserRole
 _MOST_ROWS = 12
@@ -56,14 +57,14 @@ class CommandPalette(QFrame):
         self.setObjectName("command_palette")
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.query = QLineEdit()
-        self.query.setPlaceholderText("Find a command by name")
-        self.query.setAccessibleName("Find a command by name")
+        self.query.setPlaceholderText(tr("Find a command by name"))
+        self.query.setAccessibleName(tr("Find a command by name"))
         self.query.setClearButtonEnabled(True)
         self.found = QListWidget()
         self.found.setUniformItemSizes(True)
         self.found.setSpacing(3)
         self.found.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._empty = QLabel("No command has this name.")
+        self._empty = QLabel(tr("No command has this name."))
         self._empty.setMargin(8)
         box = QVBoxLayout(self)
         box.setContentsMargins(8, 8, 8, 8)

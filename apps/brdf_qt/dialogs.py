@@ -9,6 +9,7 @@ from typing import Protocol
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from brdf_qt.icons import icon
+from brdf_qt.translation import tr
 
 _ICON = 32
 """Size of the sign in a question, pixels; our own signs, because those of the style have colour."""
@@ -56,9 +57,9 @@ class QtDialogs:
         """See :meth:`Dialogs.unsaved`."""
         box = QMessageBox(self._window)
         box.setIconPixmap(icon("floppy-disk").pixmap(_ICON, _ICON))
-        box.setWindowTitle("Unsaved Changes")
-        box.setText(f"Save the changes to “{name}”?")
-        box.setInformativeText("Without saving, they are lost.")
+        box.setWindowTitle(tr("Unsaved Changes"))
+        box.setText(tr("Save the changes to “{name}”?").format(name=name))
+        box.setInformativeText(tr("Without saving, they are lost."))
         kinds = QMessageBox.StandardButton
         box.setStandardButtons(kinds.Save | kinds.Discard | kinds.Cancel)
         box.setDefaultButton(kinds.Save)
@@ -69,12 +70,13 @@ class QtDialogs:
         """See :meth:`Dialogs.changed_file`."""
         box = QMessageBox(self._window)
         box.setIconPixmap(icon("warning").pixmap(_ICON, _ICON))
-        box.setWindowTitle("File Changed")
-        box.setText(f"“{path.name}” was changed by another program since it was opened or saved here.")
-        box.setInformativeText(f"Overwriting it loses what it holds now.\n{path}")
+        box.setWindowTitle(tr("File Changed"))
+        text = tr("“{name}” was changed by another program since it was opened or saved here.")
+        box.setText(text.format(name=path.name))
+        box.setInformativeText(tr("Overwriting it loses what it holds now.") + f"\n{path}")
         roles = QMessageBox.ButtonRole
-        overwrite = box.addButton("Overwrite", roles.DestructiveRole)
-        save_as = box.addButton("Save As…", roles.AcceptRole)
+        overwrite = box.addButton(tr("Overwrite"), roles.DestructiveRole)
+        save_as = box.addButton(tr("Save As…"), roles.AcceptRole)
         box.setDefaultButton(save_as)
         box.setEscapeButton(box.addButton(QMessageBox.StandardButton.Cancel))
         box.exec()
@@ -83,12 +85,12 @@ class QtDialogs:
 
     def open_path(self, folder: Path, filters: str) -> Path | None:
         """See :meth:`Dialogs.open_path`."""
-        name, _ = QFileDialog.getOpenFileName(self._window, "Open", str(folder), filters)
+        name, _ = QFileDialog.getOpenFileName(self._window, tr("Open"), str(folder), filters)
         return Path(name) if name else None
 
     def save_path(self, suggested: Path, filters: str) -> Path | None:
         """See :meth:`Dialogs.save_path`."""
-        dialog = QFileDialog(self._window, "Save As", str(suggested.parent), filters)
+        dialog = QFileDialog(self._window, tr("Save As"), str(suggested.parent), filters)
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         # Added by the dialog and not afterwards, so that it asks about the file that is really written.
         dialog.setDefaultSuffix(suggested.suffix)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from brdf_qt.translation import mark, tr
+
 LARGE_DELTA_E = 1.0
 """ΔE00 above which two plain patches side by side are seen as different colours."""
 
@@ -18,25 +20,26 @@ def marked(text: str, delta_e_2000: float) -> str:
     return f"{MARK} {text}" if is_large(delta_e_2000) else text
 
 
-LIMITED_TIP = (
+LIMITED_TIP = mark(
     "The time limit came first: this is the best answer at hand, and the exact one follows by itself."
 )
-FINAL_TIP = (
+FINAL_TIP = mark(
     "The time limit came first: this is the best answer that was found. There is no exact one to follow."
 )
 
 
 def large_error_tip(time_limited: bool, exact_follows: bool = False) -> str:
     """Return why the error is large; ``exact_follows``: the optimum is still looked for."""
-    if time_limited:
-        rest = (
-            "the exact answer follows by itself." if exact_follows else "there is no exact answer to follow."
+    if time_limited and exact_follows:
+        text = tr("ΔE00 above {limit}: the fit ended at its time limit; the exact answer follows by itself.")
+    elif time_limited:
+        text = tr("ΔE00 above {limit}: the fit ended at its time limit; there is no exact answer to follow.")
+    else:
+        text = tr(
+            "ΔE00 above {limit}: no non-negative sum of the lobes reaches this colour. The picture shows what they "
+            "do give."
         )
-        return f"ΔE00 above {LARGE_DELTA_E:g}: the fit ended at its time limit; {rest}"
-    return (
-        f"ΔE00 above {LARGE_DELTA_E:g}: no non-negative sum of the lobes reaches this colour. "
-        "The picture shows what they do give."
-    )
+    return text.format(limit=f"{LARGE_DELTA_E:g}")
 
 
 def fit_tips(worst_delta_e: float | None, time_limited: bool, exact_follows: bool) -> str:
@@ -48,4 +51,4 @@ def fit_tips(worst_delta_e: float | None, time_limited: bool, exact_follows: boo
         return large_error_tip(time_limited, exact_follows)
     if not time_limited:
         return ""
-    return LIMITED_TIP if exact_follows else FINAL_TIP
+    return tr(LIMITED_TIP) if exact_follows else tr(FINAL_TIP)

@@ -18,16 +18,17 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_qt.command_palette import commands
+from brdf_qt.translation import mark, tr
 
 GESTURES = (
-    ("Drag a number sideways", "Change it; Shift fine, Ctrl coarse"),
-    ("Double click a number", "Reset it"),
-    ("Wheel on a focused number or slider", "Step it"),
-    ("Left drag in a picture", "Orbit"),
-    ("Middle or Shift drag in a picture", "Pan"),
-    ("Wheel in a picture", "Zoom to the cursor"),
-    ("Right or Alt drag in a picture", "Turn the light"),
-    ("Ctrl with any of these", "Ten times as fine"),
+    (mark("Drag a number sideways"), mark("Change it; Shift fine, Ctrl coarse")),
+    (mark("Double click a number"), mark("Reset it")),
+    (mark("Wheel on a focused number or slider"), mark("Step it")),
+    (mark("Left drag in a picture"), mark("Orbit")),
+    (mark("Middle or Shift drag in a picture"), mark("Pan")),
+    (mark("Wheel in a picture"), mark("Zoom to the cursor")),
+    (mark("Right or Alt drag in a picture"), mark("Turn the light")),
+    (mark("Ctrl with any of these"), mark("Ten times as fine")),
 )
 
 
@@ -44,10 +45,10 @@ class ShortcutsWindow(QDialog):
     def __init__(self, window: QMainWindow) -> None:
         super().__init__(window)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle("Keyboard Shortcuts")
+        self.setWindowTitle(tr("Keyboard Shortcuts"))
         self.resize(520, 560)
         rows = QTreeWidget()
-        rows.setHeaderLabels(["Command", "Keys"])
+        rows.setHeaderLabels([tr("Command"), tr("Keys")])
         rows.setRootIsDecorated(False)
         rows.setAlternatingRowColors(True)
         rows.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -56,7 +57,7 @@ class ShortcutsWindow(QDialog):
             if keys:
                 rows.addTopLevelItem(QTreeWidgetItem([text, keys]))
         for gesture, meaning in GESTURES:
-            rows.addTopLevelItem(QTreeWidgetItem([gesture, meaning]))
+            rows.addTopLevelItem(QTreeWidgetItem([tr(gesture), tr(meaning)]))
         rows.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         rows.header().setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         rows.header().setStretchLastSection(False)
@@ -78,13 +79,13 @@ class AboutWindow(QDialog):
     def __init__(self, window: QMainWindow, program: str) -> None:
         super().__init__(window)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(f"About BRDF Suite {program}")
-        text = QLabel(
-            f"<h3>BRDF Suite {program} {version('brdf-suite')}</h3>"
-            "<p>Design the appearance of automotive paint and see it, while editing,<br>"
-            "on a car-like surface in a real environment.</p>"
-            f"<p>Apache License 2.0. Qt {qVersion()} under the LGPL.</p>"
+        self.setWindowTitle(tr("About {program}").format(program=f"BRDF Suite {program}"))
+        what = tr(
+            "Design the appearance of automotive paint and see it, while editing,<br>on a car-like surface in a "
+            "real environment."
         )
+        licence = tr("Apache License 2.0. Qt {version} under the LGPL.").format(version=qVersion())
+        text = QLabel(f"<h3>BRDF Suite {program} {version('brdf-suite')}</h3><p>{what}</p><p>{licence}</p>")
         text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         box = QVBoxLayout(self)
         box.setContentsMargins(24, 16, 24, 16)

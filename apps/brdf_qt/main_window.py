@@ -21,7 +21,7 @@ from brdf_qt.section import Inspector
 from brdf_qt.settings import settings
 from brdf_qt.status_line import StatusLine
 from brdf_qt.theme import theme_menu
-from brdf_qt.translation import TRANSLATED, language_menu
+from brdf_qt.translation import TRANSLATED, language_menu, mark, tr
 
 LAYOUT_VERSION = 1
 Shortcut = str | QKeySequence | QKeySequence.StandardKey
@@ -43,9 +43,16 @@ class SuiteWindow(QMainWindow):
         self._put_away: list[QDockWidget] = []
         self.file_menu, self.edit_menu, self.view_menu, self.paint_menu, self.window_menu, self.help_menu = (
             self.menuBar().addMenu(title)
-            for title in ("&File", "&Edit", "&View", "&Paint", "&Window", "&Help")
+            for title in (
+                tr("&File"),
+                tr("&Edit"),
+                tr("&View"),
+                tr("&Paint"),
+                tr("&Window"),
+                tr("&Help"),
+            )
         )
-        self.toolbar = QToolBar("Toolbar")
+        self.toolbar = QToolBar(tr("Toolbar"))
         self.toolbar.setObjectName("toolbar")
         self.toolbar.setMovable(False)
         self.toolbar.setIconSize(QSize(18, 18))
@@ -65,7 +72,7 @@ class SuiteWindow(QMainWindow):
         self.setCentralWidget(inside)
         self.inspector = Inspector()
         self.inspector_dock = self.add_panel(
-            "Inspector", self.inspector, Qt.DockWidgetArea.RightDockWidgetArea
+            mark("Inspector"), self.inspector, Qt.DockWidgetArea.RightDockWidgetArea
         )
         error_relay().reported.connect(self.messages.show_message)
         self._add_common_commands()
@@ -79,16 +86,20 @@ class SuiteWindow(QMainWindow):
         icon: str | None = None,
         tip: str = "",
     ) -> QAction:
-        """Add a command to ``menu``; its object name is ``action_`` and the text without ``&`` and dots."""
-        action = QAction(text, self)
-        plain = text.replace("&", "").replace("…", "").strip()
-        action.setObjectName(f"action_{plain}")
+        """Add a command to ``menu``; its object name is ``action_`` and the text without ``&`` and dots.
+
+        ``text`` and ``tip`` are English, marked for translation.
+        """
+        shown = tr(text)
+        action = QAction(shown, self)
+        action.setObjectName(f"action_{_plain(text)}")
+        plain = tr(tip) if tip else _plain(shown)
         if icon:
             action.setIcon(icon_of(icon))
         if shortcut is not None:
             action.setShortcut(QKeySequence(shortcut))
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{tip or plain} ({keys})" if keys else tip or plain)
+        action.setToolTip(f"{plain} ({keys})" if keys else plain)
         action.setStatusTip("")
         if slot is not None:
             action.triggered.connect(lambda _checked=False: slot())
@@ -98,13 +109,16 @@ class SuiteWindow(QMainWindow):
     def add_panel(
         self, title: str, widget: QWidget, area: Qt.DockWidgetArea = Qt.DockWidgetArea.RightDockWidgetArea
     ) -> QDockWidget:
-        """Add a panel that docks, floats, hides and is remembered; listed in View ▸ Panels."""
-        dock = QDockWidget(title, self)
+        """Add a panel that docks, floats, hides and is remembered; listed in View ▸ Panels.
+
+        ``title`` is English, marked for translation.
+        """
+        dock = QDockWidget(tr(title), self)
         dock.setObjectName(f"panel_{title}")
         dock.setWidget(widget)
         self.addDockWidget(area, dock)
         if not hasattr(self, "panels_menu"):
-            self.panels_menu = QMenu("&Panels", self)
+            self.panels_menu = QMenu(tr("&Panels"), self)
         self.panels_menu.addAction(dock.toggleViewAction())
         return dock
 
@@ -152,20 +166,22 @@ class SuiteWindow(QMainWindow):
         if self._program in TRANSLATED:
             self.view_menu.addMenu(language_menu(self.view_menu))
         self.view_menu.addMenu(self.panels_menu)
-        self.add_action(self.view_menu, "Show or Hide &Panels", self.toggle_panels, "F4")
+        self.add_action(self.view_menu, mark("Show or Hide &Panels"), self.toggle_panels, "F4")
         self.palette_window = CommandPalette(self)
         self.add_action(
-            self.help_menu, "Find a &Command…", self.palette_window.open, "Ctrl+K", "magnifying-glass"
+            self.help_menu, mark("Find a &Command…"), self.palette_window.open, "Ctrl+K", "magnifying-glass"
         )
-        self.add_action(self.help_menu, "Keyboard &Shortcuts", self._show_shortcuts, "F1", "keyboard")
-        self.add_action(self.help_menu, "&About BRDF Suite", self._show_about, icon="info")
-        self.add_action(self.window_menu, "&Reset Layout", self.reset_layout, icon="layout")
-        self.add_action(self.window_menu, "Full &Screen", self._toggle_full_screen, "F11", "corners-out")
+        self.add_action(self.help_menu, mark("Keyboard &Shortcuts"), self._show_shortcuts, "F1", "keyboard")
+        self.add_action(self.help_menu, mark("&About BRDF Suite"), self._show_about, icon="info")
+        self.add_action(self.window_menu, mark("&Reset Layout"), self.reset_layout, icon="layout")
+        self.add_action(
+            self.window_menu, mark("Full &Screen"), self._toggle_full_screen, "F11", "corners-out"
+        )
 
     def add_quit(self) -> None:
         """End the File menu with Quit; call after the program's own File commands."""
         self.file_menu.addSeparator()
-        self.add_action(self.file_menu, "&Quit", self.close, "Ctrl+Q", "sign-out")
+        self.add_action(self.file_menu, mark("&Quit"), self.close, "Ctrl+Q", "sign-out")
 
     def _toggle_full_screen(self) -> None:
         self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)
@@ -198,3 +214,7 @@ class SuiteWindow(QMainWindow):
         store.setValue("window/state", self.saveState(LAYOUT_VERSION))
         store.sync()
         event.accept()
+
+
+def _plain(text: str) -> str:
+    return text.replace("&", "").replace("…", "").strip()

@@ -13,13 +13,14 @@ from PySide6.QtGui import QAction, QActionGroup, QColor, QGuiApplication, QPalet
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
 from brdf_qt.settings import settings
+from brdf_qt.translation import mark, tr
 
 THEMES = ("dark", "booth", "light", "system")
 TITLES = {
-    "dark": "Dark (L* 20)",
-    "booth": "Booth (L* 50)",
-    "light": "Light (L* 85)",
-    "system": "Follow the system",
+    "dark": mark("Dark (L* 20)"),
+    "booth": mark("Booth (L* 50)"),
+    "light": mark("Light (L* 85)"),
+    "system": mark("Follow the system"),
 }
 DEFAULT = "dark"
 _KEY = "theme"
@@ -130,10 +131,10 @@ class ThemeMenu(QMenu):
     """View ▸ Theme: one checkable entry per theme."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__("&Theme", parent)
+        super().__init__(tr("&Theme"), parent)
         self._group = QActionGroup(self)
         for name in THEMES:
-            action = QAction(TITLES[name], self)
+            action = QAction(tr(TITLES[name]), self)
             action.setObjectName(f"theme_{name}")
             action.setCheckable(True)
             action.setData(name)
