@@ -8,9 +8,10 @@ from typing import Protocol, runtime_checkable
 from brdf_designer.desk import Desk
 from brdf_designer.history import HistoryControl
 from brdf_designer.preview import PreviewControl
+from brdf_designer.standard_control import StandardControl
 from brdf_designer.window import DesignerWindow
 
-PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (PreviewControl, HistoryControl)
+PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (PreviewControl, HistoryControl, StandardControl)
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 
 Parts are made before the window is shown. What costs time at a start belongs into :meth:`Desk.at_idle`.

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -24,7 +24,7 @@ from brdf_suite.appearance.tolerance import (
     judge,
 )
 from brdf_suite.appearance.words import Named, Say, in_english, named_differences, named_flop, sentence
-from brdf_suite.documents.paint import Gloss, Lab, Measurement, Paint
+from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab, Measurement, Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -274,3 +274,39 @@ def _at(measurement: Measurement, aspecular_deg: float) -> bool:
 
 def _same(one: float, other: float) -> bool:
     return abs(one - other) <= SAME_DEG
+
+
+def paint_like(standard: Standard, like: Paint) -> Paint:
+    """Return the standard as a paint of the same angles as ``like``, to be edited, or swapped with it.
+
+    A standard that is a paint is that paint. Of anything else the colours are its own; what it does not know (gloss,
+    flakes, the rule between the angles) is that of ``like``.
+
+    Raises
+    ------
+    SuiteError
+        It has no colour at one of the angles; the message names it.
+    """
+    if standard.paint is not None:
+        return standard.paint
+    measurements = []
+    for m in like.measurements:
+        found = standard.lab_at(m.illumination_deg, m.aspecular_deg)
+        if found is None:
+            raise SuiteError(
+                f"{standard.name} has no reading at {Geometry(m.illumination_deg, m.aspecular_deg).name}, and nothing "
+                "that one could be computed from."
+            )
+        lab = tuple(
+            min(PARAMETERS[f"lab[{i}]"].high, max(PARAMETERS[f"lab[{i}]"].low, value))
+            for i, value in enumerate(found[0])
+        )
+        measurements.append(replace(m, lab=lab))
+    return replace(
+        like,
+        name=standard.name[:200] or like.name,
+        measurements=tuple(measurements),
+        gloss=standard.gloss or like.gloss,
+        source=standard.origin,
+        notes="",
+    )

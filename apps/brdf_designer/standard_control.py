@@ -1,0 +1,329 @@
+"""Joins the standard to the desk: one for each document, judged again at every edit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from brdf_qt.message_bar import Message, message_of
+from brdf_qt.tasks import TaskRunner
+from brdf_qt.translation import tr
+from PySide6.QtCore import QDateTime, QLocale, QObject
+
+from brdf_designer.desk import Desk
+from brdf_designer.standard_section import StandardSection
+from brdf_designer.standard_settings import ToleranceSettings, load, save
+from brdf_designer.standard_state import state_of, verdict_word
+from brdf_designer.standard_words import say
+from brdf_designer.window import DesignerWindow
+from brdf_suite.documents.paint import Paint
+from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.standard import BatchReport, Standard, judge_batch, paint_like, standard_of
+from brdf_suite.progress import Progress
+
+KEY = "standard"
+_BATCHES = "standard batches"
+MOST_BATCHES = 200
+
+
+@dataclass(frozen=True)
+class _Swap:
+    """Paint and standard before and after they changed places; undo brings both back."""
+
+    paint_before: Paint
+    standard_before: Standard
+    paint_after: Paint
+    standard_after: Standard
+
+
+@dataclass
+class _Kept:
+    """What is kept for one document."""
+
+    standards: tuple[Standard, ...] = ()
+    chosen: int = 0
+    batches: tuple[Paint, ...] = ()
+    swaps: list[_Swap] = field(default_factory=list)
+
+    @property
+    def standard(self) -> Standard | None:
+        return self.standards[self.chosen] if self.standards else None
+
+
+class StandardControl(QObject):
+    """The standards of all documents; the one in front is shown, in its section and in the patches."""
+
+    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        self._kept: dict[int, _Kept] = {}
+        self._settings = load()
+        self._tasks = TaskRunner(self)
+        self._shown = False
+        self.section = StandardSection()
+        self.host = window.add_section(KEY, tr("Standard"), self.section, after="model")
+        self._add_commands()
+        section = self.section
+        section.take_asked.connect(self.take_present)
+        section.load_asked.connect(self.ask_standard)
+        section.swap_asked.connect(self.swap)
+        section.remove_asked.connect(self.remove)
+        section.chosen.connect(self.choose)
+        section.formula_chosen.connect(lambda name: self._judge_by(replace(self._settings, difference=name)))
+        section.limit_edited.connect(self._set_limit)
+        section.ellipsoid_chosen.connect(lambda on: self._judge_by(replace(self._settings, ellipsoid=on)))
+        section.add_batches_asked.connect(self._ask_batch)
+        section.clear_batches_asked.connect(self._clear_batches)
+        section.batch_opened.connect(self._open_batch)
+        section.refused.connect(lambda text: desk.show_message(Message(KEY, text, severity="warning")))
+        section.batch_section.toggled.connect(lambda _on: self._batches_later())
+        self.host.toggled.connect(lambda _on: self.refresh())
+        desk.paint_changed.connect(self._paint_changed)
+        desk.document_switched.connect(self._switched)
+        desk.documents.row_changed.connect(self._batches_later)
+        self._switched()
+
+    # What the user asks for.
+
+    @property
+    def standard(self) -> Standard | None:
+        """The standard of the document in front."""
+        return self._of_front.standard
+
+    def take_present(self) -> None:
+        """Take the paint as it is now as the standard."""
+        time = QLocale().toString(QDateTime.currentDateTime(), QLocale.FormatType.ShortFormat)
+        self.set_standards([standard_of(self._desk.paint, tr("State of {time}").format(time=time))])
+
+    def ask_standard(self) -> None:
+        """Ask for a file and load it."""
+        path = self._ask_path()
+        if path is not None:
+            self.load(path)
+
+    def load(self, name_or_path: str | Path) -> None:
+        """Load the standards in a file, or a shipped paint, beside the desk."""
+        self._read(KEY, name_or_path, lambda found: self.set_standards(found))
+
+    def set_standards(self, standards: Sequence[Standard], chosen: int = 0) -> None:
+        """Give the document in front these standards to choose from."""
+        kept = self._of_front
+        kept.standards, kept.chosen = tuple(standards), chosen
+        # What is opened next may not take the place of a tab that has a standard.
+        self._desk.documents.front.pristine = False
+        self._show_choices()
+        self.host.set_open(True)
+        self.refresh()
+
+    def choose(self, index: int) -> None:
+        """Judge against another standard of the same file."""
+        self._of_front.chosen = index
+        self.refresh()
+
+    def remove(self) -> None:
+        """Judge against nothing."""
+        self._of_front.standards = ()
+        self.refresh()
+
+    def swap(self) -> None:
+        """Edit the standard, and judge it against what was edited; one step, which undo takes back whole."""
+        kept, paint = self._of_front, self._desk.paint
+        standard = kept.standard
+        if standard is None:
+            return
+        try:
+            after = paint_like(standard, paint)
+        except SuiteError as error:
+            self._desk.show_message(message_of(error, KEY, todo=tr("Nothing was swapped.")))
+            return
+        turned = standard_of(paint, tr("Swapped with {name}").format(name=standard.name))
+        kept.swaps.append(_Swap(paint, standard, after, turned))
+        kept.standards, kept.chosen = (turned,), 0
+        self._show_choices()
+        if after == paint:
+            self.refresh()
+        self._desk.edit(after, tr("Swap with Standard"))
+
+    # Showing.
+
+    def refresh(self) -> None:
+        """Judge and show; called at every edit, so it does no more than is seen."""
+        standard, paint = self.standard, self._desk.paint
+        for action in (self.swap_action, self.remove_action):
+            action.setEnabled(standard is not None)
+        if standard is None:
+            if self._shown:
+                self._window.patches.show_standard(None)
+                self._shown = False
+            self.section.show_state(None)
+            return
+        report = self.report(paint, standard)
+        state = state_of(standard, paint, report)
+        self._window.patches.show_standard(state.patches)
+        self._shown = True
+        if self.host.is_open:
+            self.section.show_state(state)
+            self._show_angles(paint)
+        self._batches_later()
+
+    def report(self, paint: Paint, standard: Standard) -> BatchReport:
+        """Return how a paint does against a standard, by the user's formula and tolerances."""
+        return judge_batch(standard, paint, self._settings.tolerances())
+
+    def batches(self) -> list[Paint]:
+        """Return what the table judges: every open tab, the one in front first, then what was added."""
+        documents = self._desk.documents
+        others = [one.store.value for one in documents.row if one is not documents.front]
+        return [self._desk.paint, *others, *self._of_front.batches]
+
+    @property
+    def _of_front(self) -> _Kept:
+        return self._kept.setdefault(self._desk.document_key, _Kept())
+
+    def _switched(self) -> None:
+        self._angles: list[float] | None = None
+        self._show_choices()
+        self.refresh()
+
+    def _paint_changed(self, paint: Paint) -> None:
+        kept = self._of_front
+        for swap in kept.swaps:
+            # The very objects: what undo and redo put back, and no edit that only looks the same.
+            if paint is swap.paint_before and kept.standard is swap.standard_after:
+                kept.standards, kept.chosen = (swap.standard_before,), 0
+                self._show_choices()
+                break
+            if paint is swap.paint_after and kept.standard is swap.standard_before:
+                kept.standards, kept.chosen = (swap.standard_after,), 0
+                self._show_choices()
+                break
+        self.refresh()
+
+    def _show_choices(self) -> None:
+        kept = self._of_front
+        self.section.show_choices([_title(one) for one in kept.standards], kept.chosen)
+
+    def _show_angles(self, paint: Paint) -> None:
+        angles = sorted({m.aspecular_deg for m in paint.measurements})
+        if angles != self._angles:
+            self._angles = angles
+            self.section.show_settings(angles, self._settings)
+
+    def _show_batches(self) -> None:
+        standard = self.standard
+        if standard is None or not (self.host.is_open and self.section.batch_section.is_open):
+            return
+        rows = []
+        for paint in self.batches():
+            report = self.report(paint, standard)
+            numbers = [_number(report.largest), _number(report.mean)]
+            word = verdict_word(report.passes)
+            cells = (paint.name, *numbers, word)
+            rows.append((cells, report.passes is False, report.sentence(say)))
+        self.section.batches.show_batches(rows)
+        self.section.clear_batches.setEnabled(bool(self._of_front.batches))
+
+    def _batches_later(self) -> None:
+        if self.host.is_open and self.section.batch_section.is_open:
+            self._desk.at_idle(_BATCHES, self._show_batches)
+
+    # Formula and tolerances.
+
+    def _set_limit(self, angle: float | None, part: str, value: float | None) -> None:
+        self._judge_by(self._settings.with_limit(angle, part, value))
+
+    def _judge_by(self, chosen: ToleranceSettings) -> None:
+        self._settings = chosen
+        save(chosen)
+        self._angles = None
+        self.refresh()
+
+    # Files.
+
+    def _ask_path(self) -> Path | None:
+        present = self._desk.documents.front.store.path
+        folder = present.parent if present is not None else Path.home()
+        return self._desk.documents.dialogs.open_path(
+            folder,
+            ";;".join(
+                (
+                    tr("Standards")
+                    + " (*.brdfpaint *.brdfpalette *.cxf *.binary *.bsdf *.brdf *.brdftable *.dat *.json)",
+                    tr("Paints and palettes") + " (*.brdfpaint *.brdfpalette)",
+                    "CxF3 (*.cxf)",
+                    tr("All files") + " (*)",
+                )
+            ),
+        )
+
+    def _ask_batch(self) -> None:
+        path = self._ask_path()
+        if path is not None:
+            self.add_batches(path)
+
+    def add_batches(self, path: str | Path) -> None:
+        """Judge every paint in a file against the standard too."""
+        self._read(_BATCHES, path, self._take_batches)
+
+    def _take_batches(self, found: Sequence[Standard]) -> None:
+        kept = self._of_front
+        refused: list[str] = []
+        paints = []
+        for one in found:
+            try:
+                paints.append(paint_like(one, self._desk.paint))
+            except SuiteError as error:
+                refused.append(str(error))
+        kept.batches = (*kept.batches, *paints)[:MOST_BATCHES]
+        if refused:
+            what = tr("Some paints cannot be judged: {reasons}").format(reasons=" ".join(refused[:3]))
+            self._desk.show_message(Message(_BATCHES, what, severity="warning"))
+        self.section.batch_section.set_open(True)
+        self._show_batches()
+
+    def _clear_batches(self) -> None:
+        self._of_front.batches = ()
+        self._show_batches()
+
+    def _open_batch(self, index: int) -> None:
+        documents = self._desk.documents
+        others = [one for one in documents.row if one is not documents.front]
+        if 1 <= index <= len(others):
+            documents.show(others[index - 1])
+        elif index > len(others):
+            self._desk.open_paint(self._of_front.batches[index - 1 - len(others)], clean=True)
+
+    def _read(self, key: str, name_or_path: str | Path, done: Any) -> None:
+        front = self._desk.document_key
+
+        def take(found: tuple[Standard, ...]) -> None:
+            self._desk.dismiss_message(key)
+            if front == self._desk.document_key:
+                done(found)
+
+        self._tasks.submit(
+            key, _load, name_or_path, take, lambda error: self._desk.show_message(message_of(error, key))
+        )
+
+    def _add_commands(self) -> None:
+        add = self._window.add_command
+        add("paint", tr("Use This State as &Standard"), "Ctrl+Shift+D", self.take_present, "take_standard")
+        add("paint", tr("&Load Standard…"), "Ctrl+Shift+L", self.ask_standard, "load_standard")
+        self.swap_action = add("paint", tr("S&wap with Standard"), None, self.swap, "swap_standard")
+        self.remove_action = add("paint", tr("&Remove Standard"), None, self.remove, "remove_standard")
+
+
+def _load(name_or_path: str | Path, progress: Progress) -> tuple[Standard, ...]:
+    from brdf_suite.pipeline.standard_files import load_standards
+
+    return load_standards(name_or_path, progress)
+
+
+def _title(standard: Standard) -> str:
+    return f"{standard.name}  ({standard.origin})" if standard.origin else standard.name
+
+
+def _number(value: float | None) -> str:
+    return "–" if value is None else f"{value:.2f}"
