@@ -42,6 +42,7 @@ def hover(viewer, place: QPoint | None = None):
 
 def test_the_pixel_under_the_cursor(viewer) -> None:
     viewer.stage.change_view(exposure_ev=0.5)
+    viewer.qtbot.waitUntil(viewer.window.progress.isHidden)  # its strip takes height from the picture
     place = viewer.canvas.rect().center()
     reading = hover(viewer, place)
     (one,) = reading.readings

@@ -106,6 +106,11 @@ class TracedControl(QObject):
         """The renderer that is chosen."""
         return self._stage.renderer
 
+    @property
+    def process_id(self) -> int:
+        """The process that traces; 0 where there is none."""
+        return 0 if self._process is None else self._process.process_id
+
     def set_renderer(self, key: str) -> None:
         """Take another renderer; the real-time one ends what is traced."""
         renderer = _known(key, RENDERERS, "realtime")
