@@ -186,7 +186,12 @@ class Documents(QObject):
     # Closing.
 
     def close(self, document: OpenDocument) -> bool:
-        """Ask about unsaved work where there is some, and close; True where it was closed."""
+        """Ask about unsaved work where there is some, and close; True where it was closed.
+
+        The last one stays where it is empty already: there is nothing to close.
+        """
+        if len(self._row) == 1 and self._is_empty(document):
+            return False
         if not document.store.is_clean:
             self.show(document)
         if not document.files.may_discard():
@@ -246,6 +251,12 @@ class Documents(QObject):
         recovery.written_again.connect(lambda: self.succeeded.emit("autosave"))
         return recovery
 
+    def _is_empty(self, document: OpenDocument) -> bool:
+        """Whether nothing would be lost with it: as New makes it, and never changed."""
+        store = document.store
+        untouched = store.is_clean and store.path is None and not store.stack.count()
+        return untouched and store.value == self._format.new()
+
     def _renamed(self, old: Paint, new: Paint) -> None:
         if old.name != new.name:
             self.row_changed.emit()
@@ -266,7 +277,7 @@ class Documents(QObject):
         self._row.remove(document)
         document.store.end_gesture()
         document.recovery.close(keep=False)
-        if not for_good:
+        if not (for_good or self._is_empty(document)):
             self._closed = [*self._closed, document][-MOST_CLOSED:]
         self.closed.emit(document)
         self.row_changed.emit()

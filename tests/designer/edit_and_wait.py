@@ -1,27 +1,65 @@
-"""Start the real Designer, drag its first slider without letting go, say so, and wait to be killed."""
+"""Start the real Designer and drag its first slider, which is never let go, as the lines on standard input say.
+
+``edit L`` moves the slider to L* = L and is answered by ``edited L``; ``tab NAME`` opens a shipped paint in a tab
+of its own, takes the slider again and is answered by ``opened NAME``. ``ready`` comes first.
+"""
 
 from __future__ import annotations
 
 import sys
+from threading import Thread
 
 from brdf_designer.assembly import Designer
 from brdf_qt.application import create_application, run
-from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtCore import QObject, QPoint, Qt, QTimer, Signal
 from PySide6.QtTest import QTest
+
+
+class Hand(QObject):
+    told = Signal(str)
+
 
 app = create_application("Designer")
 designer = Designer()
+hand = Hand()
 
 
-def drag() -> None:
+def grip() -> None:
     slider = designer.window.editors.editors[0].sliders[0]
     start = QPoint(round(slider._x(slider.amount())), slider.height() // 2)
     QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=start)
     QTest.mouseMove(slider, start + QPoint(30, 0))
-    slider.edited.emit(77.5)
-    sys.stdout.write("dragging\n")
+
+
+def say(text: str) -> None:
+    sys.stdout.write(text + "\n")
     sys.stdout.flush()
 
 
-designer.window.first_painted.connect(lambda: QTimer.singleShot(100, drag))
+def obey(line: str) -> None:
+    word, what = line.split()
+    if word == "edit":
+        designer.window.editors.editors[0].sliders[0].edited.emit(float(what))
+        say(f"edited {what}")
+    else:
+        slider = designer.window.editors.editors[0].sliders[0]
+        QTest.mouseRelease(slider, Qt.MouseButton.LeftButton)
+        designer.open(what)
+        grip()
+        say(f"opened {what}")
+
+
+def listen() -> None:
+    for line in sys.stdin:
+        hand.told.emit(line)
+
+
+def begin() -> None:
+    grip()
+    say("ready")
+    Thread(target=listen, daemon=True).start()
+
+
+hand.told.connect(obey, Qt.ConnectionType.QueuedConnection)
+designer.window.first_painted.connect(lambda: QTimer.singleShot(100, begin))
 sys.exit(run(app, designer.window))

@@ -7,7 +7,7 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -95,44 +95,81 @@ def test_a_missing_file_is_told_and_the_program_runs(tmp_path):
 
 
 @contextmanager
-def dragging() -> Iterator[subprocess.Popen[str]]:
+def dragging() -> Iterator[Callable[[str], None]]:
+    """Yield what gives the program an order and waits until it says that it has done it."""
     with subprocess.Popen(
-        [sys.executable, str(HERE / "edit_and_wait.py")], env=environment(), stdout=subprocess.PIPE, text=True
+        [sys.executable, str(HERE / "edit_and_wait.py")],
+        env=environment(),
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
     ) as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+
+        def order(line: str) -> None:
+            process.stdin.write(line + "\n")
+            process.stdin.flush()
+            answers = {"edit": "edited", "tab": "opened"}
+            word, what = line.split()
+            assert process.stdout.readline() == f"{answers[word]} {what}\n"
+
+        order.process = process
         try:
-            assert process.stdout is not None
-            assert process.stdout.readline() == "dragging\n"
-            yield process
+            assert process.stdout.readline() == "ready\n"
+            yield order
         finally:
             process.kill()
 
 
+def kept(session: Path) -> dict[str, float]:
+    """Return the L* at 15° of every autosaved paint, by its name."""
+    found = {}
+    for file in session.rglob("*.recovery.json"):
+        document = json.loads(file.read_text())["document"]
+        found[document["name"]] = document["measurements"][0]["lab"][0]
+    return found
+
+
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="this system has no kill -9")
-def test_a_kill_in_the_middle_of_a_drag_keeps_the_work(qtbot, dialogs, monkeypatch, own_session):
-    with dragging() as process:
-        # The autosave comes while the drag goes on, by its own timer.
-        qtbot.waitUntil(lambda: list(own_session.rglob("*.recovery.json")) != [])
-        process.send_signal(signal.SIGKILL)
-        process.wait(120)
+def test_a_kill_in_the_middle_of_a_drag_keeps_the_work_of_every_tab(qtbot, dialogs, monkeypatch, own_session):
+    with dragging() as order:
+        order("edit 77.5")
+        order("tab red")
+        order("edit 40.0")
+        # The autosaves come while the drag goes on, by their own timer: nothing is let go, saved or closed.
+        qtbot.waitUntil(lambda: kept(own_session) == {"Blue": 77.5, "Red": 40.0})
+        # What is edited from here on is younger than the last autosave, and may be lost with it.
+        order("edit 41.0")
+        order.process.send_signal(signal.SIGKILL)
+        order.process.wait(120)
+    assert kept(own_session)["Red"] >= 40.0
     # The settings are named after the program; this test's own process is another one.
     monkeypatch.setattr("brdf_qt.settings.QCoreApplication.applicationName", lambda: "Designer")
     designer = Designer(dialogs=lambda _window: dialogs)
     qtbot.addWidget(designer.window)
     designer.window.show()
     qtbot.waitUntil(lambda: "recovery" in designer.window.messages.shown())
-    assert "Blue" in designer.window.messages.shown()["recovery"].what
-    button = designer.window.messages.findChild(object, "message_action_Recover")
+    told = designer.window.messages.shown()["recovery"].what
+    assert "2 paints" in told
+    # The newest is named first.
+    assert told.index("Red") < told.index("Blue")
+    button = designer.window.messages.findChild(object, "message_action_Recover All")
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
-    assert designer.store.value.lab_at(15.0)[0] == 77.5
-    assert not designer.store.is_clean
+    row = designer.documents.row
+    assert {d.title: d.store.value.lab_at(15.0)[0] for d in row}["Blue"] == 77.5
+    assert [d.title for d in row] == ["Blue", "Red"]
+    assert designer.documents.front.title == "Red"
+    assert designer.store.value.lab_at(15.0)[0] in (40.0, 41.0)
+    assert not any(document.store.is_clean for document in row)
     assert designer.window.isWindowModified()
     designer.close()
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_ends_the_program_at_once_and_keeps_the_work(number, own_session):
-    with dragging() as process:
-        process.send_signal(number)
-        assert process.wait(120) == 0
-    (file,) = own_session.rglob("*.recovery.json")
-    assert json.loads(file.read_text())["document"]["measurements"][0]["lab"][0] == 77.5
+    with dragging() as order:
+        order("edit 77.5")
+        order.process.send_signal(number)
+        assert order.process.wait(120) == 0
+    assert kept(own_session) == {"Blue": 77.5}
