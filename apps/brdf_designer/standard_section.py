@@ -122,6 +122,7 @@ class StandardSection(QWidget):
         own = chosen.difference.startswith("cmc:")
         self.formula.setCurrentIndex(self.formula.findData(OWN_CMC if own else chosen.difference))
         self.weights.setVisible(own)
+        self.weights_label.setVisible(own)
         if own:
             lightness, chroma = chosen.difference.split(":")[1:]
             self.lightness.set_value(float(lightness))
@@ -170,8 +171,10 @@ class StandardSection(QWidget):
             row.addWidget(QLabel(text))
             row.addWidget(weight, 1)
             weight.edited.connect(lambda _value: self._choose_formula())
-        form.add_row("l : c", self.weights, tr("A larger weight lets a larger difference pass"))
+        tip = tr("A larger weight lets a larger difference pass")
+        self.weights_label = form.add_row("l : c", self.weights, tip)
         self.weights.hide()
+        self.weights_label.hide()
         return form
 
     def _choose_formula(self) -> None:

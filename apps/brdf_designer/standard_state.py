@@ -24,12 +24,22 @@ LIMIT_NAMES = {
 }
 
 
+_COLUMNS = {
+    "difference": (1,),
+    "lightness": (2,),
+    "chroma": (3,),
+    "hue": (4,),
+    "ellipsoid": (2, 3, 4),
+}
+"""Where in a line of the table the parts stand."""
+
+
 @dataclass(frozen=True)
 class ResultRow:
-    """One line of the table: texts of angle, ΔE, ΔL*, ΔC*, ΔH* and verdict; ``fails`` makes it bold."""
+    """One line of the table: texts of angle, ΔE, ΔL*, ΔC*, ΔH* and verdict; ``bold`` are what fails in it."""
 
     cells: tuple[str, str, str, str, str, str]
-    fails: bool
+    bold: frozenset[int]
     tip: str
 
 
@@ -101,6 +111,7 @@ def _more(report: BatchReport) -> str:
     parts += [
         tr("gloss {angle}° {change} GU").format(angle=angle, change=signed(value, 1))
         for angle, value in report.gloss.items()
+        if abs(value) >= 0.05
     ]
     return "   ".join(parts)
 
@@ -137,13 +148,10 @@ def _patches(rows: list[AngleRow], title: str) -> tuple[StandardPatch, ...]:
 def _row(row: AngleRow) -> ResultRow:
     verdict = row.verdict
     if verdict is None:
-        return ResultRow((row.angle, "–", "–", "–", "–", ""), False, tr("The standard has no reading here."))
-    if verdict.passes is None:
-        word = ""
-    elif verdict.exceeded:
-        word = tr("FAIL {parts}").format(parts=" ".join(_limit_name(name) for name in verdict.exceeded))
-    else:
-        word = tr("pass")
+        return ResultRow(
+            (row.angle, "–", "–", "–", "–", ""), frozenset(), tr("The standard has no reading here.")
+        )
+    word = "" if verdict.passes is None else verdict_word(verdict.passes)
     cells = (
         row.angle + ("*" if row.computed else ""),
         f"{verdict.difference:.2f}",
@@ -152,7 +160,12 @@ def _row(row: AngleRow) -> ResultRow:
         signed(verdict.hue),
         word,
     )
-    return ResultRow(cells, verdict.passes is False, _tip(row, words_text(row.words, say)))
+    tip = _tip(row, words_text(row.words, say))
+    if verdict.exceeded:
+        parts = " ".join(_limit_name(name) for name in verdict.exceeded)
+        tip += "\n" + tr("Beyond the tolerance: {parts}").format(parts=parts)
+    bold = {column for name in verdict.exceeded for column in _COLUMNS[name]}
+    return ResultRow(cells, frozenset({0, 5, *bold}) if bold else frozenset(), tip)
 
 
 def _limit_name(name: str) -> str:

@@ -28,6 +28,7 @@ class WholeTable(QTableWidget):
         header = self.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         header.setMinimumSectionSize(24)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
         header.setHighlightSections(False)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -86,7 +87,7 @@ class ResultTable(WholeTable):
         self.set_row_count(len(rows))
         for number, row in enumerate(rows):
             for column, text in enumerate(row.cells):
-                self.set_text(number, column, text, bold=row.fails and column in (0, 5), tip=row.tip)
+                self.set_text(number, column, text, bold=column in row.bold, tip=row.tip)
 
 
 _EVERYWHERE = mark("all angles")
@@ -156,6 +157,7 @@ class BatchTable(WholeTable):
             tr("Batches against the standard"), (tr("Batch"), tr("ΔE max"), tr("mean"), tr("Verdict"))
         )
         header = self.horizontalHeader()
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         for column in (1, 2, 3):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         self.itemActivated.connect(lambda item: self.opened.emit(item.row()))

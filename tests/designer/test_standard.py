@@ -54,7 +54,15 @@ def test_the_present_state_becomes_the_standard_and_an_edit_is_judged(designer, 
     expected = float(delta_e_2000((9.0, 8.0, -28.0), (6.0, 8.0, -28.0)))
     assert column(section.results, 1) == ["0.00", "0.00", f"{expected:.2f}"]
     assert column(section.results, 2) == ["0.00", "0.00", "−3.00"]
-    assert column(section.results, 5) == ["pass", "pass", "FAIL ΔE"]
+    assert column(section.results, 5) == ["pass", "pass", "FAIL"]
+    assert [section.results.item(2, number).font().bold() for number in range(6)] == [
+        True,
+        True,
+        False,
+        False,
+        False,
+        True,
+    ]
     assert section.sentence.text() == "darker at 110°; slightly more flop"
     assert section.verdict.text().startswith("FAIL: ΔE00 up to")
     against, words = patches._standard_cells[2]
@@ -84,7 +92,9 @@ def test_formula_and_tolerances_are_chosen_and_kept(designer, control, qtbot) ->
     table.item(0, 1).setText("9")
     assert column(section.results, 5) == ["pass"] * 3
     table.item(3, 2).setText("2,5")
-    assert column(section.results, 5) == ["pass", "pass", "FAIL ΔL*"]
+    assert column(section.results, 5) == ["pass", "pass", "FAIL"]
+    assert section.results.item(2, 2).font().bold()
+    assert "ΔL*" in section.results.item(2, 5).toolTip()
     table.item(3, 2).setText("")
     assert column(section.results, 5) == ["pass"] * 3
     table.item(2, 3).setText("a lot")
