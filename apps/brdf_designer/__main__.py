@@ -16,6 +16,10 @@ from PySide6.QtWidgets import QApplication
 
 from brdf_designer.assembly import Designer
 
+_LOOK_EVERY_MS = 100
+_LONGEST_WAIT_S = 60.0
+"""A picture of the window is taken without what has not come by then."""
+
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run Designer; return the exit status."""
@@ -45,9 +49,18 @@ def _when_ready(app: QApplication, designer: Designer, options: argparse.Namespa
             sys.stdout.write(json.dumps(times) + "\n")
             sys.stdout.flush()
         if options.screenshot is not None:
-            QTimer.singleShot(300, lambda: screenshot(options.screenshot))
+            wait = QTimer(app)
+            wait.setInterval(_LOOK_EVERY_MS)
+            wait.timeout.connect(lambda: take(wait))
+            wait.start()
         elif options.quit_after is not None:
             QTimer.singleShot(round(1000 * options.quit_after), lambda: app.exit(0))
+
+    def take(wait: QTimer) -> None:
+        if designer.is_complete or process_age_s() > _LONGEST_WAIT_S:
+            wait.stop()
+            # What has just come is painted first.
+            QTimer.singleShot(_LOOK_EVERY_MS, lambda: screenshot(options.screenshot))
 
     def screenshot(path: Path) -> None:
         if not designer.window.grab().save(str(path)):

@@ -17,8 +17,9 @@ from PySide6.QtGui import QCloseEvent
 
 from brdf_designer.controller import Controller
 from brdf_designer.desk import Desk
+from brdf_designer.desk_part import Closable, Unhurried
 from brdf_designer.recovery_offer import RecoveryOffer
-from brdf_designer.sections import Closable, build_sections
+from brdf_designer.sections import build_sections
 from brdf_designer.tabs import Documents
 from brdf_designer.thumbnails import thumbnails_of
 from brdf_designer.window import DesignerWindow
@@ -91,6 +92,12 @@ class Designer:
     def files(self) -> DocumentFiles[Paint]:
         """The file work of the paint in front."""
         return self.documents.front.files
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all that follows by itself is there: slow work after the last edit, pictures, small and large."""
+        parts = [part for part in self.sections if isinstance(part, Unhurried)]
+        return self.desk.is_quiet and all(part.is_complete for part in parts)
 
     def start(self) -> None:
         """Do what can wait until the window is painted: plot, link, and unsaved work of earlier runs."""

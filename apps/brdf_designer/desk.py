@@ -197,6 +197,11 @@ class Desk(QObject):
         """
         self._idle.ask(key, work)
 
+    @property
+    def is_quiet(self) -> bool:
+        """Whether all work that was asked for at idle is done."""
+        return not self._idle.waiting
+
     def refresh(self) -> None:
         """Tell everything of the paint anew, and the other programs."""
         paint = self.paint

@@ -43,6 +43,13 @@ class HistoryControl(QObject):
         self._pictures.ready.connect(lambda _key, _picture: self.strip.redraw())
         self._later()
 
+    @property
+    def is_complete(self) -> bool:
+        """Whether every picture in sight is drawn, or none can be."""
+        states = self.strip.states.states
+        drawn = all(self._pictures.is_drawn(state.paint) for state in states)
+        return drawn or bool(self._pictures.problem) or not self.strip.isVisible()
+
     def refresh(self) -> None:
         """Show the history as it is now."""
         store = self._desk.documents.front.store

@@ -79,6 +79,14 @@ class PreviewControl(QObject):
         """The fit of the last frame; ``None`` before there is one."""
         return None if self._drawer is None else self._drawer.drawn
 
+    @property
+    def is_complete(self) -> bool:
+        """Whether the picture is of the newest fit; also where there is no picture, and none to come."""
+        surface = self.panel.surface
+        if surface is None or surface.failure or not self.panel.isVisible():
+            return True
+        return self._contents.scene is not None and self.drawn is self._contents.fit
+
     def choose_light(self, name: str) -> None:
         """Show the paint in another light; the old picture stays until it is there."""
         self.light = name

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol, runtime_checkable
 
 from brdf_designer.desk import Desk
 from brdf_designer.history import HistoryControl
@@ -16,14 +15,6 @@ PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (PreviewControl, H
 
 Parts are made before the window is shown. What costs time at a start belongs into :meth:`Desk.at_idle`.
 """
-
-
-@runtime_checkable
-class Closable(Protocol):
-    """A part that has something to end when the program ends."""
-
-    def close(self) -> object:
-        """End it; called once."""
 
 
 def build_sections(desk: Desk, window: DesignerWindow) -> list[object]:
