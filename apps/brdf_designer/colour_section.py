@@ -1,27 +1,127 @@
-"""L*, a* and b* of every measurement: sliders that show the colours they would give, numbers, and a picker."""
+"""The colour of every measurement: sliders that show the colours they would give, numbers, and a picker."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+import numpy as np
 from brdf_qt.colour_slider import ColourSlider
+from brdf_qt.icons import icon
 from brdf_qt.number_field import NumberField
+from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from brdf_designer.desk_state import AngleColour, Colours
-from brdf_designer.display import component_tracks
-from brdf_designer.fields import COMPONENTS
+from brdf_designer.display import Flags, Rgb, component_tracks
+from brdf_designer.fields import COMPONENTS, LCH_COMPONENTS
 from brdf_designer.patches import OUTSIDE_TIP, paint_corner, place_word
+from brdf_suite.appearance.flop_moves import GREY_CHROMA
+from brdf_suite.appearance.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.documents.paint import PARAMETERS, Lab
 
+
+@dataclass(frozen=True)
+class Row:
+    """One component: its name and unit, where its slider and its number reach, steps, decimals, an explanation."""
+
+    name: str
+    unit: str
+    slider: tuple[float, float]
+    number: tuple[float, float]
+    slider_step: float
+    step: float
+    decimals: int
+    wrapping: bool
+    tip: str
+
+
+def _limits(component: int) -> tuple[float, float]:
+    known = PARAMETERS[f"lab[{component}]"]
+    return known.low, known.high
+
+
 # Where the sliders reach; the numbers reach as far as the document. No paint known lies outside.
-SLIDER_RANGES = ((0.0, 150.0), (-100.0, 100.0), (-100.0, 100.0))
-_TIPS = (
-    "Lightness L* (CIE 1976, D65, 10°). A perfect white diffuser has 100; a metallic may pass it near the mirror "
-    "direction.",
-    "a*: from green (negative) to red (positive).",
-    "b*: from blue (negative) to yellow (positive).",
+_LIGHTNESS = Row(
+    COMPONENTS[0],
+    "",
+    (0.0, 150.0),
+    _limits(0),
+    0.1,
+    0.5,
+    2,
+    False,
+    mark(
+        "Lightness L* (CIE 1976, D65, 10°). A perfect white diffuser has 100; a metallic may pass it near the mirror "
+        "direction."
+    ),
 )
+ROWS: dict[str, tuple[Row, Row, Row]] = {
+    "lab": (
+        _LIGHTNESS,
+        Row(
+            COMPONENTS[1],
+            "",
+            (-100.0, 100.0),
+            _limits(1),
+            0.1,
+            0.5,
+            2,
+            False,
+            mark("a*: from green (negative) to red (positive)."),
+        ),
+        Row(
+            COMPONENTS[2],
+            "",
+            (-100.0, 100.0),
+            _limits(2),
+            0.1,
+            0.5,
+            2,
+            False,
+            mark("b*: from blue (negative) to yellow (positive)."),
+        ),
+    ),
+    "lch": (
+        _LIGHTNESS,
+        Row(
+            LCH_COMPONENTS[1],
+            "",
+            (0.0, 140.0),
+            (0.0, _limits(1)[1]),
+            0.1,
+            0.5,
+            2,
+            False,
+            mark(
+                "Chroma C*ab: how far the colour is from grey, the distance from 0 in the plane of a* and b*."
+            ),
+        ),
+        Row(
+            LCH_COMPONENTS[2],
+            "°",
+            (0.0, 360.0),
+            (0.0, 360.0),
+            0.5,
+            1.0,
+            1,
+            True,
+            mark(
+                "Hue angle hab: 0° red, 90° yellow, 180° green, 270° blue; the circle closes. A grey has no hue: then "
+                "this is the hue that it gets as soon as it has chroma."
+            ),
+        ),
+    ),
+}
 
 
 class Swatch(QAbstractButton):
@@ -36,7 +136,7 @@ class Swatch(QAbstractButton):
     def show_colour(self, colour: AngleColour) -> None:
         """Show the colour of a measurement."""
         self._colour, self._in_gamut = QColor(*colour.rgb), colour.in_gamut
-        tip = f"Pick the colour at {colour.text}"
+        tip = tr("Pick the colour at {angle}").format(angle=colour.text)
         self.setAccessibleName(tip)
         self.setToolTip(tip if colour.in_gamut else f"{tip}\n{OUTSIDE_TIP}")
         self.update()
@@ -57,91 +157,154 @@ class Swatch(QAbstractButton):
 
 
 class AngleEditor(QWidget):
-    """One measurement: its angle, its swatch and three rows of slider and number."""
+    """One measurement: its angle, its swatch and three rows of slider and number, in L*a*b* or LCh."""
 
     edited = Signal(int, int, float)
     gesture_started = Signal(int, int)
     gesture_finished = Signal()
     pick_asked = Signal(int)
+    remove_asked = Signal(int)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, space: str = "lab", parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.index = 0
+        self.space = space
+        self.hue = 0.0
         self._lab: Lab | None = None
+        self._text = ""
         self._title = QLabel()
         font = self._title.font()
         font.setBold(True)
         self._title.setFont(font)
         self.swatch = Swatch()
         self.swatch.clicked.connect(lambda: self.pick_asked.emit(self.index))
+        self.remove = QToolButton()
+        self.remove.setIcon(icon("x"))
+        self.remove.setAutoRaise(True)
+        self.remove.clicked.connect(lambda: self.remove_asked.emit(self.index))
         head = QHBoxLayout()
         head.setContentsMargins(0, 0, 0, 0)
         head.addWidget(self._title, 1)
         head.addWidget(self.swatch)
+        head.addWidget(self.remove)
         grid = QGridLayout()
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(4)
         grid.setColumnMinimumWidth(0, 20)
         grid.setColumnStretch(1, 1)
+        self.labels: list[QLabel] = []
         self.sliders: list[ColourSlider] = []
         self.fields: list[NumberField] = []
-        for component, name in enumerate(COMPONENTS):
-            self._add_row(grid, component, name)
+        for component in range(3):
+            self._add_row(grid, component)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 4)
         box.setSpacing(4)
         box.addLayout(head)
         box.addLayout(grid)
+        self._reach()
 
-    def _add_row(self, grid: QGridLayout, component: int, name: str) -> None:
-        low, high = SLIDER_RANGES[component]
-        known = PARAMETERS[f"lab[{component}]"]
-        slider = ColourSlider(name, "", low, high, 0.1)
-        field = NumberField(name, "", known.low, known.high, 0.5, 2, known.default)
+    def _add_row(self, grid: QGridLayout, component: int) -> None:
+        slider, field, label = ColourSlider(""), NumberField(""), QLabel()
         field.setFixedWidth(72)
         for source in (slider, field):
-            source.setToolTip(_TIPS[component])
-            source.edited.connect(lambda value, c=component: self.edited.emit(self.index, c, value))
+            source.edited.connect(lambda value, c=component: self._edited(c, value))
             source.gesture_started.connect(lambda c=component: self.gesture_started.emit(self.index, c))
             source.gesture_finished.connect(self.gesture_finished)
-        label = QLabel(name)
         label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        label.setToolTip(_TIPS[component])
         label.setBuddy(field)
         grid.addWidget(label, component, 0)
         grid.addWidget(slider, component, 1)
         grid.addWidget(field, component, 2)
+        self.labels.append(label)
         self.sliders.append(slider)
         self.fields.append(field)
 
-    def show_colour(self, colour: AngleColour) -> None:
-        """Show one measurement; nothing is drawn anew where it is the same."""
-        if colour.index != self.index or not self._title.text():
-            self.setObjectName(f"angle_{colour.index}")
-            for name, slider, field in zip(COMPONENTS, self.sliders, self.fields, strict=True):
-                slider.setAccessibleName(f"{name} at {colour.text}")
-                field.setAccessibleName(f"{name} at {colour.text}, number")
-        self.index = colour.index
-        self._title.setText(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip())
-        if colour.lab == self._lab:
+    def _edited(self, component: int, value: float) -> None:
+        if self.space == "lch" and component == 2:
+            # Also of a grey, whose colour it does not change: it is the hue that chroma will bring out.
+            self.hue = value
+        self.edited.emit(self.index, component, value)
+
+    def set_space(self, space: str) -> None:
+        """Edit in ``lab`` or ``lch``; the colour, and the one that a double click goes back to, stay."""
+        if space == self.space:
             return
+        opened = np.array([field.default for field in self.fields])
+        opened = lab_to_lch(opened) if space == "lch" else lch_to_lab(opened)
+        self.space = space
+        self._reach()
+        for field, value in zip(self.fields, opened.tolist(), strict=True):
+            field.set_default(value)
+        self._lab = None
+
+    def _reach(self) -> None:
+        for row, slider, field, label in zip(
+            ROWS[self.space], self.sliders, self.fields, self.labels, strict=True
+        ):
+            slider.set_reach(*row.slider, row.slider_step, wrapping=row.wrapping)
+            field.set_reach(row.name, row.unit, *row.number, row.step, row.decimals, wrapping=row.wrapping)
+            label.setText(row.name)
+            for widget in (slider, field, label):
+                widget.setToolTip(tr(row.tip))
+        self._name()
+
+    def _name(self) -> None:
+        for row, slider, field in zip(ROWS[self.space], self.sliders, self.fields, strict=True):
+            name = tr("{name} at {angle}").format(name=row.name, angle=self._text)
+            slider.setAccessibleName(name)
+            field.setAccessibleName(tr("{name}, number").format(name=name))
+
+    def needs(self, colour: AngleColour) -> bool:
+        """Return whether showing the colour would change anything but the title."""
+        return colour.lab != self._lab
+
+    def values(self, lab: Lab) -> tuple[float, float, float]:
+        """Return a colour in the editor's space, a grey with the hue that it had last."""
+        if self.space == "lab":
+            return lab
+        lightness, chroma, hue = (float(value) for value in lab_to_lch(lab))
+        if chroma >= GREY_CHROMA:
+            self.hue = hue
+        return lightness, chroma, self.hue
+
+    def show_place(self, colour: AngleColour) -> None:
+        """Show which measurement this is."""
+        if colour.index == self.index and colour.text == self._text:
+            return
+        self.index, self._text = colour.index, colour.text
+        self.setObjectName(f"angle_{colour.index}")
+        self._title.setText(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip())
+        self._title.setToolTip(
+            tr(
+                "The angle from the mirror direction of the light to the view, past the normal: the aspecular angle."
+            )
+        )
+        self.remove.setAccessibleName(tr("Remove the reading at {angle}").format(angle=colour.text))
+        self.remove.setToolTip(tr("Remove the reading at {angle}").format(angle=colour.text))
+        self._name()
+
+    def show_colour(
+        self, colour: AngleColour, values: tuple[float, float, float], tracks: list[tuple[Rgb, Flags]]
+    ) -> None:
+        """Show a measurement: its ``values`` in the editor's space and the tracks of its sliders."""
         self._lab = colour.lab
         self.swatch.show_colour(colour)
-        tracks = component_tracks(colour.lab, [slider.positions() for slider in self.sliders])
-        for value, slider, field, track in zip(colour.lab, self.sliders, self.fields, tracks, strict=True):
+        for value, slider, field, track in zip(values, self.sliders, self.fields, tracks, strict=True):
             slider.set_amount(value)
             slider.set_track(*track)
             field.set_value(value)
 
 
-class ColourEditors(QWidget):
+class AngleEditors(QWidget):
     """An :class:`AngleEditor` for each measurement, in the order in which they are shown."""
 
     edited = Signal(int, int, float)
     gesture_started = Signal(int, int)
     gesture_finished = Signal()
     pick_asked = Signal(int)
+    remove_asked = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -149,18 +312,47 @@ class ColourEditors(QWidget):
         self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(8)
         self.editors: list[AngleEditor] = []
+        self.space = "lab"
+        self._colours: Colours | None = None
+
+    def set_space(self, space: str) -> None:
+        """Edit in ``lab`` or ``lch``."""
+        self.space = space
+        for editor in self.editors:
+            editor.set_space(space)
+        if self._colours is not None:
+            self.show_colours(self._colours)
+
+    def hue_of(self, index: int) -> float:
+        """Return the hue, degrees, that a grey at that measurement would get."""
+        return next((editor.hue for editor in self.editors if editor.index == index), 0.0)
 
     def show_colours(self, colours: Colours) -> None:
-        """Show every measurement."""
-        while len(self.editors) > len(colours.angles):
+        """Show every measurement; only what is another is worked out and drawn."""
+        self._colours = colours
+        self._make(len(colours.angles))
+        told: list[tuple[AngleEditor, AngleColour, tuple[float, float, float]]] = []
+        for editor, colour in zip(self.editors, colours.angles, strict=True):
+            editor.show_place(colour)
+            editor.remove.setEnabled(len(colours.angles) > 3)
+            if editor.needs(colour):
+                told.append((editor, colour, editor.values(colour.lab)))
+        if not told:
+            return
+        positions = [slider.positions() for slider in self.editors[0].sliders]
+        values = np.array([row for _, _, row in told])
+        tracks = component_tracks(values, positions, in_lch=self.space == "lch")
+        for (editor, colour, row), of_editor in zip(told, tracks, strict=True):
+            editor.show_colour(colour, row, of_editor)
+
+    def _make(self, count: int) -> None:
+        while len(self.editors) > count:
             editor = self.editors.pop()
             self._box.removeWidget(editor)
             editor.deleteLater()
-        while len(self.editors) < len(colours.angles):
-            editor = AngleEditor()
-            for name in ("edited", "gesture_started", "gesture_finished", "pick_asked"):
+        while len(self.editors) < count:
+            editor = AngleEditor(self.space)
+            for name in ("edited", "gesture_started", "gesture_finished", "pick_asked", "remove_asked"):
                 getattr(editor, name).connect(getattr(self, name))
             self._box.addWidget(editor)
             self.editors.append(editor)
-        for editor, colour in zip(self.editors, colours.angles, strict=True):
-            editor.show_colour(colour)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from brdf_designer.display import Flags, Rgb, lab_to_codes, working_to_codes
 from brdf_designer.fields import angle_text, by_angle
 from brdf_suite.appearance.colorimetry import working_to_lab
+from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.appearance.flop import FlopIndex, flop_index
 from brdf_suite.documents.paint import Lab, Paint
 from brdf_suite.geometry.directions import aspecular_view, illumination
@@ -36,6 +37,15 @@ class AngleColour:
 
 
 @dataclass(frozen=True)
+class GivenColour:
+    """What the lobes give at a measurement: L*a*b*, sRGB code, whether sRGB holds it."""
+
+    lab: Lab
+    rgb: tuple[int, int, int]
+    in_gamut: bool
+
+
+@dataclass(frozen=True)
 class Colours:
     """What the document alone says: always fresh, also where no coat gives the gloss."""
 
@@ -48,7 +58,8 @@ class Colours:
 class Curves:
     """What the model and its lobes give over the aspecular angle.
 
-    ``gamma_deg`` (k,) with ``model`` and ``fitted`` L* (k,); ``ceiling`` the largest L* of the base alone;
+    ``gamma_deg`` (k,) with ``model`` and ``fitted`` L*a*b* (k, 3); ``ceiling`` the largest L* of the base alone;
+    ``between_delta_e`` the largest ΔE00 between the two over the measured range, also between the readings;
     ``measured_deg`` the nearest and farthest reading; ``strip_rgb`` (s, 3) and ``strip_in_gamut`` (s,) evenly
     between them.
     """
@@ -57,6 +68,7 @@ class Curves:
     model: Floats
     fitted: Floats
     ceiling: float
+    between_delta_e: float
     measured_deg: tuple[float, float]
     marks_deg: tuple[float, ...]
     strip_rgb: Rgb
@@ -67,10 +79,13 @@ class Curves:
 class FitState:
     """The reflectance and its fit as the desk tells them; ``delta_e`` ΔE00 by index of the measurement.
 
+    ``given`` is what the lobes give at each measurement, by its index: L*a*b*, sRGB code, whether sRGB holds it.
+
     ``time_limited``: the limit came before the optimum; ``exact_follows``: which is still looked for.
     """
 
     curves: Curves
+    given: tuple[GivenColour, ...]
     delta_e: tuple[float, ...]
     worst_delta_e: float
     milliseconds: float
@@ -111,6 +126,7 @@ def fit_state_of(fit: PaintFit) -> FitState:
     """Return what the reflectance and its lobes give."""
     return FitState(
         curves=_curves(fit),
+        given=_given(fit),
         delta_e=tuple(row.delta_e_2000 for row in fit.angles),
         worst_delta_e=fit.worst_delta_e,
         milliseconds=1e3 * fit.seconds,
@@ -122,6 +138,14 @@ def fit_state_of(fit: PaintFit) -> FitState:
     )
 
 
+def _given(fit: PaintFit) -> tuple[GivenColour, ...]:
+    codes, inside = lab_to_codes([row.fitted for row in fit.angles])
+    return tuple(
+        GivenColour(row.fitted, (red, green, blue), shown)
+        for row, (red, green, blue), shown in zip(fit.angles, codes.tolist(), inside.tolist(), strict=True)
+    )
+
+
 def _flop(paint: Paint) -> FlopIndex | None:
     found = {m.aspecular_deg: m.lab[0] for m in reversed(paint.measurements)}
     if any(angle not in found for angle in FLOP_ANGLES_DEG):
@@ -130,9 +154,11 @@ def _flop(paint: Paint) -> FlopIndex | None:
 
 
 @lru_cache(maxsize=8)
-def _directions(light_deg: float, first_deg: float, last_deg: float) -> tuple[Floats, Floats, Floats]:
+def _directions(
+    light_deg: float, nearest_deg: float, first_deg: float, last_deg: float
+) -> tuple[Floats, Floats, Floats]:
     """Return γ (k,) of curve and strip together, wi (3,), wo (k, 3): the same from edit to edit."""
-    gamma = np.arange(0.0, last_deg + _CURVE_STEP_DEG / 2, _CURVE_STEP_DEG)
+    gamma = np.arange(nearest_deg, last_deg + _CURVE_STEP_DEG / 2, _CURVE_STEP_DEG)
     gamma = np.concatenate((gamma, np.linspace(first_deg, last_deg, _STRIP_SAMPLES)))
     return gamma, illumination(light_deg), aspecular_view(light_deg, gamma)
 
@@ -143,21 +169,26 @@ def _curves(fit: PaintFit) -> Curves:
     # The light that most readings have is the one whose curve the rule was found for.
     light = min(lights, key=lambda deg: (-lights.count(deg), deg))
     angles = [m.aspecular_deg for m in readings if m.illumination_deg == light]
-    first, last = max(0.0, min(angles)), max(angles)
-    gamma, wi, wo = _directions(light, first, last)
+    # The strip lies on the normal's side of the mirror direction, where near and far are.
+    this_side = [angle for angle in angles if angle >= 0.0] or angles
+    first, last = min(this_side), max(this_side)
+    gamma, wi, wo = _directions(light, min(0.0, *angles), first, last)
     base = np.pi * fit.reflectance.base.eval(wi, wo)
     rho = base + np.pi * fit.reflectance.coat.eval(wi, wo)
     fitted = np.pi * fit.weights.eval(wi, wo)
     count = len(gamma) - _STRIP_SAMPLES
-    lightness = working_to_lab(np.stack((rho[:count], fitted[:count], base[:count])))[..., 0]
+    model, lobes, under = working_to_lab(np.stack((rho[:count], fitted[:count], base[:count])))
+    inside_deg = (gamma[:count] >= first) & (gamma[:count] <= last)
+    between = delta_e_2000(model[inside_deg], lobes[inside_deg])
     codes, inside = working_to_codes(rho[count:])
     return Curves(
         gamma_deg=gamma[:count],
-        model=lightness[0],
-        fitted=lightness[1],
-        ceiling=float(lightness[2].max()),
+        model=model,
+        fitted=lobes,
+        ceiling=float(under[:, 0].max()),
+        between_delta_e=float(between.max()),
         measured_deg=(first, last),
-        marks_deg=tuple(sorted(angles)),
+        marks_deg=tuple(sorted(this_side)),
         strip_rgb=codes,
         strip_in_gamut=inside,
     )

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.appearance.colorimetry import WORKING_TO_SRGB, lab_to_working, srgb_encode
+from brdf_suite.appearance.spaces import lch_to_lab
 
 Rgb = NDArray[np.uint8]
 Flags = NDArray[np.bool_]
@@ -25,15 +26,22 @@ def working_to_codes(rho: ArrayLike) -> tuple[Rgb, Flags]:
     return codes, np.asarray(inside)
 
 
-def component_tracks(lab: ArrayLike, positions: list[NDArray[np.float64]]) -> list[tuple[Rgb, Flags]]:
-    """Return, for L*, a* and b*, what colours the ``positions`` of its slider would give, all else kept."""
-    start = np.asarray(lab, float)
+def component_tracks(
+    colours: NDArray[np.float64], positions: list[NDArray[np.float64]], *, in_lch: bool = False
+) -> list[list[tuple[Rgb, Flags]]]:
+    """Return what each position of each slider would give, all else kept: by colour, then by component.
+
+    ``colours`` (n, 3) are L*a*b*, or LCh with the hue in degrees where ``in_lch``; ``positions`` three arrays.
+    """
     counts = [len(p) for p in positions]
-    stack = np.repeat(start[None], sum(counts), axis=0)
+    stack = np.repeat(colours[:, None, :], sum(counts), axis=1)
     at = 0
     for component, values in enumerate(positions):
-        stack[at : at + len(values), component] = values
+        stack[:, at : at + len(values), component] = values
         at += len(values)
-    codes, inside = lab_to_codes(stack)
+    codes, inside = lab_to_codes(lch_to_lab(stack) if in_lch else stack)
     ends = np.cumsum(counts)[:-1]
-    return list(zip(np.split(codes, ends), np.split(inside, ends), strict=True))
+    return [
+        list(zip(np.split(row, ends), np.split(flags, ends), strict=True))
+        for row, flags in zip(codes, inside, strict=True)
+    ]

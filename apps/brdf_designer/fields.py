@@ -1,7 +1,15 @@
 """What can be edited in a paint: each field has a key, an edit that gives a new paint, and a name for Undo.
 
-Keys are tuples: ``("lab", index, component)``, ``("colour", index)``, ``("gloss", "gu_20")``,
-``("flakes", "size_um")``, or the field itself, as in ``("near_specular",)``.
+Keys are tuples: ``("lab", index, component)``, ``("colour", index)``, ``("gloss", "gu_20")``, ``("coat", "ior")``,
+``("flakes", "size_um")``, ``("orange_peel", "amplitude_um")``, or the field itself, as in ``("near_specular",)``.
+Those of several readings at once are worked out from the paint ``base`` with which the gesture began, so that a drag
+there and back ends where it began:
+
+- ``("lch", index, component)``: ``(base, amount, hue)``, the hue of a grey, degrees
+- ``("together", space, component)``: ``(base, index, amount, hue)``, a reading's new L*a*b* or LCh; all move in step
+- ``("flop", what)``: ``(base, amount)`` with ``index``, ``lightness``, ``chroma`` or ``hue``
+- ``("angles", what)``: ``set`` with a name of :data:`GEOMETRY_SETS`, ``add`` with a :class:`Geometry`, ``remove`` with
+  an index
 """
 
 from __future__ import annotations
@@ -10,11 +18,31 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from brdf_suite.documents.paint import PARAMETERS, Flakes, Paint
+import numpy as np
+from brdf_qt.translation import mark, tr
+
+from brdf_suite.appearance.flop_moves import (
+    GREY_CHROMA,
+    hue_turn,
+    moved_in_lch,
+    moved_together,
+    with_flop_index,
+    with_travel,
+)
+from brdf_suite.appearance.geometries import GEOMETRY_SETS
+from brdf_suite.appearance.spaces import lab_to_lch, lch_to_lab
+from brdf_suite.documents.paint import PARAMETERS, Flakes, Lab, OrangePeel, Paint
+from brdf_suite.pipeline.angle_sets import at_geometries, with_angle, without_angle
+from brdf_suite.reflectance.build import gloss_of_coat
 
 Key = tuple[str | int, ...]
 COMPONENTS = ("L*", "a*", "b*")
+LCH_COMPONENTS = ("L*", "C*", "h")
 DEFAULT_FLAKES = Flakes()
+DEFAULT_PEEL = OrangePeel()
+# Of L*a*b* that comes of angles: as fine as the numbers are shown, and a little more.
+_DIGITS = 4
+_GLOSS_DIGITS = 3
 
 
 def edited(paint: Paint, key: Key, value: Any) -> Paint:
@@ -33,13 +61,19 @@ def edited(paint: Paint, key: Key, value: Any) -> Paint:
 def step_name(paint: Paint, key: Key) -> str:
     """Return what Undo calls a change of ``key``, as in ``Change L* at 15°``."""
     kind = key[0]
-    if kind == "lab":
-        return f"Change {COMPONENTS[int(key[2])]} at {angle_text(paint, int(key[1]))}"
+    if kind in ("lab", "lch"):
+        names = COMPONENTS if kind == "lab" else LCH_COMPONENTS
+        return tr("Change {name} at {angle}").format(
+            name=names[int(key[2])], angle=angle_text(paint, int(key[1]))
+        )
+    if kind == "together":
+        names = COMPONENTS if key[1] == "lab" else LCH_COMPONENTS
+        return tr("Change {name} at All Angles").format(name=names[int(key[2])])
     if kind == "colour":
-        return f"Pick Colour at {angle_text(paint, int(key[1]))}"
-    if kind in ("gloss", "flakes") and len(key) == 2:
-        return f"Change {PARAMETERS[f'{kind}.{key[1]}'].label}"
-    return _NAMES[kind]
+        return tr("Pick Colour at {angle}").format(angle=angle_text(paint, int(key[1])))
+    if len(key) == 2 and f"{kind}.{key[1]}" in PARAMETERS:
+        return tr("Change {name}").format(name=PARAMETERS[f"{kind}.{key[1]}"].label)
+    return tr(_NAMES[".".join(map(str, key))])
 
 
 def angle_text(paint: Paint, index: int) -> str:
@@ -83,6 +117,97 @@ def _flakes(paint: Paint, key: Key, value: Any) -> Paint:
     return replace(paint, flakes=replace(paint.flakes or DEFAULT_FLAKES, **{str(key[1]): value}))
 
 
+def _lch(paint: Paint, key: Key, value: tuple[Paint, float, float]) -> Paint:
+    base, amount, hue = value
+    index = int(key[1])
+    return _with_lab(paint, index, lab_with(base.measurements[index].lab, int(key[2]), amount, hue))
+
+
+def lab_with(lab: Lab, component: int, amount: float, hue: float) -> Lab:
+    """Return a colour with L*, C* or h (degrees) set to ``amount``; ``hue`` is what a grey has."""
+    lch = lab_to_lch(lab)
+    if lch[1] < GREY_CHROMA:
+        lch[2] = hue
+    lch[component] = amount
+    return _rounded(lch_to_lab(lch))
+
+
+def _together(paint: Paint, key: Key, value: tuple[Paint, int, float, float]) -> Paint:
+    base, index, amount, hue = value
+    labs = np.array([item.lab for item in base.measurements])
+    component = int(key[2])
+    delta = np.zeros(3)
+    if key[1] == "lab":
+        delta[component] = amount - labs[index, component]
+        moved = moved_together(labs, delta)
+    else:
+        now = lab_to_lch(labs[index])
+        if now[1] < GREY_CHROMA:
+            now[2] = hue
+        delta[component] = hue_turn(now[2], amount) if component == 2 else amount - now[component]
+        moved = moved_in_lch(labs, delta, hue)
+    kept = labs[:, component] if key[1] == "lab" else None
+    result = _with_labs(paint, moved)
+    if kept is None:
+        return result
+    # The colour that is edited gets the very number that was asked for.
+    return _lab(result, ("lab", index, component), amount)
+
+
+def _flop(paint: Paint, key: Key, value: tuple[Paint, float]) -> Paint:
+    base, amount = value
+    angles = [item.aspecular_deg for item in base.measurements]
+    labs = [item.lab for item in base.measurements]
+    if key[1] == "index":
+        return _with_labs(paint, with_flop_index(angles, labs, amount))
+    component = ("lightness", "chroma", "hue").index(str(key[1]))
+    return _with_labs(paint, with_travel(angles, labs, component, amount))
+
+
+def _angles(paint: Paint, key: Key, value: Any) -> Paint:
+    if key[1] == "set":
+        return at_geometries(paint, GEOMETRY_SETS[value].geometries)
+    return with_angle(paint, value) if key[1] == "add" else without_angle(paint, value)
+
+
+def _with_labs(paint: Paint, labs: np.ndarray[Any, Any]) -> Paint:
+    return replace(
+        paint,
+        measurements=tuple(
+            item if tuple(row.tolist()) == item.lab else replace(item, lab=_rounded(row))
+            for item, row in zip(paint.measurements, labs, strict=True)
+        ),
+    )
+
+
+def _rounded(row: Any) -> Lab:
+    lightness, a, b = (round(float(value), _DIGITS) + 0.0 for value in row)
+    return lightness, a, b
+
+
+def _coat(paint: Paint, _key: Key, value: tuple[float, float]) -> Paint:
+    ior, roughness = value
+    gloss = gloss_of_coat(paint, ior, roughness)
+    assert gloss.gu_60 is not None
+    return replace(
+        paint,
+        gloss=replace(
+            gloss, gu_20=round(gloss.gu_20, _GLOSS_DIGITS), gu_60=round(gloss.gu_60, _GLOSS_DIGITS)
+        ),
+    )
+
+
+def _orange_peel(paint: Paint, key: Key, value: Any) -> Paint:
+    if len(key) == 1:
+        return replace(paint, orange_peel=value)
+    peel = paint.orange_peel or DEFAULT_PEEL
+    return replace(paint, orange_peel=replace(peel, **{str(key[1]): value}))
+
+
+def _nearest(_paint: Paint, _key: Key, value: Paint) -> Paint:
+    return value
+
+
 def _plain(paint: Paint, key: Key, value: Any) -> Paint:
     return replace(paint, **{str(key[0]): value})
 
@@ -94,22 +219,40 @@ def _solid(paint: Paint, _key: Key, value: int) -> Paint:
 
 _EDITS: dict[str | int, Callable[[Paint, Key, Any], Paint]] = {
     "lab": _lab,
+    "lch": _lch,
+    "together": _together,
+    "flop": _flop,
+    "angles": _angles,
     "colour": _colour,
     "gloss": _gloss,
+    "coat": _coat,
+    "orange_peel": _orange_peel,
     "flakes": _flakes,
     "solid": _solid,
+    "nearest": _nearest,
     "interpolation": _plain,
     "near_specular": _plain,
     "name": _plain,
     "notes": _plain,
     "source": _plain,
 }
-_NAMES: dict[str | int, str] = {
-    "flakes": "Switch Flakes",
-    "solid": "Make Solid",
-    "interpolation": "Change Interpolation",
-    "near_specular": "Change Near-Specular Factor",
-    "name": "Rename Paint",
-    "notes": "Edit Notes",
-    "source": "Edit Source",
+_NAMES: dict[str, str] = {
+    "flop.index": mark("Change Flop Index"),
+    "flop.lightness": mark("Change Lightness Travel"),
+    "flop.chroma": mark("Change Chroma Travel"),
+    "flop.hue": mark("Change Hue Travel"),
+    "angles.set": mark("Change Angles"),
+    "angles.add": mark("Add Angle"),
+    "angles.remove": mark("Remove Angle"),
+    "coat.ior": mark("Change Index of the Coat"),
+    "coat.roughness": mark("Change Roughness of the Coat"),
+    "orange_peel": mark("Switch Orange Peel"),
+    "flakes": mark("Switch Flakes"),
+    "solid": mark("Make Solid"),
+    "nearest": mark("Take Nearest Paint"),
+    "interpolation": mark("Change Interpolation"),
+    "near_specular": mark("Change Near-Specular Factor"),
+    "name": mark("Rename Paint"),
+    "notes": mark("Edit Notes"),
+    "source": mark("Edit Source"),
 }

@@ -1,20 +1,22 @@
-"""The other sections of the inspector: coat, flakes, model, and what is written about the paint."""
+"""What the sections of a paint share; the model between the readings, and what is written about the paint."""
 
 from __future__ import annotations
 
 from brdf_qt.form import Form
 from brdf_qt.parameters import Parameter, ParameterPanel
 from brdf_qt.text_fields import TextLine, TextNotes
+from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QVBoxLayout, QWidget
 
-from brdf_designer.desk_state import FitState
-from brdf_designer.fields import DEFAULT_FLAKES, Key
-from brdf_suite.documents.paint import INTERPOLATIONS, PARAMETERS, Flakes, Paint
+from brdf_designer.fields import Key
+from brdf_suite.documents.paint import INTERPOLATIONS, PARAMETERS, Paint
 
 _STEPS = {
     "gloss.gu_20": (0.5, 1),
     "gloss.gu_60": (0.5, 1),
+    "orange_peel.amplitude_um": (0.05, 2),
+    "orange_peel.wavelength_mm": (0.5, 1),
     "flakes.density_per_mm2": (5.0, 0),
     "flakes.size_um": (1.0, 1),
     "flakes.roughness": (0.005, 3),
@@ -22,13 +24,46 @@ _STEPS = {
     "near_specular": (0.05, 2),
 }
 _LABELS = {
-    "gloss.gu_20": "Gloss 20°",
-    "gloss.gu_60": "Gloss 60°",
-    "flakes.density_per_mm2": "Density",
-    "flakes.size_um": "Size",
-    "flakes.roughness": "Roughness",
-    "flakes.colour_spread": "Colour spread",
-    "near_specular": "Near-specular",
+    "gloss.gu_20": mark("Gloss 20°"),
+    "gloss.gu_60": mark("Gloss 60°"),
+    "orange_peel.amplitude_um": mark("Height"),
+    "orange_peel.wavelength_mm": mark("Wavelength"),
+    "flakes.density_per_mm2": mark("Density"),
+    "flakes.size_um": mark("Size"),
+    "flakes.roughness": mark("Roughness"),
+    "flakes.colour_spread": mark("Colour spread"),
+    "near_specular": mark("Near-specular"),
+}
+_TIPS = {
+    "gloss.gu_20": mark(
+        "Gloss units at 20° (ASTM D523, ISO 2813): polished black glass of index 1.567 reads 100. Coat and base "
+        "together. The narrow 20° receptor tells glossy coats apart."
+    ),
+    "gloss.gu_60": mark(
+        "Gloss units at 60°, coat and base together: the wide receptor, for coats of every gloss. With both readings "
+        "index and roughness of the coat are solved."
+    ),
+    "orange_peel.amplitude_um": mark(
+        "Root mean square height of the coat's waviness, µm. A good finish has some tenths of a micrometre."
+    ),
+    "orange_peel.wavelength_mm": mark(
+        "Typical distance from crest to crest, mm. Waves of 1 to 10 mm are seen from arm's length as orange peel; they "
+        "blur the edges of what is mirrored, which lowers the distinctness of image (DOI)."
+    ),
+    "flakes.density_per_mm2": mark(
+        "How many flakes of a square millimetre can be seen one by one; most flakes of a paint lie too deep for that."
+    ),
+    "flakes.size_um": mark(
+        "Mean diameter of a flake, µm; larger flakes are brighter and sparkle more coarsely."
+    ),
+    "flakes.roughness": mark(
+        "Spread of the flakes' tilts, as the root mean square slope m: about 0.15 to 0.19 for metallic paints. Wider "
+        "spreads sparkle at more angles, and less at each."
+    ),
+    "flakes.colour_spread": mark("How differently the flakes are coloured: 0 all alike, 1 every hue."),
+    "near_specular": mark(
+        "Scales the base in the mirror direction, where no instrument looks; not measured."
+    ),
 }
 _RULES = {
     "flake": "Flake tilts (bell)",
@@ -42,11 +77,11 @@ def _parameter(key: str) -> Parameter:
     step, decimals = _STEPS[key]
     unit = "×" if key == "near_specular" else known.unit
     return Parameter(
-        key, _LABELS[key], unit, known.low, known.high, step, decimals, known.default, known.meaning
+        key, tr(_LABELS[key]), unit, known.low, known.high, step, decimals, known.default, tr(_TIPS[key])
     )
 
 
-def _computed() -> QLabel:
+def computed() -> QLabel:
     """Return a label for a computed value: italic, as everywhere."""
     label = QLabel("–")
     font = label.font()
@@ -56,7 +91,7 @@ def _computed() -> QLabel:
 
 
 class PaintSection(QWidget):
-    """What the four sections share: intents out by field key."""
+    """What the sections share: intents out by field key."""
 
     edited = Signal(object, object)
     gesture_started = Signal(object)
@@ -80,77 +115,6 @@ class PaintSection(QWidget):
 
 def _key(name: str) -> Key:
     return tuple(name.split("."))
-
-
-class CoatSection(PaintSection):
-    """Gloss readings, and the clearcoat that gives them."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.panel = self.add_panel("gloss.gu_20", "gloss.gu_60")
-        self.has_60 = QCheckBox("A 60° reading is known")
-        self.has_60.setToolTip("With both readings the refractive index is solved too; otherwise it is 1.5.")
-        self.has_60.clicked.connect(self._switch_60)
-        self.panel.add_row("", self.has_60)
-        self.ior, self.roughness = _computed(), _computed()
-        self.panel.add_row("Index n", self.ior, "Refractive index of the clearcoat, solved from the gloss")
-        self.panel.add_row("Roughness α", self.roughness, "Width of the coat's facets, solved from the gloss")
-
-    def show_paint(self, paint: Paint) -> None:
-        """Show the readings."""
-        field = self.panel.fields["gloss.gu_60"]
-        known = paint.gloss.gu_60 is not None
-        self.panel.set_values({"gloss.gu_20": paint.gloss.gu_20})
-        if paint.gloss.gu_60 is not None:
-            field.set_value(paint.gloss.gu_60)
-        field.setEnabled(known)
-        self.has_60.setChecked(known)
-
-    def show_fit(self, state: FitState) -> None:
-        """Show the coat that was solved."""
-        self.ior.setText(f"{state.ior:.3f}, computed")
-        self.roughness.setText(f"{state.roughness:.4f}, computed")
-
-    def mark_stale(self) -> None:
-        """Say that no coat gives these readings."""
-        for label in (self.ior, self.roughness):
-            label.setText("–, no such coat")
-
-    def _switch_60(self, on: bool) -> None:
-        value = self.panel.fields["gloss.gu_60"].value() if on else None
-        self.edited.emit(("gloss", "gu_60"), value)
-
-
-NOT_DRAWN = "Kept with the paint; the picture does not draw flakes yet."
-
-
-class FlakesSection(PaintSection):
-    """The flakes that will sparkle; part of the document."""
-
-    _KEYS = ("density_per_mm2", "size_um", "roughness", "colour_spread")
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.has_flakes = QCheckBox("Flakes that can be seen")
-        self.has_flakes.setToolTip(NOT_DRAWN)
-        self.has_flakes.clicked.connect(self._switch)
-        self.box.addWidget(self.has_flakes)
-        self.note = QLabel(NOT_DRAWN)
-        self.note.setWordWrap(True)
-        self.box.addWidget(self.note)
-        self.panel = self.add_panel(*(f"flakes.{key}" for key in self._KEYS))
-        self._last = DEFAULT_FLAKES
-
-    def show_paint(self, paint: Paint) -> None:
-        """Show the flakes; without any, the numbers that switching on would give, disabled."""
-        self.has_flakes.setChecked(paint.flakes is not None)
-        self.panel.setEnabled(paint.flakes is not None)
-        flakes: Flakes = paint.flakes or self._last
-        self._last = flakes
-        self.panel.set_values({f"flakes.{key}": getattr(flakes, key) for key in self._KEYS})
-
-    def _switch(self, on: bool) -> None:
-        self.edited.emit(("flakes",), self._last if on else None)
 
 
 class ModelSection(PaintSection):

@@ -5,20 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.fit_error import is_large, large_error_tip, marked
-from brdf_qt.translation import tr
+from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPalette, QPen, QPolygonF
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QVBoxLayout, QWidget
 
 from brdf_designer.caption import Caption
-from brdf_designer.desk_state import AngleColour, Colours, Curves
+from brdf_designer.desk_state import AngleColour, Colours, Curves, GivenColour
 from brdf_designer.standard_patch import StandardPatch
 
 OUTSIDE_TIP = (
     "Outside sRGB: this screen shows the nearest colour by clipping. The paint itself is not clipped."
 )
 CORNER = 14.0
-_FIT_TIP = "Colour difference CIEDE2000 between what is asked and what the fitted lobes give."
+GIVEN_SHARE, GIVEN_MOST = 0.3, 64.0
+"""How much of a field shows what the fit gives, and at most how many pixels of its height."""
+_FIT_TIP = mark("Colour difference CIEDE2000 between what is asked and what the fitted lobes give.")
 _FRESH = ("Flop: the model's colour over the aspecular angle", "Flop over the aspecular angle")
 
 
@@ -44,6 +46,7 @@ class ColourField(QWidget):
         super().__init__(parent)
         self._rgb = QColor(0, 0, 0)
         self._in_gamut = True
+        self._given: QColor | None = None
         self._standard: QColor | None = None
         self._standard_in_gamut = True
         self.setMinimumSize(72, 16)
@@ -65,6 +68,17 @@ class ColourField(QWidget):
         self._standard_in_gamut = patch is None or patch.in_gamut
         self.update()
 
+    def show_given(self, given: GivenColour | None) -> None:
+        """Show what the fit gives along the lower edge, without a gap; ``None`` where there is no fit."""
+        rgb = None if given is None else QColor(*given.rgb)
+        if rgb != self._given:
+            self._given = rgb
+            self.update()
+
+    def given(self) -> QColor | None:
+        """Return the colour of the fit that is shown; ``None`` where there is none."""
+        return self._given
+
     def standard(self) -> QColor | None:
         """Return the standard's colour that is shown; ``None`` where there is none."""
         return self._standard
@@ -82,20 +96,33 @@ class ColourField(QWidget):
             painter.fillRect(other, self._standard)
             if not self._standard_in_gamut:
                 paint_corner(painter, other, 2 * CORNER)
-            _write(painter, batch, tr("batch"), self._rgb)
+            _write(painter, self._upper(batch), tr("batch"), self._rgb)
             _write(painter, other, tr("standard"), self._standard)
+        if self._given is not None:
+            lower = batch.adjusted(0, self._upper(batch).height(), 0, 0)
+            painter.fillRect(lower, self._given)
+            _write(painter, lower, tr("fit"), self._given, rows=1)
+            if self._standard is None:
+                _write(painter, self._upper(batch), tr("asked"), self._rgb)
         if not self._in_gamut:
             paint_corner(painter, batch, 2 * CORNER)
         # A hairline, so that a colour like the surround is still seen as a field.
         painter.setPen(self.palette().dark().color())
         painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
 
+    def _upper(self, rect: QRectF) -> QRectF:
+        """The part of ``rect`` that shows what is asked; what is left shows what the fit gives."""
+        if self._given is None:
+            return rect
+        band = min(GIVEN_SHARE * rect.height(), GIVEN_MOST)
+        return rect.adjusted(0, 0, 0, -round(band))
 
-def _write(painter: QPainter, rect: QRectF, text: str, ground: QColor) -> None:
-    """Write what a half is at its lower edge, in black or white, where it has the room."""
+
+def _write(painter: QPainter, rect: QRectF, text: str, ground: QColor, rows: int = 3) -> None:
+    """Write what a part is at its lower edge, in black or white, where it has the room of some ``rows``."""
     inner = rect.adjusted(6, 2, -6, -4)
     metrics = painter.fontMetrics()
-    if metrics.horizontalAdvance(text) > inner.width() or 3 * metrics.height() > inner.height():
+    if metrics.horizontalAdvance(text) > inner.width() or rows * metrics.height() > inner.height():
         return
     light = 0.2126 * ground.redF() + 0.7152 * ground.greenF() + 0.0722 * ground.blueF() > 0.45
     painter.setPen(QColor(0, 0, 0) if light else QColor(255, 255, 255))
@@ -107,6 +134,10 @@ def lab_text(lab: tuple[float, float, float]) -> str:
     return "   ".join(
         f"{name} {value:.1f}" for name, value in zip(("L*", "a*", "b*"), lab, strict=True)
     ).replace("-", "−")
+
+
+def _bare(lab: tuple[float, float, float]) -> str:
+    return "  ".join(f"{value:.1f}" for value in lab).replace("-", "−")
 
 
 class PatchRow(QWidget):
@@ -134,20 +165,36 @@ class PatchRow(QWidget):
         for (field, angle, numbers, _), colour in zip(self._cells, colours.angles, strict=True):
             field.show_colour(colour)
             angle.set_forms(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip(), colour.text)
-            short = "  ".join(f"{value:.1f}" for value in colour.lab).replace("-", "−")
-            numbers.set_forms(lab_text(colour.lab), short)
+            numbers.set_forms(lab_text(colour.lab), _bare(colour.lab))
 
     def show_differences(
-        self, delta_e: list[float] | None, *, time_limited: bool = False, exact_follows: bool = False
+        self,
+        delta_e: list[float] | None,
+        given: list[GivenColour] | None = None,
+        *,
+        time_limited: bool = False,
+        exact_follows: bool = False,
     ) -> None:
-        """Show ΔE00 of the fit under each field, a large one with a mark; ``None``: this paint has no fit."""
-        large = f"{_FIT_TIP}\n{large_error_tip(time_limited, exact_follows)}"
+        """Show what the fit gives in and under each field, a large ΔE00 with a mark; ``None``: there is no fit."""
+        large = f"{tr(_FIT_TIP)}\n{large_error_tip(time_limited, exact_follows)}"
         for number, cell in enumerate(self._cells):
             error = 0.0 if delta_e is None else delta_e[number]
-            text = "fit: none" if delta_e is None else marked(f"fit ΔE00 {error:.2f}", error)
+            colour = None if given is None else given[number]
+            cell[0].show_given(colour)
             _set_bold(cell[3], is_large(error))
-            cell[3].setToolTip(large if is_large(error) else _FIT_TIP)
-            cell[3].set_forms(text)
+            tip = large if is_large(error) else tr(_FIT_TIP)
+            if cell[3].toolTip() != tip:
+                cell[3].setToolTip(tip)
+            if delta_e is None:
+                cell[3].set_forms(tr("fit: none"))
+                continue
+            short = marked(tr("fit ΔE00 {error:.2f}").format(error=error), error)
+            if time_limited:
+                short = tr("{fit}, time-limited").format(fit=short)
+            forms = [short]
+            if colour is not None:
+                forms = [f"{short}:   {lab_text(colour.lab)}", f"{short}: {_bare(colour.lab)}", short]
+            cell[3].set_forms(*forms)
 
     def show_standard(self, patches: Sequence[StandardPatch] | None) -> None:
         """Show the standard in and under each field, in the order of the fields; ``None``: there is none."""
@@ -169,7 +216,7 @@ class PatchRow(QWidget):
         italic = fit.font()
         italic.setItalic(True)
         fit.setFont(italic)
-        fit.setToolTip(_FIT_TIP)
+        fit.setToolTip(tr(_FIT_TIP))
         for row, widget in enumerate((field, angle, numbers, fit)):
             self._grid.addWidget(widget, row, column)
         against, words = Caption(), Caption()

@@ -1,4 +1,4 @@
-"""The parts of the plot that are pyqtgraph's; imported only when the plot is built."""
+"""The parts of the plots that are pyqtgraph's; imported only when the plots are built."""
 
 from __future__ import annotations
 
@@ -7,61 +7,89 @@ from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QPen
 from PySide6.QtWidgets import QGraphicsItem
 
+_EDGE, _HOVER_EDGE = 2.0, 3.5
+
 
 class ReadingPoint(pg.TargetItem):
-    """A reading: drawn in its own colour, dragged up and down only."""
+    """A reading: drawn in its own colour, dragged up and down only; :meth:`set_chosen` marks it for the keyboard."""
 
     started = Signal(int)
     moved = Signal(int, float)
     finished = Signal()
 
-    def __init__(self, highest: float) -> None:
+    def __init__(self, lowest: float, highest: float) -> None:
         super().__init__(size=13, symbol="o", movable=True)
-        self._highest = highest
+        self._lowest, self._highest = lowest, highest
         self._angle = 0.0
-        self._index = 0
+        self._colour = QColor()
+        self._chosen = QColor()
+        self.index = 0
         self.dragging = False
         self.setZValue(10)
-        self.setCursor(Qt.CursorShape.SizeVerCursor)
+        self.setCursor(Qt.CursorShape.OpenHandCursor)
 
-    def show_reading(self, index: int, angle_deg: float, lightness: float, colour: QColor) -> None:
+    def show_reading(self, index: int, angle_deg: float, value: float, colour: QColor) -> None:
         """Put the point at its reading; nothing is emitted."""
-        self._index, self._angle = index, angle_deg
-        super().setPos(QPointF(angle_deg, lightness))
-        dark = colour.lightness() < 128
+        self.index, self._angle = index, angle_deg
+        if self.pos() != QPointF(angle_deg, value):
+            super().setPos(QPointF(angle_deg, value))
+        if colour != self._colour:
+            self._colour = colour
+            self._dress()
+
+    def set_chosen(self, accent: QColor | None) -> None:
+        """Ring the point in ``accent``: keys move it; None: they move another one."""
+        ring = QColor() if accent is None else accent
+        if ring != self._chosen:
+            self._chosen = ring
+            self._dress()
+
+    def _dress(self) -> None:
+        dark = self._colour.lightness() < 128
         edge = QColor(255, 255, 255) if dark else QColor(0, 0, 0)
-        self.setPen(line(edge, 2.0))
-        self.setHoverPen(line(edge, 3.5))
-        self.setBrush(QBrush(colour))
-        self.setHoverBrush(QBrush(colour))
+        if self._chosen.isValid():
+            edge = self._chosen
+        self.setPen(line(edge, _HOVER_EDGE if self._chosen.isValid() else _EDGE))
+        self.setHoverPen(line(edge, _HOVER_EDGE))
+        self.setBrush(QBrush(self._colour))
+        self.setHoverBrush(QBrush(self._colour))
 
     def mouseDragEvent(self, event: object) -> None:
-        """Turn a drag into an L* between 0 and the highest allowed."""
+        """Turn a drag into a value within the range."""
         if event.button() != Qt.MouseButton.LeftButton:
             return
         event.accept()
         if event.isStart():
             self.dragging = True
+            self.setCursor(Qt.CursorShape.ClosedHandCursor)
             self._grip = self.pos().y() - self.mapToParent(event.buttonDownPos()).y()
-            self.started.emit(self._index)
-        lightness = self.mapToParent(event.pos()).y() + self._grip
-        self.moved.emit(self._index, round(min(self._highest, max(0.0, lightness)), 2))
+            self.started.emit(self.index)
+        value = self.mapToParent(event.pos()).y() + self._grip
+        self.moved.emit(self.index, round(min(self._highest, max(self._lowest, value)), 2))
         if event.isFinish():
             self.dragging = False
+            self.setCursor(Qt.CursorShape.OpenHandCursor)
             self.finished.emit()
 
 
-def make_plot() -> pg.PlotWidget:
-    """Return an empty plot with named axes, on which only the points move."""
-    plot = pg.PlotWidget()
+class TurnAxis(pg.AxisItem):
+    """An axis of hues that run on over 360°; its numbers do not."""
+
+    def tickStrings(self, values: list[float], _scale: float, _spacing: float) -> list[str]:
+        """Return each hue between 0 and 360."""
+        return [f"{value % 360.0:g}" for value in values]
+
+
+def make_plot(name: str, *, turns: bool = False) -> pg.PlotWidget:
+    """Return an empty plot with named axes, on which only the points move; ``turns`` for hues."""
+    plot = pg.PlotWidget(axisItems={"left": TurnAxis("left")} if turns else None)
     plot.setAntialiasing(True)
     plot.setMenuEnabled(False)
     plot.hideButtons()
     plot.setMouseEnabled(x=False, y=False)
     plot.setFrameShape(plot.Shape.NoFrame)
-    plot.setLabel("bottom", "Aspecular angle (degrees)")
-    plot.setLabel("left", "L*")
-    plot.getAxis("left").setWidth(44)
+    plot.setLabel("left", name)
+    plot.getAxis("left").setWidth(48)
     # Playing an axis with its grid back costs 3 ms a frame; as a kept picture it costs nothing.
     for side in ("bottom", "left"):
         plot.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)

@@ -4,13 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from brdf_designer.coat_control import CoatControl
+from brdf_designer.colour_offer import NearestOffer
 from brdf_designer.desk import Desk
 from brdf_designer.history import HistoryControl
 from brdf_designer.preview import PreviewControl
 from brdf_designer.standard_control import StandardControl
 from brdf_designer.window import DesignerWindow
 
-PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (PreviewControl, HistoryControl, StandardControl)
+PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (
+    CoatControl,
+    NearestOffer,
+    PreviewControl,
+    HistoryControl,
+    StandardControl,
+)
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 
 Parts are made before the window is shown. What costs time at a start belongs into :meth:`Desk.at_idle`.

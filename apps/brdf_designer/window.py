@@ -15,10 +15,12 @@ from PySide6.QtGui import QAction, QCloseEvent, QColor, QDragEnterEvent, QDropEv
 from PySide6.QtWidgets import QColorDialog, QDockWidget, QMenu, QSplitter, QVBoxLayout, QWidget
 
 from brdf_designer.angle_plot import AnglePlot
-from brdf_designer.colour_section import ColourEditors
+from brdf_designer.coat_section import CoatSection
+from brdf_designer.colour_editors import ColourEditors
 from brdf_designer.desk_state import Colours, FitState, TabState
 from brdf_designer.fields import Key
-from brdf_designer.paint_sections import CoatSection, FlakesSection, ModelSection, TextSection
+from brdf_designer.flakes_section import FlakesSection
+from brdf_designer.paint_sections import ModelSection, TextSection
 from brdf_designer.patches import FlopStrip, PatchRow
 from brdf_designer.status import DeskStatus
 from brdf_designer.tabs_bar import DocumentTabs
@@ -162,9 +164,12 @@ class DesignerWindow(SuiteWindow):
         assert self._colours is not None
         self.strip.show_curves(state.curves)
         self.plot.show_curves(state.curves)
-        differences = [state.delta_e[angle.index] for angle in self._colours.angles]
+        shown = [angle.index for angle in self._colours.angles]
         self.patches.show_differences(
-            differences, time_limited=state.time_limited, exact_follows=state.exact_follows
+            [state.delta_e[index] for index in shown],
+            [state.given[index] for index in shown],
+            time_limited=state.time_limited,
+            exact_follows=state.exact_follows,
         )
         self.coat.show_fit(state)
         self.model.show_notices(state.notices)
@@ -256,15 +261,15 @@ class DesignerWindow(SuiteWindow):
         self.tabs.close_asked.connect(self.tab_close_asked)
         self.tabs.dragged.connect(self.tab_moved)
         self.tabs.new_asked.connect(self.new_asked)
-        self.plot.drag_started.connect(lambda index: self.gesture_started.emit(("lab", index, 0)))
-        self.plot.lightness_edited.connect(lambda index, value: self.edited.emit(("lab", index, 0), value))
-        self.plot.drag_finished.connect(self.gesture_finished)
 
     def _build_inspector(self) -> None:
         self.editors = ColourEditors()
-        self.editors.edited.connect(lambda index, c, value: self.edited.emit(("lab", index, c), value))
-        self.editors.gesture_started.connect(lambda index, c: self.gesture_started.emit(("lab", index, c)))
+        self.editors.edited.connect(self.edited)
+        self.editors.gesture_started.connect(self.gesture_started)
         self.editors.gesture_finished.connect(self.gesture_finished)
+        self.plot.drag_started.connect(self.editors.begin_in_lch)
+        self.plot.edited.connect(self.editors.edit_in_lch)
+        self.plot.drag_finished.connect(self.editors.end)
         self.editors.pick_asked.connect(self.pick_colour)
         self.coat, self.flakes, self.model, self.texts = (
             CoatSection(),

@@ -1,7 +1,7 @@
 """A slider whose track shows the colour that each position would give; the part outside sRGB is hatched.
 
 Signals as in :mod:`brdf_qt.number_field`: ``edited(float)`` by the user only, and the gesture pair around a
-drag and around a burst of keys or wheel turns.
+drag and around a burst of keys or wheel turns. A wrapping slider (a hue) goes on at its other end.
 """
 
 from __future__ import annotations
@@ -48,15 +48,14 @@ class ColourSlider(QAbstractSlider):
     ) -> None:
         super().__init__(parent)
         self._low, self._high, self._step = minimum, maximum, step
+        self._wrapping = False
         self._amount = minimum
         self._quiet = False
         self._grabbed: tuple[float, float] | None = None
         self._track = QImage()
         self._outside: list[tuple[float, float]] = []
         self.setOrientation(Qt.Orientation.Horizontal)
-        self.setRange(0, round((maximum - minimum) / step))
-        self.setSingleStep(round(max(1.0, 0.5 / step)) if step < 0.5 else 1)
-        self.setPageStep(10 * self.singleStep())
+        self.set_reach(minimum, maximum, step)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(f"{name}, {unit}" if unit else name)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -64,6 +63,19 @@ class ColourSlider(QAbstractSlider):
         self._burst.started.connect(self.gesture_started)
         self._burst.finished.connect(self.gesture_finished)
         self.valueChanged.connect(self._on_changed)
+
+    def set_reach(self, minimum: float, maximum: float, step: float, *, wrapping: bool = False) -> None:
+        """Reach from ``minimum`` to ``maximum`` in ``step``; ``wrapping``: the ends are one. The amount stays."""
+        self._low, self._high, self._step, self._wrapping = minimum, maximum, step, wrapping
+        self._quiet = True
+        try:
+            self.setRange(0, round((maximum - minimum) / step))
+            self.setSingleStep(round(max(1.0, 0.5 / step)) if step < 0.5 else 1)
+            self.setPageStep(10 * self.singleStep())
+            self.setValue(round((self._amount - minimum) / step))
+        finally:
+            self._quiet = False
+        self.update()
 
     def amount(self) -> float:
         """Return the value in its unit."""
@@ -113,6 +125,8 @@ class ColourSlider(QAbstractSlider):
         return self._snapped(amount)
 
     def _snapped(self, amount: float) -> float:
+        if self._wrapping:
+            amount = self._low + (amount - self._low) % (self._high - self._low)
         steps = round((min(self._high, max(self._low, amount)) - self._low) / self._step)
         return round(self._low + steps * self._step, 9)
 
@@ -186,7 +200,7 @@ class ColourSlider(QAbstractSlider):
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Turn only with the focus, so that scrolling the inspector changes nothing."""
         if self.hasFocus() and event.angleDelta().y():
-            self.setValue(self.value() + (1 if event.angleDelta().y() > 0 else -1) * self.singleStep())
+            self._step_by((1 if event.angleDelta().y() > 0 else -1) * self.singleStep())
             event.accept()
         else:
             event.ignore()
@@ -196,9 +210,25 @@ class ColourSlider(QAbstractSlider):
             Qt.Key.Key_Left,
             Qt.Key.Key_Right,
         ):
-            self.setValue(self.value() + (1 if event.key() == Qt.Key.Key_Right else -1))
+            self._step_by(1 if event.key() == Qt.Key.Key_Right else -1)
+            return
+        by = {
+            Qt.Key.Key_Right: self.singleStep(),
+            Qt.Key.Key_Up: self.singleStep(),
+            Qt.Key.Key_Left: -self.singleStep(),
+            Qt.Key.Key_Down: -self.singleStep(),
+            Qt.Key.Key_PageUp: self.pageStep(),
+            Qt.Key.Key_PageDown: -self.pageStep(),
+        }.get(Qt.Key(event.key()))
+        if self._wrapping and by is not None:
+            self._step_by(by)
             return
         super().keyPressEvent(event)
+
+    def _step_by(self, steps: int) -> None:
+        value = self.value() + steps
+        count = self.maximum() - self.minimum()
+        self.setValue(self.minimum() + (value - self.minimum()) % count if self._wrapping else value)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         self._burst.end()

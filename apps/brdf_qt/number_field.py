@@ -98,6 +98,30 @@ class NumberField(QDoubleSpinBox):
         self.lineEdit().installEventFilter(self)
         self.lineEdit().setCursor(Qt.CursorShape.SizeHorCursor)
 
+    def set_reach(
+        self,
+        name: str,
+        unit: str,
+        minimum: float,
+        maximum: float,
+        step: float,
+        decimals: int,
+        *,
+        wrapping: bool,
+    ) -> None:
+        """Become the number ``name`` of another range, without a signal; ``wrapping``: its ends are one."""
+        self._quiet = True
+        try:
+            self.unit = unit
+            self.setAccessibleName(f"{name}, {unit}" if unit else name)
+            self.setSuffix(f" {unit}" if unit else "")
+            self.setWrapping(wrapping)
+            self.setDecimals(decimals)
+            self.setRange(minimum, maximum)
+            self.setSingleStep(step)
+        finally:
+            self._quiet = False
+
     def set_value(self, value: float) -> None:
         """Show ``value`` without a signal."""
         self._quiet = True

@@ -27,7 +27,7 @@ def test_the_curve_passes_through_the_readings(fitter):
         for m in paint.measurements:
             if m.illumination_deg != 45.0:
                 continue  # the curves are those of the light that most readings have
-            model = np.interp(m.aspecular_deg, curves.gamma_deg, curves.model)
+            model = np.interp(m.aspecular_deg, curves.gamma_deg, curves.model[:, 0])
             assert model == pytest.approx(m.lab[0], abs=0.01), (name, m.aspecular_deg)
 
 
@@ -48,9 +48,10 @@ def test_white_black_and_grey_have_their_codes():
 def test_a_track_at_its_own_value_is_the_colour_itself():
     lab = (40.0, 20.0, -30.0)
     own, _ = lab_to_codes(lab)
-    for component, (codes, _) in enumerate(component_tracks(lab, [np.array([lab[i]]) for i in range(3)])):
+    (own_tracks,) = component_tracks(np.array([lab]), [np.array([lab[i]]) for i in range(3)])
+    for component, (codes, _) in enumerate(own_tracks):
         assert codes[0].tolist() == own.tolist(), component
-    (lightness, _), _, _ = component_tracks(lab, [np.array([0.0, 80.0])] * 3)
+    (((lightness, _), _, _),) = component_tracks(np.array([lab]), [np.array([0.0, 80.0])] * 3)
     assert lightness[1].sum() > lightness[0].sum()
 
 
