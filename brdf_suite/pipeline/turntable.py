@@ -111,7 +111,7 @@ def write_turntable(
                 path, "a turntable is an .mp4, a .webm, or a folder of PNG pictures: a name without ending"
             )
         settings.of_file(path / "frame.png")
-        _check_folder(path)
+        check_folder(path)
     fit = refit_under(fit_any(paint, errors=False), view.light_colour)
     with loaded_scene(view, part(progress, 0.0, 0.2)) as loaded:
         loaded.scene.set_paint_fit(fit)
@@ -144,7 +144,8 @@ def _drawn(loaded: LoadedScene, view: View, size: Size, settings: PictureSetting
     return np.concatenate(list(loaded.scene.renderer.strips(view, size, settings.samples)))
 
 
-def _check_folder(path: Path) -> None:
+def check_folder(path: Path) -> None:
+    """Raise :class:`FileError` where ``path`` is there and no empty folder."""
     if path.exists() and (not path.is_dir() or any(path.iterdir())):
         raise FileError(path, "is there already and not an empty folder; name a new one")
 

@@ -51,11 +51,11 @@ def directional_lights(
     if method not in METHODS:
         raise ValueRangeError("method", f"must be one of {', '.join(METHODS)}, not {method!r}")
     cells = cells_of(environment.radiance)
-    return _lights(cells, METHODS[method](cells, count))
+    return lights_of(cells, METHODS[method](cells, count))
 
 
-def _lights(cells: Cells, labels: NDArray[np.intp]) -> DirectionalLights:
-    """Sum up the cells of each label."""
+def lights_of(cells: Cells, labels: NDArray[np.intp]) -> DirectionalLights:
+    """Return one light for each of the ``labels`` (h, w) of cells, which are 0 and more, the strongest first."""
     at = labels.ravel()
     count = int(at.max()) + 1
 

@@ -1,0 +1,221 @@
+"""What the ray tracer draws, part by part: each is made once and kept while what it is made of stays the same."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.light_matrix import light_matrix
+from brdf_suite.documents.view import View
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.pipeline.reference_paint import TracedPaint
+from brdf_suite.realtime.camera import Bounds, compose, matrices
+from brdf_suite.realtime.stock_materials import stock_materials
+from brdf_suite.realtime.values import MaterialWeights
+from brdf_suite.reference.raytraced.quality import Quality
+from brdf_suite.surface.mesh import Mesh
+
+if TYPE_CHECKING:
+    from brdf_suite.reference.raytraced.camera import Pinhole
+    from brdf_suite.reference.raytraced.flakes import Sparkle
+    from brdf_suite.reference.raytraced.light_set import LightSet, Strata
+    from brdf_suite.reference.raytraced.sky import Sky
+    from brdf_suite.reference.raytraced.table_split import TableSplit
+    from brdf_suite.reference.raytraced.tracer import LightArrays
+
+Size = tuple[int, int]
+PAINT = "paint"
+_TOO_MUCH = "times the light that falls on it"
+_T = TypeVar("_T")
+
+
+@dataclass(frozen=True, eq=False)
+class Wanted:
+    """All that a picture is made of, loaded."""
+
+    paint: TracedPaint
+    environment: Environment
+    mesh: Mesh
+    view: View
+    size: Size
+    quality: Quality
+    tables: TableSplit
+
+
+class Parts:
+    """Makes the parts of a picture; what was made for the same is given again."""
+
+    def __init__(self) -> None:
+        self._kept: dict[str, tuple[object, Any]] = {}
+
+    def keep(self, what: str, made_of: object, make: Callable[[], _T]) -> _T:
+        """Return what was made last where it is made of the same."""
+        if what not in self._kept or self._kept[what][0] != made_of:
+            self._kept.pop(what, None)  # before the new one is made: two large ones may not fit
+            self._kept[what] = (made_of, make())
+        found: _T = self._kept[what][1]
+        return found
+
+    def mesh(self, wanted: Wanted) -> tuple[Mesh, Bounds]:
+        """Return the mesh with the materials that the view gives its parts, and its bounds."""
+        chosen = {item.part: item.material for item in wanted.view.surface_look.materials}
+
+        def make() -> tuple[Mesh, Bounds]:
+            parts = tuple(replace(p, material=chosen.get(p.name, p.material)) for p in wanted.mesh.parts)
+            mesh = replace(wanted.mesh, parts=parts)
+            return mesh, Bounds.of(p.positions for p in mesh.parts)
+
+        return self.keep("mesh", (Same(wanted.mesh), tuple(chosen.items())), make)
+
+    def surface(self, mesh: Mesh) -> Any:
+        """Return the mesh in the ray tracer."""
+        from brdf_suite.reference.raytraced.surface import Surface, SurfaceArrays
+
+        numbers = {name: index for index, name in enumerate(materials_of(mesh))}
+        return self.keep("surface", Same(mesh), lambda: Surface(SurfaceArrays.of(mesh.parts, numbers)))
+
+    def splits(self, wanted: Wanted, mesh: Mesh) -> tuple[list[Any], tuple[str, ...]]:
+        """Return each material cut in two, by its number, and sentences about the paint."""
+        from brdf_suite.reference.raytraced.split import split
+
+        mirror, view = wanted.quality.mirrors, wanted.view
+        names = materials_of(mesh)
+
+        def stock() -> dict[str, Any]:
+            from brdf_suite.fitting.lobes.basis import default_basis
+
+            weights = stock_materials(default_basis().exponents)
+            used = {name: weights.get(name, weights["neutral"]) for name in names if name != PAINT}
+            return {name: split(_lobes(w, view), mirror=mirror) for name, w in used.items()}
+
+        others = self.keep("stock", (tuple(names), mirror, view.fresnel), stock)
+        if PAINT not in names:
+            return [others[name] for name in names], ()
+        made_of = (Same(wanted.paint.reflectance), view.fresnel)
+        term, told = self.keep("term", made_of, lambda: term_of(wanted.paint, view))
+        cut = self.keep(
+            "paint",
+            (Same(term), mirror, wanted.tables),
+            lambda: split(term, mirror=mirror, tables=wanted.tables),
+        )
+        return [cut if name == PAINT else others[name] for name in names], told
+
+    def light(self, wanted: Wanted) -> tuple[Sky, NDArray[np.float32]]:
+        """Return the environment as rays find it, turned, and its radiance (h, w, 3) in the view's light colour."""
+        from brdf_suite.reference.raytraced.sky import Sky
+
+        environment, view = wanted.environment, wanted.view
+        colour = view.light_colour
+        made_of = (Same(environment), colour)
+
+        def make() -> tuple[Sky, NDArray[np.float32]]:
+            tint = light_matrix(colour.illuminant, colour.adapted)
+            radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
+            return Sky.of(radiance), radiance
+
+        sky, radiance = self.keep("sky", made_of, make)
+        turned = self.keep("turned", (*made_of, view.rotation_deg), lambda: sky.turned(view.rotation_deg))
+        return turned, radiance
+
+    def lights(self, wanted: Wanted, turn: int) -> LightArrays:
+        """Return the lights of a round: the first, 0, are in the middle of their strata, others drawn from them."""
+        from brdf_suite.reference.raytraced.light_set import Strata
+        from brdf_suite.reference.raytraced.tracer import LightArrays
+
+        view, quality = wanted.view, wanted.quality
+        colour = view.light_colour
+        tint = light_matrix(colour.illuminant, colour.adapted)
+        made_of = (Same(wanted.environment), quality.lights)
+        strata: Strata = self.keep(
+            "strata", made_of, lambda: Strata.of(wanted.environment, quality.lights, np.eye(3))
+        )
+
+        def make() -> LightArrays:
+            tinted = strata.tinted(tint)
+            found: LightSet = tinted.middles() if turn == 0 else tinted.drawn(turn)
+            return LightArrays.of(
+                found.turned(view.rotation_deg).with_lamps(view.lamps).dealt(quality.samples)
+            )
+
+        return self.keep(
+            "lights", (*made_of, quality.samples, colour, view.rotation_deg, view.lamps, turn), make
+        )
+
+    def camera(self, view: View, bounds: Bounds, size: Size) -> Pinhole:
+        """Return the eye of a view whose camera is placed, and its picture's size."""
+        from brdf_suite.reference.raytraced.camera import Pinhole
+        from brdf_suite.reference.scene import Eye
+
+        seen = matrices(view.camera, bounds, size)
+        return Pinhole.of(Eye(seen.eye, seen.view_to_world, seen.half_tangents[0]), size)
+
+
+class Same:
+    """A value that equals itself alone, and stays alive as long as something was made of it."""
+
+    def __init__(self, value: object) -> None:
+        self._value = value
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Same) and self._value is other._value
+
+    def __hash__(self) -> int:
+        return id(self._value)
+
+
+def placed(view: View, bounds: Bounds, size: Size) -> View:
+    """Return the view with its camera placed, as the real-time picture places it."""
+    return replace(view, camera=compose(view.camera, bounds, size))
+
+
+def materials_of(mesh: Mesh) -> list[str]:
+    """Return the materials of a mesh; their places are their numbers."""
+    return sorted({part.material for part in mesh.parts})
+
+
+def term_of(paint: TracedPaint, view: View) -> tuple[Any, tuple[str, ...]]:
+    """Return what a paint reflects by, and sentences about it."""
+    from brdf_suite.reference.raytraced.energy import TOLERANCE, largest_albedo
+    from brdf_suite.reference.translate import translate
+
+    if isinstance(paint.reflectance, MaterialWeights):
+        return _lobes(paint.reflectance, view), ()
+    translated = translate(paint.reflectance)
+    notices = translated.notices
+    most = largest_albedo(translated.term)
+    if most > 1.0 + TOLERANCE and not any(_TOO_MUCH in notice for notice in paint.notices):
+        notices = (*notices, f"This paint would reflect {most:.2f} {_TOO_MUCH}.")
+    return translated.term, notices
+
+
+def sparkle_of(paint: TracedPaint, view: View) -> Sparkle | None:
+    """Return the flakes that are seen one by one; None where there are none, or the view shows none."""
+    from brdf_suite.reference.raytraced.flakes import Sparkle
+
+    flakes = paint.flakes
+    if flakes is None or view.sparkle.mode == "off" or flakes.density_per_mm2 <= 0.0:
+        return None
+    if isinstance(paint.reflectance, MaterialWeights):
+        ior = paint.reflectance.ior if paint.reflectance.coat == "dielectric" else 1.0
+    else:
+        ior = float(getattr(paint.reflectance, "ior", 1.0))
+    return Sparkle(flakes, ior, view.sparkle.strength)
+
+
+def _lobes(weights: MaterialWeights, view: View) -> Any:
+    from brdf_suite.reference.lobe_weights import LobeWeights
+
+    return LobeWeights(
+        np.asarray(weights.exponents, float),
+        weights.kd,
+        weights.kdd,
+        weights.kg,
+        weights.coat,
+        weights.theta_fit_rad,
+        weights.ior,
+        raised=view.fresnel != "off",
+    )

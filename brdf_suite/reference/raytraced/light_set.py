@@ -1,0 +1,212 @@
+"""The lights of a picture: strata of the environment, drawn anew for each round where that is wanted, and lamps.
+
+The first round's lights are those of :func:`brdf_suite.lighting.lights.directional_lights`: each the mean direction of
+its stratum, with all of its light (equation 4). What l lights leave out is then the same in every picture. For a
+picture that is to converge, later rounds put each light at a place drawn from its stratum, as often as there is light,
+with the strength that keeps the mean of all rounds the environment itself.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.appearance.colour_temperature import lamp_colour
+from brdf_suite.documents.view_settings import Lamp
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.latlong import direction
+from brdf_suite.lighting.lights.cells import Cells, cells_of
+from brdf_suite.lighting.lights.extract import DEFAULT_METHOD, METHODS, lights_of
+
+_GOLDEN = 0.6180339887498949
+
+Floats = npt.NDArray[np.float64]
+
+ENVIRONMENT, FAR_LAMP, NEAR_LAMP = 0, 1, 2
+"""Kinds of light: of the environment, from one direction, from one place."""
+
+
+@dataclass(frozen=True, eq=False)
+class LightSet:
+    """Lights (n,): ``places`` (n, 3) towards them, unit, or where they are, metres; ``strengths`` (n, 3): the
+    irradiance of a surface that faces them, at 1 m from a near lamp; ``spreads`` (n,) rad along one axis; ``kinds``.
+    """
+
+    places: Floats
+    strengths: Floats
+    spreads: Floats
+    kinds: npt.NDArray[np.uint32]
+
+    def __len__(self) -> int:
+        return len(self.kinds)
+
+    def turned(self, degrees: float) -> LightSet:
+        """Return the set with the environment's lights turned about y, counter-clockwise seen from above."""
+        turn = math.radians(degrees)
+        cosine, sine = math.cos(turn), math.sin(turn)
+        matrix = np.array([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]])
+        of_environment = (self.kinds == ENVIRONMENT)[:, None]
+        places = np.where(of_environment, self.places @ matrix.T, self.places)
+        return LightSet(places, self.strengths, self.spreads, self.kinds)
+
+    def with_lamps(self, lamps: Sequence[Lamp]) -> LightSet:
+        """Return the set with the lamps of a view."""
+        if not lamps:
+            return self
+        places, strengths = zip(*(_lamp(lamp) for lamp in lamps), strict=True)
+        kinds = [NEAR_LAMP if lamp.kind == "point" else FAR_LAMP for lamp in lamps]
+        return LightSet(
+            np.concatenate([self.places, places]),
+            np.concatenate([self.strengths, strengths]),
+            np.concatenate([self.spreads, np.zeros(len(lamps))]),
+            np.concatenate([self.kinds, kinds]).astype(np.uint32),
+        )
+
+    def dealt(self, hands: int) -> LightSet:
+        """Return the set in the order in which ``hands`` take a light in turn, as many each.
+
+        A light that has more than a hand's share of all light is cut into equal ones, so that it is seen by more
+        than one sample of a pixel: an edge in the sun is then as smooth as any. Neighbours in strength go to
+        hands that are far apart, so that the first few hands already have about the light of all.
+        """
+        luminous = self.strengths @ LUMINANCE
+        total = float(luminous.sum())
+        cuts = np.ones(len(self), np.intp)
+        if total > 0.0:
+            cuts = np.maximum(np.rint(hands * luminous / total), 1.0).astype(np.intp)
+        each = np.repeat(np.arange(len(self)), cuts)
+        rows = -(-len(each) // hands)
+        turns = np.argsort(np.argsort((np.arange(hands) * _GOLDEN) % 1.0))
+        place = np.arange(len(each))
+        place = turns[place % hands] + hands * (place // hands)
+        found = LightSet(
+            np.tile([0.0, 1.0, 0.0], (rows * hands, 1)),
+            np.zeros((rows * hands, 3)),
+            np.zeros(rows * hands),
+            np.zeros(rows * hands, np.uint32),
+        )
+        found.places[place] = self.places[each]
+        found.strengths[place] = (self.strengths / cuts[:, None])[each]
+        found.spreads[place] = self.spreads[each]
+        found.kinds[place] = self.kinds[each]
+        return found
+
+    def draws(self) -> tuple[npt.NDArray[np.uint32], Floats]:
+        """Return which lights to draw, (2, K), as often as they have light, and the factors on their strengths, (2, n).
+
+        The first row is for any surface, the second for a level ground, which lights from below do not reach. A place
+        drawn from a row evenly gives the light of all on the average.
+        """
+        luminous = self.strengths @ LUMINANCE
+        up = np.where(self.kinds == ENVIRONMENT, np.maximum(self.places[:, 1], 0.0), 0.0)
+        size = 1 << max(10, math.ceil(math.log2(8 * max(len(self), 1))))
+        entries, factors = zip(*(_entries(light, size) for light in (luminous, luminous * up)), strict=True)
+        return np.stack(entries), np.stack(factors)
+
+    def ground_irradiance(self) -> Floats:
+        """Return the irradiance (3,) of an open level ground by the environment's lights."""
+        up = np.where(self.kinds == ENVIRONMENT, np.maximum(self.places[:, 1], 0.0), 0.0)
+        return np.asarray(up @ self.strengths)
+
+
+@dataclass(frozen=True, eq=False)
+class Strata:
+    """An environment cut into strata of about equal light: ``labels`` (h, w) of ``cells``."""
+
+    cells: Cells
+    labels: npt.NDArray[np.intp]
+    tint: Floats
+
+    @classmethod
+    def of(cls, environment: Environment, count: int, tint: Floats, method: str = DEFAULT_METHOD) -> Strata:
+        """Return the strata of ``count`` lights; ``tint`` (3, 3) is what their colours are multiplied by."""
+        cells = cells_of(environment.radiance)
+        return cls(cells, METHODS[method](cells, count), tint)
+
+    def tinted(self, tint: Floats) -> Strata:
+        """Return the same strata in another light colour."""
+        return Strata(self.cells, self.labels, tint)
+
+    @cached_property
+    def _order(self) -> tuple[npt.NDArray[np.intp], Floats, Floats]:
+        at = self.labels.ravel()
+        count = int(at.max()) + 1
+        luminous = np.asarray(np.bincount(at, self.cells.luminous.ravel(), count), np.float64)
+        moments = self.cells.moments.reshape(-1, 3)
+        towards = np.stack([np.bincount(at, moments[:, k], count) for k in range(3)], axis=1)
+        # Of directions about a mean, 1 - |mean| is the variance along one axis.
+        length = np.linalg.norm(towards, axis=1) / np.maximum(luminous, 1e-300)
+        spreads = np.sqrt(np.clip(1.0 - length, 0.0, 1.0))
+        return np.argsort(-luminous, kind="stable"), luminous, np.asarray(spreads, np.float64)
+
+    def middles(self) -> LightSet:
+        """Return the lights in the mean directions of their strata, the strongest first."""
+        lights = lights_of(self.cells, self.labels)
+        order, _, spreads = self._order
+        return self._set(lights.directions, lights.strengths, spreads[order])
+
+    def drawn(self, seed: int) -> LightSet:
+        """Return lights drawn from the strata: the mean over all seeds is the environment."""
+        rng = np.random.default_rng(seed)
+        order, luminous, spreads = self._order
+        at, light = self.labels.ravel(), self.cells.luminous.ravel()
+        by_label = np.argsort(at, kind="stable")
+        sums = np.cumsum(light[by_label])
+        ends = np.cumsum(np.bincount(at, minlength=len(luminous)))
+        before = np.concatenate([[0.0], sums])[np.concatenate([[0], ends[:-1]])]
+        wanted = before + rng.random(len(luminous)) * luminous
+        found = np.minimum(np.searchsorted(sums, wanted, side="right"), ends - 1)
+        found = by_label[np.maximum(found, np.concatenate([[0], ends[:-1]]))]
+        row, column = np.divmod(found, self.cells.shape[1])
+        u, v = rng.random((2, len(found)))
+        theta = self.cells.theta
+        # Even in solid angle within the cell.
+        cosine = np.cos(theta[row]) + u * (np.cos(theta[row + 1]) - np.cos(theta[row]))
+        starts = np.concatenate([[0.0], np.cumsum(self.cells.widths)[:-1]]) - np.pi
+        phi = starts[column] + v * self.cells.widths[column]
+        towards = direction(np.arccos(np.clip(cosine, -1.0, 1.0)), phi)
+        factor = np.divide(luminous, light[found], out=np.zeros(len(found)), where=light[found] > 0.0)
+        strengths = self.cells.energy.reshape(-1, 3)[found] * factor[:, None]
+        turn = self.cells.turn
+        cos, sin = math.cos(turn), math.sin(turn)
+        matrix = np.array([[cos, 0.0, sin], [0.0, 1.0, 0.0], [-sin, 0.0, cos]])
+        return self._set((towards @ matrix.T)[order], strengths[order], spreads[order])
+
+    def _set(self, places: Floats, strengths: Floats, spreads: Floats) -> LightSet:
+        coloured = np.maximum(strengths @ self.tint.T, 0.0)
+        return LightSet(places, coloured, spreads, np.full(len(places), ENVIRONMENT, np.uint32))
+
+
+def _entries(light: Floats, size: int) -> tuple[npt.NDArray[np.uint32], Floats]:
+    """``size`` numbers of lights, each as often as it has light, at least once; what each then stands for."""
+    total = float(light.sum())
+    if not total > 0.0:
+        return np.zeros(size, np.uint32), np.zeros(len(light))
+    lit = light > 0.0
+    spare = size - int(lit.sum())
+    exact = light / total * spare
+    counts = np.where(lit, 1 + np.floor(exact).astype(np.intp), 0)
+    rest = size - int(counts.sum())
+    counts[np.argsort(-(exact - np.floor(exact)), kind="stable")[:rest]] += 1
+    counts = np.where(lit | (counts == 0), counts, 0)
+    entries = np.repeat(np.arange(len(light)), counts)
+    entries = np.resize(entries, size)  # whole already, but where a black light was given one
+    counts = np.bincount(entries, minlength=len(light))
+    return entries.astype(np.uint32), np.divide(size, counts, out=np.zeros(len(light)), where=counts > 0)
+
+
+def _lamp(lamp: Lamp) -> tuple[Floats, Floats]:
+    """Place and strength: ``strength`` of a lamp is its illuminance over π, of a point lamp at 1 m."""
+    power = math.pi * lamp.strength * lamp_colour(lamp.temperature_k)
+    if lamp.kind == "point":
+        return np.array(lamp.position, float), np.asarray(power)
+    azimuth, elevation = math.radians(lamp.azimuth_deg), math.radians(lamp.elevation_deg)
+    level = math.cos(elevation)
+    towards = np.array([level * math.sin(azimuth), math.sin(elevation), level * math.cos(azimuth)])
+    return towards, np.asarray(power)

@@ -1,0 +1,125 @@
+"""Narrow lobes, sampled about their half vector by a cosine lobe, as Günther et al. 2005, section 5.1.3, have it.
+
+Beckmann's facets of slope m are taken for a cosine lobe of the same height,
+
+    exp(-tan²θ / m²) / (4 m² cos⁴θ) ≈ (n + 1) / (2π) cosⁿθ,    n = 2π / (4 m²) - 1,
+
+which is sampled by θ = arccos(r1^(1/(n+1))), φ = 2π r2 for the half vector h; the view mirrored at h has the density
+
+    pdf(ω) = (n + 1) / (2π) cosⁿθh / (4 h·ωo).
+
+The cosine lobe is a little wider than the facets: f_r cosθ over pdf stays below 4/π of its value in the middle. The
+paper's equation 5 prints neither the 1/s nor the cosine: a picture is the mean of f_r (N·ω) L / pdf.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+
+from brdf_suite.reference import directions as d
+from brdf_suite.reference.directions import Colour, Half, Real, Square, Vector
+
+LARGEST_SLOPE = 0.12
+"""Facets up to this slope are narrow: sampled. Wider ones are lit by the lights."""
+LARGEST_MIRROR_SLOPE = 0.05
+"""The same where narrow lobes are mirrored: of a wider one the mirror image would be no likeness."""
+
+
+def exponent_of(slope: float) -> float:
+    """Return n of the cosine lobe that stands for facets of ``slope`` m.
+
+    >>> round(exponent_of(0.1), 2)
+    156.08
+    """
+    return 2.0 * math.pi / (4.0 * slope * slope) - 1.0
+
+
+def cosine_lobe_mirrored(view: Vector, u: Square, exponent: Real) -> Vector:
+    """Return the view mirrored at half vectors of a cosine lobe about the normal; some lie below the horizon."""
+    # cos θ = r^(1/(n+1)), so tan² θ = exp(-2 ln r / (n+1)) - 1: no difference of numbers near 1.
+    tan2 = exp_minus_one(-2.0 * dr.log(dr.maximum(1.0 - u.x, 1e-30)) / (exponent + 1.0))
+    cosine = dr.rsqrt(1.0 + tan2)
+    sine = dr.sqrt(tan2) * cosine
+    y, x = dr.sincos(2.0 * math.pi * u.y)
+    half = mi.Vector3f(sine * x, sine * y, cosine)
+    return dr.fma(2.0 * dr.dot(view, half), half, -view)
+
+
+def cosine_lobe_density(half: Half, exponent: Real) -> Real:
+    """Return the density of :func:`cosine_lobe_mirrored` per solid angle."""
+    power = dr.exp(-0.5 * exponent * log_one_plus(half.tan2_h))
+    return (exponent + 1.0) * (0.5 / math.pi) * power / (4.0 * half.cos_d)
+
+
+def exp_minus_one(x: Real) -> Real:
+    """Return exp(x) - 1 for x ≥ 0, exact to single precision also for small x; never infinite."""
+    x = dr.minimum(x, 60.0)
+    series = x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0))))
+    return dr.select(x < 0.02, series, dr.exp(x) - 1.0)
+
+
+def log_one_plus(x: Real) -> Real:
+    """Return ln(1 + x) for x ≥ 0, exact to single precision also for small x."""
+    series = x * (1.0 - x * (0.5 - x * (1.0 / 3.0 - x * (0.25 - x * 0.2))))
+    return dr.select(x < 0.02, series, dr.log(1.0 + x))
+
+
+@dataclass(frozen=True, eq=False)
+class FacetGlint:
+    """A narrow lobe of facets: a ``term`` with its value, the ``slope`` that it is sampled by, and its ``share``.
+
+    ``share`` is how much the lobe sends of what all narrow ones do, as a luminance; with ``ior`` it follows Fresnel.
+    """
+
+    term: Any
+    slope: float
+    share: float
+    ior: float | None = None
+
+    def weight(self, view: Vector) -> Real:
+        """Return the share of a mixture, to a common factor."""
+        share = d.number(self.share)
+        return share if self.ior is None else share * d.fresnel(view.z, self.ior)
+
+    def value(self, light: Vector, view: Vector) -> Colour:
+        """Return f_r in 1/sr."""
+        return self.term.value(light, view)
+
+    def draw(self, view: Vector, u: Square) -> Vector:
+        """Return directions to the light."""
+        return cosine_lobe_mirrored(view, u, d.number(exponent_of(self.slope)))
+
+    def density(self, light: Vector, view: Vector) -> Real:
+        """Return the density of :meth:`draw` per solid angle."""
+        return cosine_lobe_density(Half.of(light, view), d.number(exponent_of(self.slope)))
+
+
+@dataclass(frozen=True, eq=False)
+class MirrorLobe:
+    """A narrow cosine lobe about the mirror direction, sampled by itself: those of fitted weights."""
+
+    term: Any
+    exponent: float
+    share: float
+
+    def weight(self, _view: Vector) -> Real:
+        """Return the share of a mixture, to a common factor."""
+        return d.number(self.share)
+
+    def value(self, light: Vector, view: Vector) -> Colour:
+        """Return f_r in 1/sr."""
+        return self.term.value(light, view)
+
+    def draw(self, view: Vector, u: Square) -> Vector:
+        """Return directions to the light."""
+        return d.lobe_about_mirror(view, u, self.exponent)
+
+    def density(self, light: Vector, view: Vector) -> Real:
+        """Return the density of :meth:`draw` per solid angle."""
+        away = d.one_minus_mirror_cosine(light, view)
+        return d.number((self.exponent + 1.0) / (2.0 * math.pi)) * d.mirror_lobe(away, self.exponent)

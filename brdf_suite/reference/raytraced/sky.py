@@ -1,0 +1,67 @@
+"""The environment along a ray: the very look-up of :func:`brdf_suite.lighting.latlong.sample`, turned about y."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.reference.directions import Colour, Real, Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Sky:
+    """A map with a ring more at each end, as the renderer has it; ``cosine`` and ``sine`` of its turn."""
+
+    texels: Any
+    width: Any
+    height: Any
+    cosine: Real
+    sine: Real
+
+    @classmethod
+    def of(cls, radiance: npt.NDArray[np.float32]) -> Sky:
+        """Return the sky of a map (h, w, 3), not turned."""
+        height, width = radiance.shape[:2]
+        beyond = width // 2
+        padded = np.concatenate(
+            [np.roll(radiance[:1], beyond, 1), radiance, np.roll(radiance[-1:], beyond, 1)]
+        )
+        texels = mi.Float(np.ascontiguousarray(padded, np.float32).ravel())
+        dr.eval(texels)
+        one, zero = (dr.opaque(mi.Float, v) for v in (1.0, 0.0))
+        return cls(texels, dr.opaque(mi.UInt32, width), dr.opaque(mi.UInt32, height), one, zero)
+
+    def turned(self, degrees: float) -> Sky:
+        """Return the sky turned about y, counter-clockwise seen from above."""
+        turn = math.radians(degrees)
+        cosine, sine = (dr.opaque(mi.Float, v) for v in (math.cos(turn), math.sin(turn)))
+        return Sky(self.texels, self.width, self.height, cosine, sine)
+
+    def along(self, direction: Vector, active: Any) -> Colour:
+        """Return the radiance from where unit ``direction`` points to; 0 where not ``active``."""
+        x = self.cosine * direction.x - self.sine * direction.z
+        z = self.sine * direction.x + self.cosine * direction.z
+        theta = dr.atan2(dr.sqrt(x * x + z * z), direction.y)
+        column = (dr.atan2(-x, z) + math.pi) * (mi.Float(self.width) * (0.5 / math.pi)) - 0.5
+        # One ring more above, so that the row is never negative; the column may be.
+        row = dr.maximum(theta * (mi.Float(self.height) / math.pi) + 0.5, 0.0)
+        j = dr.minimum(mi.UInt32(row), self.height)
+        fj = row - mi.Float(j)
+        column = dr.select(column < 0.0, column + mi.Float(self.width), column)
+        i = dr.minimum(mi.UInt32(column), self.width - 1)
+        fi = column - mi.Float(i)
+        after = dr.select(i + 1 >= self.width, mi.UInt32(0), i + 1)
+        top, bottom = (self._row(j + k, i, after, fi, active) for k in (0, 1))
+        return dr.fma(fj, bottom - top, top)
+
+    def _row(self, j: Any, i: Any, after: Any, part: Real, active: Any) -> Colour:
+        start = j * self.width
+        first = dr.gather(mi.Color3f, self.texels, start + i, active)
+        second = dr.gather(mi.Color3f, self.texels, start + after, active)
+        return dr.fma(part, second - first, first)

@@ -1,0 +1,222 @@
+"""A reflectance cut in two: a broad part, lit by the lights, and narrow lobes, sampled or mirrored (section 5.1.3).
+
+A sum of lobes is cut by their widths; a table by its values (:mod:`.table_split`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+
+from brdf_suite.reference import directions as d
+from brdf_suite.reference.coated import UnderCoat
+from brdf_suite.reference.directions import Colour, Real, Square, Vector
+from brdf_suite.reference.lobe_weights import LobeWeights
+from brdf_suite.reference.raytraced.lobes import (
+    LARGEST_MIRROR_SLOPE,
+    LARGEST_SLOPE,
+    FacetGlint,
+    MirrorLobe,
+)
+from brdf_suite.reference.raytraced.table_split import TableSplit, split_by_values
+from brdf_suite.reference.table import HalfAngleTable
+from brdf_suite.reference.terms import CoatLobe, FacetLobe, Sum
+
+_MIRROR_NODES, _MIRROR_SAMPLES = 64, 1024
+
+
+@dataclass(frozen=True, eq=False)
+class Split:
+    """``broad`` and ``narrow`` of one material; f_r is the sum of all."""
+
+    broad: Any
+    narrow: tuple[Any, ...]
+
+    def narrow_value(self, light: Vector, view: Vector) -> Colour:
+        """Return f_r of the narrow lobes, 1/sr."""
+        total: Colour = mi.Color3f(0.0)
+        for lobe in self.narrow:
+            total += lobe.value(light, view)
+        return total
+
+    def draw(self, view: Vector, choice: Real, u: Square) -> tuple[Vector, Colour]:
+        """Return directions to the light, and f_r cosθ over the density: of one lobe for each, chosen by its share.
+
+        The weight is 0 where the direction lies below the horizon.
+        """
+        if not self.narrow:
+            return mi.Vector3f(0.0, 0.0, 1.0), mi.Color3f(0.0)
+        shares = [lobe.weight(view) for lobe in self.narrow]
+        total = shares[0]
+        for share in shares[1:]:
+            total = total + share
+        rest = choice * total
+        light, weight = mi.Vector3f(0.0), mi.Color3f(0.0)
+        left = mi.Bool(True)
+        for index, (lobe, share) in enumerate(zip(self.narrow, shares, strict=True)):
+            chosen = left & (rest < share) if index + 1 < len(self.narrow) else left
+            drawn = lobe.draw(view, u)
+            above = (drawn.z > 0.0) & (view.z > 0.0)
+            pdf = lobe.density(drawn, view) * share / total
+            value = lobe.value(drawn, view) * (drawn.z / pdf)
+            light = dr.select(chosen, drawn, light)
+            weight = dr.select(chosen, dr.select(above & (pdf > 0.0), value, 0.0), weight)
+            left &= ~chosen
+            rest = rest - share
+        return light, weight
+
+
+@dataclass(frozen=True, eq=False)
+class Mirrored:
+    """A split whose narrow lobes are mirrored at the normal, each direction with all that they send."""
+
+    split: Split
+    albedo: Any
+
+    @classmethod
+    def of(cls, split: Split) -> Mirrored:
+        """Return it with the lobes' albedo over the cosine of the view, from 64 angles of 1,024 samples."""
+        cosines = (np.arange(_MIRROR_NODES) + 0.5) / _MIRROR_NODES
+        lane = np.repeat(cosines, _MIRROR_SAMPLES).astype(np.float32)
+        index = np.tile(np.arange(_MIRROR_SAMPLES), _MIRROR_NODES)
+        steps = np.array([0.8191725134, 0.6710436067, 0.5497004779])
+        u = np.modf(0.5 + index[:, None] * steps)[0].astype(np.float32)
+        cosine = mi.Float(lane)
+        view = mi.Vector3f(dr.sqrt(dr.maximum(1.0 - cosine * cosine, 0.0)), 0.0, cosine)
+        _, weight = split.draw(view, mi.Float(u[:, 0]), mi.Point2f(mi.Float(u[:, 1]), mi.Float(u[:, 2])))
+        means = np.array(weight).reshape(3, _MIRROR_NODES, _MIRROR_SAMPLES).mean(axis=2)
+        table = mi.Float(np.ascontiguousarray(means.T, np.float32).ravel())
+        dr.eval(table)
+        return cls(split, table)
+
+    @property
+    def broad(self) -> Any:
+        """The broad part."""
+        return self.split.broad
+
+    @property
+    def narrow(self) -> tuple[Any, ...]:
+        """The narrow lobes."""
+        return self.split.narrow
+
+    def narrow_value(self, light: Vector, view: Vector) -> Colour:
+        """Return f_r of the narrow lobes, 1/sr."""
+        return self.split.narrow_value(light, view)
+
+    def draw(self, view: Vector, _choice: Real, _u: Square) -> tuple[Vector, Colour]:
+        """Return the mirror direction, and the lobes' albedo for the view."""
+        place = dr.clip(view.z * _MIRROR_NODES - 0.5, 0.0, _MIRROR_NODES - 1.0)
+        low = dr.minimum(mi.UInt32(place), _MIRROR_NODES - 2)
+        first, second = (dr.gather(mi.Color3f, self.albedo, low + k) for k in (0, 1))
+        return d.mirrored(view), dr.fma(place - mi.Float(low), second - first, first)
+
+
+@dataclass(frozen=True, eq=False)
+class Black:
+    """Sends nothing: the broad part of what has none."""
+
+    def value(self, _light: Vector, _view: Vector) -> Colour:
+        """Return f_r in 1/sr."""
+        return mi.Color3f(0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class ThroughCoat:
+    """A part of a base as it is seen through the coat."""
+
+    coated: UnderCoat
+    part: Any
+
+    def value(self, light: Vector, view: Vector) -> Colour:
+        """Return f_r in 1/sr."""
+        return self.part.value(light, view) * self.coated.factor(light, view)
+
+
+@dataclass(frozen=True, eq=False)
+class PartOfWeights(LobeWeights):
+    """Some lobes of fitted weights, with the gains that all of them have together."""
+
+    whole: LobeWeights | None = None
+
+    @classmethod
+    def of(cls, whole: LobeWeights, kd: Any, kept: Any) -> PartOfWeights:
+        """Return the part with the diffuse weights ``kd`` and the lobes that are ``kept`` (m, 1)."""
+        known = {f.name: getattr(whole, f.name) for f in fields(whole) if f.init}
+        return cls(**{**known, "kd": kd, "kdd": whole.kdd * kept, "kg": whole.kg * kept}, whole=whole)
+
+    def _gains(self, cosine: Real) -> tuple[Real, Colour]:
+        return LobeWeights._gains(self.whole or self, cosine)
+
+
+def split(term: Any, *, mirror: bool = False, tables: TableSplit = "clamp") -> Split | Mirrored:
+    """Return a term cut in two; ``mirror``: its narrow lobes are mirrored, and then fewer lobes are narrow."""
+    largest = LARGEST_MIRROR_SLOPE if mirror else LARGEST_SLOPE
+    broad, narrow = _parts(term, largest, tables)
+    whole = Split(_sum(broad), tuple(narrow))
+    return Mirrored.of(whole) if mirror and narrow else whole
+
+
+def _sum(parts: Sequence[Any]) -> Any:
+    if not parts:
+        return Black()
+    return parts[0] if len(parts) == 1 else Sum(tuple(parts))
+
+
+def _parts(term: Any, largest: float, tables: TableSplit) -> tuple[list[Any], list[Any]]:
+    """The broad terms and the narrow lobes of a term."""
+    if isinstance(term, Sum):
+        pieces = [_parts(one, largest, tables) for one in term.terms]
+        return [b for broad, _ in pieces for b in broad], [n for _, narrow in pieces for n in narrow]
+    if isinstance(term, CoatLobe):
+        if term.roughness > largest:
+            return [term], []
+        return [], [FacetGlint(term, term.roughness, 1.0, term.ior)]
+    if isinstance(term, FacetLobe):
+        if term.slope > largest:
+            return [term], []
+        share = 4.0 * term.scale * _luminance(term.ks)
+        return [], [FacetGlint(term, term.slope, share, term.ior)]
+    if isinstance(term, UnderCoat):
+        broad, narrow = _parts(term.base, largest, tables)
+        seen = [ThroughCoat(term, part) for part in broad]
+        lobes = [_with_term(lobe, ThroughCoat(term, lobe.term)) for lobe in narrow]
+        coat_broad, coat_narrow = _parts(term.coat, largest, tables)
+        return [*seen, *coat_broad], [*lobes, *coat_narrow]
+    if isinstance(term, LobeWeights):
+        return _of_lobe_weights(term, largest)
+    if isinstance(term, HalfAngleTable):
+        return split_by_values(term, tables)
+    return [term], []
+
+
+def _with_term(lobe: Any, term: Any) -> Any:
+    return replace(lobe, term=term)
+
+
+def _of_lobe_weights(term: LobeWeights, largest: float) -> tuple[list[Any], list[Any]]:
+    """Lobes about the mirror direction are four times as steep there as their facets are about the normal."""
+    steepest = 2.0 / largest**2 / 4.0
+    sharp = term.exponents > steepest
+    used = np.flatnonzero(sharp & ((term.kdd > 0.0).any(axis=1) | (term.kg > 0.0).any(axis=1)))
+    if not len(used):
+        return [term], []
+    keep = (~sharp)[:, None]
+    broad = PartOfWeights.of(term, term.kd, keep)
+    lobes = []
+    for k in used.tolist():
+        only = (np.arange(len(term.exponents)) == k)[:, None]
+        lobe = PartOfWeights.of(term, 0.0 * term.kd, only)
+        share = _luminance((term.kdd + term.kg)[k]) * 2.0 * math.pi / (float(term.exponents[k]) + 1.0)
+        lobes.append(MirrorLobe(lobe, float(term.exponents[k]), share))
+    return [broad], lobes
+
+
+def _luminance(colour: Any) -> float:
+    r, g, b = (float(c) for c in colour)
+    return 0.2627 * r + 0.678 * g + 0.0593 * b

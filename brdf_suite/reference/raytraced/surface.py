@@ -1,0 +1,141 @@
+"""The surface as one mesh, whatever parts it has, and what a ray meets on it.
+
+One mesh instead of one for each part: where a ray meets it, everything is looked up in plain arrays, and only the
+materials are told apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.reference.directions import Real, Vector
+
+EPSILON = 1.5e-4
+"""Of a place's distance from the origin, and of its ray's length: how far off the surface rays begin."""
+_LEAST_FACING = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceArrays:
+    """Triangles of all parts: positions, normals (n, 3), texture coordinates (n, 2) mm, triangles (k, 3), and (k,)
+    which of the materials each is of.
+    """
+
+    positions: npt.NDArray[np.float32]
+    normals: npt.NDArray[np.float32]
+    uvs: npt.NDArray[np.float32]
+    triangles: npt.NDArray[np.uint32]
+    materials: npt.NDArray[np.uint32]
+
+    @classmethod
+    def of(cls, parts: Sequence[Any], numbers: dict[str, int]) -> SurfaceArrays:
+        """Return the arrays of parts of a mesh; ``numbers`` tells the number of each material."""
+        starts = np.cumsum([0, *(len(p.positions) for p in parts)])
+        return cls(
+            np.concatenate([p.positions for p in parts]).astype(np.float32),
+            np.concatenate([p.normals for p in parts]).astype(np.float32),
+            np.concatenate([p.uvs for p in parts]).astype(np.float32),
+            np.concatenate([p.triangles + start for p, start in zip(parts, starts, strict=False)]).astype(
+                np.uint32
+            ),
+            np.concatenate([np.full(len(p.triangles), numbers[p.material]) for p in parts]).astype(np.uint32),
+        )
+
+
+@dataclass
+class Hit:
+    """Where rays met the surface: ``place``; ``normal`` towards the viewer, shading; ``view`` back along the ray;
+    ``off`` a place a little in front of the triangle; the ``triangle`` and ``u``, ``v`` on it.
+    """
+
+    place: Vector
+    normal: Vector
+    view: Vector
+    off: Vector
+    triangle: Any
+    u: Real
+    v: Real
+
+
+class Surface:
+    """The mesh in Mitsuba, and its arrays beside it."""
+
+    def __init__(self, arrays: SurfaceArrays) -> None:
+        mesh = mi.Mesh("surface", len(arrays.positions), len(arrays.triangles))
+        values = mi.traverse(mesh)
+        values["vertex_positions"] = np.ascontiguousarray(arrays.positions).ravel()
+        values["faces"] = np.ascontiguousarray(arrays.triangles).ravel()
+        values.update()
+        self._scene = mi.load_dict({"type": "scene", "surface": mesh})
+        self._positions, self._normals, self._uvs = (
+            mi.Float(np.ascontiguousarray(a, np.float32).ravel())
+            for a in (arrays.positions, arrays.normals, arrays.uvs)
+        )
+        self._triangles = mi.UInt32(np.ascontiguousarray(arrays.triangles).ravel())
+        self._materials = mi.UInt32(np.ascontiguousarray(arrays.materials))
+        dr.eval(self._positions, self._normals, self._uvs, self._triangles, self._materials)
+
+    def meet(self, origin: Vector, direction: Vector, active: Any, *, coherent: bool) -> tuple[Real, Hit]:
+        """Return how far the nearest meeting is, infinity for none, and the hit, which then means nothing."""
+        ray = mi.Ray3f(mi.Point3f(origin), direction)
+        found = self._scene.ray_intersect_preliminary(ray, coherent=mi.Bool(coherent), active=active)
+        met = active & found.is_valid()
+        triangle, u, v = found.prim_index, found.prim_uv.x, found.prim_uv.y
+        corners = self._corners(triangle, met)
+        a, b, c = (dr.gather(mi.Vector3f, self._positions, k, met) for k in corners)
+        along, beside = b - a, c - a
+        place = dr.fma(u, along, dr.fma(v, beside, a))
+        flat = dr.normalize(dr.cross(along, beside))
+        na, nb, nc = (dr.gather(mi.Vector3f, self._normals, k, met) for k in corners)
+        normal = dr.normalize(dr.fma(u, nb - na, dr.fma(v, nc - na, na)))
+        view = -direction
+        flat = dr.select(dr.dot(flat, view) < 0.0, -flat, flat)
+        # Both sides are painted. Near an outline the shading normal may look away from the viewer, though its
+        # triangle does not: there it is bent until it is just seen.
+        normal = dr.select(dr.dot(normal, flat) < 0.0, -normal, normal)
+        facing = dr.dot(normal, view)
+        bent = dr.normalize(normal + (_LEAST_FACING - facing) * view)
+        normal = dr.select(facing < _LEAST_FACING, bent, normal)
+        reach = EPSILON * (0.05 + dr.max(dr.abs(place)))
+        far = dr.select(met, found.t, dr.inf)
+        return far, Hit(place, normal, view, dr.fma(reach, flat, place), triangle, u, v)
+
+    def hides(self, origin: Vector, direction: Vector, length: Real, active: Any) -> Any:
+        """Return whether anything is in the way of a ray of ``length``."""
+        ray = mi.Ray3f(mi.Point3f(origin), direction)
+        ray.maxt = length
+        return self._scene.ray_test(ray, coherent=mi.Bool(True), active=active)
+
+    def material(self, hit: Hit, active: Any) -> Any:
+        """Return the number of the hit's material."""
+        return dr.gather(mi.UInt32, self._materials, hit.triangle, active)
+
+    def texture_place(self, hit: Hit, across: Vector, down: Vector, active: Any) -> tuple[Any, Any, Any]:
+        """Return where a hit is in texture coordinates, mm, and how that changes by ``across`` and ``down``.
+
+        Those are changes of the place in the triangle's plane, metres; the answers are mm.
+        """
+        ia, ib, ic = self._corners(hit.triangle, active)
+        a, b, c = (dr.gather(mi.Vector3f, self._positions, k, active) for k in (ia, ib, ic))
+        ta, tb, tc = (dr.gather(mi.Point2f, self._uvs, k, active) for k in (ia, ib, ic))
+        e, f = b - a, c - a
+        te, tf = mi.Vector2f(tb - ta), mi.Vector2f(tc - ta)
+        ee, ef, ff = dr.dot(e, e), dr.dot(e, f), dr.dot(f, f)
+        det = dr.maximum(ee * ff - ef * ef, 1e-30)
+
+        def moved(by: Vector) -> Any:
+            be, bf = dr.dot(by, e), dr.dot(by, f)
+            return ((ff * be - ef * bf) * te + (ee * bf - ef * be) * tf) / det
+
+        at = ta + hit.u * te + hit.v * tf
+        return at, moved(across), moved(down)
+
+    def _corners(self, triangle: Any, active: Any) -> list[Any]:
+        return [dr.gather(mi.UInt32, self._triangles, 3 * triangle + k, active) for k in range(3)]

@@ -1,0 +1,381 @@
+"""The loops: samples of a pixel, their shadow rays to the lights, their reflected rays, and where those lead.
+
+For each sample k of a pixel's p (Günther et al. 2005, section 5.3):
+
+- a ray through the pixel meets the surface, the ground, or nothing;
+- there, of the l lights those numbered k, k + p, k + 2p … are looked at, each with p times its strength (equation 4):
+  over the p samples every light is counted once, and no noise is left of the choice;
+- s/p rays are reflected by the narrow lobes (equation 5). Where such a ray leaves the scene, it brings the
+  environment's light; where it meets the surface again, a few lights are looked at there, drawn by their strength, and
+  it is reflected on, a few times.
+
+What is neglected, as in the paper: light that the broad part of one place sends to another place's broad part.
+
+Everything is one program for all pixels. Radiance is added up within it and written once: nothing is splatted, and no
+channel is traced apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+
+from brdf_suite.reference import directions as d
+from brdf_suite.reference.directions import Colour, Real, Vector
+from brdf_suite.reference.raytraced import flakes as fl
+from brdf_suite.reference.raytraced.camera import Pinhole
+from brdf_suite.reference.raytraced.light_set import ENVIRONMENT, NEAR_LAMP, LightSet
+from brdf_suite.reference.raytraced.numbers import in_cube, in_pixel, scrambled
+from brdf_suite.reference.raytraced.quality import Quality
+from brdf_suite.reference.raytraced.sky import Sky
+from brdf_suite.reference.raytraced.surface import Hit, Surface
+
+_GOLDEN = 0x9E3779B9
+"""The golden ratio's part of 2³²: places of a sequence that fills the circle evenly."""
+DEFAULT_DEPTH = 4
+"""Reflections one after the other: between clearcoats each leaves a twentieth of the light, towards grazing more."""
+
+
+@dataclass(frozen=True, eq=False)
+class LightArrays:
+    """Lights as the renderer has them; see :class:`~.light_set.LightSet`.
+
+    ``entries`` (2 × 2^``entry_bits``) and ``factors`` (2 × n) are those of :meth:`~.light_set.LightSet.draws`;
+    ``open_ground`` (3,) is the irradiance of a level ground with nothing on it.
+    """
+
+    places: Any
+    strengths: Any
+    spreads: Any
+    kinds: Any
+    entries: Any
+    entry_bits: Any
+    factors: Any
+    open_ground: Colour
+    has_lamps: bool
+
+    @classmethod
+    def of(cls, dealt: LightSet) -> LightArrays:
+        """Return the arrays of a set that was dealt."""
+        entries, factors = dealt.draws()
+        places, strengths, spreads, drawn = (
+            mi.Float(np.ascontiguousarray(a, np.float32).ravel())
+            for a in (dealt.places, dealt.strengths, dealt.spreads, factors)
+        )
+        kinds, table = mi.UInt32(dealt.kinds), mi.UInt32(entries.ravel())
+        dr.eval(places, strengths, spreads, drawn, kinds, table)
+        ground = d.colour(np.maximum(dealt.ground_irradiance(), 1e-12).tolist())
+        bits = dr.opaque(mi.UInt32, int(entries.shape[1]).bit_length() - 1)
+        lamps = bool((dealt.kinds != ENVIRONMENT).any())
+        return cls(places, strengths, spreads, kinds, table, bits, drawn, ground, lamps)
+
+
+@dataclass(frozen=True, eq=False)
+class Deal:
+    """How many lights each of the ``hands`` p samples gets, how many rays it reflects, how many lights such a ray."""
+
+    hands: Any
+    lights: Any
+    rays: Any
+    lights_a_ray: Any
+
+    @classmethod
+    def of(cls, quality: Quality, lights: int) -> Deal:
+        """Return the numbers for ``lights`` that were dealt; other numbers compile nothing anew."""
+        hands, rays = quality.samples, quality.reflections_a_sample
+        numbers = (hands, lights // hands, rays, -(-quality.lights_a_sample // rays))
+        return cls(*(dr.opaque(mi.UInt32, n) for n in numbers))
+
+
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """All that is traced. ``materials`` are splits, by their numbers; the ground's ``height`` is None for none.
+
+    ``sparkle`` is of the material number ``paint``.
+    """
+
+    surface: Surface
+    materials: Sequence[Any]
+    sky: Sky
+    lights: LightArrays
+    height: Real | None
+    sparkle: fl.Sparkle | None
+    paint: int
+    depth: int = DEFAULT_DEPTH
+
+
+@dataclass
+class Traced:
+    """Sums over samples: radiance of the object, its coverage, and how much darker the ground is than an open one."""
+
+    radiance: Colour
+    coverage: Real
+    darkness: Colour
+
+
+def trace(stage: Stage, camera: Pinhole, deal: Deal, column: Any, row: Any, first: Any, count: Any) -> Traced:
+    """Return the sums over ``count`` samples from number ``first`` on, for pixels at ``column`` and ``row``.
+
+    Sample numbers go on beyond p in later rounds.
+    """
+    turn = scrambled(row * mi.UInt32(0x10001) + column)
+
+    def one_more(k: Any, radiance: Colour, coverage: Real, darkness: Colour) -> tuple[Any, ...]:
+        origin, direction = camera.ray(column, row, in_pixel(k))
+        met, on_ground, hit = _meeting(stage, origin, direction, mi.Bool(True), coherent=True)
+        seen = _flakes(stage, camera, direction, hit, met)
+        pick = _dealt(deal, k % deal.hands)
+        light, shade = _lit(stage, hit, met, on_ground, pick, deal.lights, seen)
+        light = light + _reflected(stage, deal, hit, met, k, turn)
+        radiance = radiance + dr.select(met, light, 0.0)
+        coverage = coverage + dr.select(met, 1.0, 0.0)
+        darkness = darkness + dr.select(on_ground, 1.0 - shade, 0.0)
+        return k + 1, radiance, coverage, darkness
+
+    end = first + count
+    state = (first + dr.zeros(mi.UInt32, dr.width(column)), mi.Color3f(0.0), mi.Float(0.0), mi.Color3f(0.0))
+    _, radiance, coverage, darkness = dr.while_loop(
+        state, lambda k, *_: k < end, one_more, label="samples of a pixel"
+    )
+    return Traced(radiance, coverage, darkness)
+
+
+def _meeting(
+    stage: Stage, origin: Vector, direction: Vector, active: Any, *, coherent: bool
+) -> tuple[Any, Any, Hit]:
+    """Whether rays meet the surface, whether else the ground, and where either is."""
+    far, hit = stage.surface.meet(origin, direction, active, coherent=coherent)
+    met = active & dr.isfinite(far)
+    if stage.height is None:
+        return met, mi.Bool(False), hit
+    down = (stage.height - origin.y) / direction.y
+    on_ground = active & (direction.y < 0.0) & (down > 0.0) & ~(met & (far < down))
+    met &= ~on_ground
+    place = dr.fma(down, direction, origin)
+    up = mi.Vector3f(0.0, 1.0, 0.0)
+    hit.place = dr.select(on_ground, place, hit.place)
+    hit.off = dr.select(on_ground, place + 1e-4 * up, hit.off)
+    hit.normal = dr.select(on_ground, up, hit.normal)
+    hit.view = -direction
+    return met, on_ground, hit
+
+
+def _flakes(stage: Stage, camera: Pinhole, direction: Vector, hit: Hit, met: Any) -> fl.FlakesSeen | None:
+    if stage.sparkle is None:
+        return None
+    far = dr.norm(hit.place - camera.place)
+    across, down = camera.footprint(direction, far, hit.normal)
+    painted = met & (stage.surface.material(hit, met) == stage.paint)
+    at, per_column, per_row = stage.surface.texture_place(hit, across, down, painted)
+    return fl.flakes_seen(stage.sparkle, at, per_column, per_row)
+
+
+Pick = Callable[[Any, Any], tuple[Any, Real]]
+"""From a count to the number of a light, and the factor on its strength; whether for the ground."""
+
+
+def _dealt(deal: Deal, hand: Any) -> Pick:
+    """The lights of one of p samples, with p times their strength."""
+    return lambda i, _on_ground: (hand + i * deal.hands, mi.Float(deal.hands))
+
+
+def _drawn_lights(lights: LightArrays, deal: Deal, word: Any) -> Pick:
+    """Lights drawn as often as they have light, evenly from a place that ``word`` tells.
+
+    The few lights of a reflected ray stand for all of them: dealt, most rays would miss the sun.
+    """
+
+    def pick(i: Any, on_ground: Any) -> tuple[Any, Real]:
+        step = mi.UInt32(0xFFFFFFFF) // deal.lights_a_ray
+        at = (word + i * step) >> (32 - lights.entry_bits)
+        size = mi.UInt32(1) << lights.entry_bits
+        count = dr.opaque(mi.UInt32, len(lights.kinds))
+        which = dr.gather(mi.UInt32, lights.entries, at + dr.select(on_ground, size, 0))
+        factor = dr.gather(mi.Float, lights.factors, which + dr.select(on_ground, count, 0))
+        return which, factor / mi.Float(deal.lights_a_ray)
+
+    return pick
+
+
+def _lit(
+    stage: Stage,
+    hit: Hit,
+    met: Any,
+    on_ground: Any,
+    pick: Pick,
+    number: Any,
+    seen: fl.FlakesSeen | None = None,
+) -> tuple[Colour, Colour]:
+    """The light of ``number`` lights that a surface sends on, and the share of an open ground's light that arrives."""
+    lights = stage.lights
+    frame = mi.Frame3f(hit.normal)
+    view = frame.to_local(hit.view)
+    material = stage.surface.material(hit, met)
+
+    def one_more(i: Any, light: Colour, shade: Colour) -> tuple[Any, ...]:
+        index, factor = pick(i, on_ground)
+        place = dr.gather(mi.Vector3f, lights.places, index)
+        strength = dr.gather(mi.Color3f, lights.strengths, index)
+        towards, length, share = place, mi.Float(dr.inf), mi.Float(1.0)
+        lamp, for_ground = mi.Bool(False), on_ground
+        if lights.has_lamps:
+            kind = dr.gather(mi.UInt32, lights.kinds, index)
+            away = place - hit.off
+            distance = dr.norm(away)
+            close = kind == NEAR_LAMP
+            towards = dr.select(close, away / distance, place)
+            length = dr.select(close, distance, length)
+            share = dr.select(close, dr.rcp(dr.square(distance)), share)
+            lamp = kind != ENVIRONMENT
+            for_ground = on_ground & ~lamp
+        cosine = dr.dot(hit.normal, towards)
+        lit = (met | for_ground) & (cosine > 0.0) & (dr.max(strength) > 0.0)
+        lit &= ~stage.surface.hides(hit.off, towards, length, lit)
+        local = frame.to_local(towards)
+        arriving = strength * (cosine * share * factor)
+        value = _value(stage, material, local, view, lamp, seen, _spread(stage, seen, index), met)
+        light = light + dr.select(lit & met, value * arriving, 0.0)
+        shade = shade + dr.select(lit & for_ground, arriving / lights.open_ground, 0.0)
+        return i + 1, light, shade
+
+    state = (mi.UInt32(0), mi.Color3f(0.0), mi.Color3f(0.0))
+    _, light, shade = dr.while_loop(
+        state, lambda i, *_: (i < number) & (met | on_ground), one_more, label="lights"
+    )
+    return light, shade
+
+
+def _spread(stage: Stage, seen: fl.FlakesSeen | None, index: Any) -> Real:
+    return mi.Float(0.0) if seen is None else dr.gather(mi.Float, stage.lights.spreads, index)
+
+
+def _value(
+    stage: Stage,
+    material: Any,
+    light: Vector,
+    view: Vector,
+    lamp: Any,
+    seen: fl.FlakesSeen | None,
+    spread: Real,
+    active: Any,
+) -> Colour:
+    """f_r of what lights light: the broad part; in a lamp's light, which no reflected ray finds, the whole."""
+
+    def of(split: Any) -> Any:
+        def value(light: Vector, view: Vector, narrow: Real, active: Any) -> Colour:
+            above = active & (light.z > 0.0) & (view.z > 0.0)
+            total = split.broad.value(light, view)
+            if stage.lights.has_lamps and split.narrow:
+                total = total + narrow * split.narrow_value(light, view)
+            return dr.select(above, total, 0.0)
+
+        return value
+
+    # A number: Dr.Jit takes a truth value at the end of a switch's arguments for its mask.
+    narrow = dr.select(lamp, mi.Float(1.0), 0.0)
+    values = [of(split) for split in stage.materials]
+    if len(values) == 1:
+        value = values[0](light, view, narrow, active)
+    else:
+        value = dr.switch(material, values, light, view, narrow, active)
+    if seen is None or stage.sparkle is None:
+        return value
+    bright = fl.sparkling(stage.sparkle, seen, light, view, spread, value)
+    return dr.select(material == stage.paint, bright, value)
+
+
+def _reflected(stage: Stage, deal: Deal, hit: Hit, met: Any, k: Any, turn: Any) -> Colour:
+    """The light that the narrow lobes of a sample bring."""
+    if not any(split.narrow for split in stage.materials):
+        return mi.Color3f(0.0)
+    material = stage.surface.material(hit, met)
+
+    def one_ray(j: Any, light: Colour) -> tuple[Any, ...]:
+        number = k * deal.rays + j
+
+        def one_bounce(
+            bounce: Any,
+            going: Any,
+            weight: Colour,
+            light: Colour,
+            off: Vector,
+            normal: Vector,
+            view: Vector,
+            material: Any,
+        ) -> tuple[Any, ...]:
+            frame = mi.Frame3f(normal)
+            choice, u = in_cube(number, turn + bounce * mi.UInt32(0x85EBCA6B))
+            local, factor = _drawn(stage, material, frame.to_local(view), choice, u, going)
+            weight = weight * factor
+            direction = frame.to_world(local)
+            going &= dr.max(weight) > 0.0
+            met, on_ground, hit = _meeting(stage, off, direction, going, coherent=False)
+            word = number * mi.UInt32(_GOLDEN) + scrambled(turn + bounce)
+            pick = _drawn_lights(stage.lights, deal, word)
+            arriving, shade = _lit(stage, hit, met, on_ground, pick, deal.lights_a_ray)
+            gone = going & ~met
+            sky = stage.sky.along(direction, gone)
+            arriving = dr.select(gone, dr.select(on_ground, sky * shade, sky), arriving)
+            light = light + dr.select(going, weight * arriving, 0.0)
+            going &= met
+            return (
+                bounce + 1,
+                going,
+                weight,
+                light,
+                hit.off,
+                hit.normal,
+                hit.view,
+                stage.surface.material(hit, going),
+            )
+
+        # Copies: a loop leaves its results in the very variables that it was given.
+        state = (
+            mi.UInt32(0),
+            mi.Bool(met),
+            mi.Color3f(1.0),
+            mi.Color3f(0.0),
+            mi.Vector3f(hit.off),
+            mi.Vector3f(hit.normal),
+            mi.Vector3f(hit.view),
+            mi.UInt32(material),
+        )
+        found = dr.while_loop(
+            state,
+            lambda bounce, going, *_: going & (bounce < stage.depth),
+            one_bounce,
+            label="reflections",
+        )
+        return j + 1, light + found[3]
+
+    _, total = dr.while_loop(
+        (mi.UInt32(0), mi.Color3f(0.0)),
+        lambda j, *_: met & (j < deal.rays),
+        one_ray,
+        label="reflected rays",
+    )
+    light: Colour = total
+    return light / mi.Float(deal.rays)
+
+
+def _drawn(
+    stage: Stage, material: Any, view: Vector, choice: Real, u: Any, active: Any
+) -> tuple[Vector, Colour]:
+    def of(split: Any) -> Any:
+        def draw(view: Vector, choice: Real, u: Any, _active: Any) -> tuple[Vector, Colour]:
+            drawn: tuple[Vector, Colour] = split.draw(view, choice, u)
+            return drawn
+
+        return draw
+
+    draws = [of(split) for split in stage.materials]
+    if len(draws) == 1:
+        light, weight = draws[0](view, choice, u, active)
+    else:
+        light, weight = dr.switch(material, draws, view, choice, u, active)
+    return light, weight
