@@ -297,11 +297,11 @@ def paint_like(standard: Standard, like: Paint) -> Paint:
                 f"{standard.name} has no reading at {Geometry(m.illumination_deg, m.aspecular_deg).name}, and nothing "
                 "that one could be computed from."
             )
-        lab = tuple(
+        lightness, a, b = (
             min(PARAMETERS[f"lab[{i}]"].high, max(PARAMETERS[f"lab[{i}]"].low, value))
             for i, value in enumerate(found[0])
         )
-        measurements.append(replace(m, lab=lab))
+        measurements.append(replace(m, lab=(lightness, a, b)))
     return replace(
         like,
         name=standard.name[:200] or like.name,
