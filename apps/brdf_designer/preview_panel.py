@@ -49,6 +49,8 @@ class PreviewPanel(QWidget):
         self.light.setToolTip(tr("The light in which the small picture shows the paint"))
         for name in LIGHTS:
             self.light.addItem(tr(_LIGHT_NAMES[name]), name)
+        # No taller than the caption of the plot beside it, so that plot and picture begin at one height.
+        self.light.setFixedHeight(self.fontMetrics().height() + 4)
         self.light.activated.connect(lambda row: self.light_chosen.emit(self.light.itemData(row)))
         head = QHBoxLayout()
         head.setSpacing(8)

@@ -1,0 +1,122 @@
+"""Designer's small picture: the real renderer in the real window."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from brdf_designer.assembly import Designer, shipped_paint
+from brdf_designer.preview import FAST_MS, REST_MS, PreviewControl
+from brdf_designer.preview_scene import LIGHT_WIDTH, smaller
+from brdf_qt.dialogs import Answer
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QImage
+from PySide6.QtTest import QTest
+
+from brdf_suite.lighting.environment import Environment
+
+
+class NoDialogs:
+    def unsaved(self, _name: str) -> Answer:
+        return Answer.DISCARD
+
+
+@pytest.fixture
+def designer(qtbot) -> Designer:
+    designer = Designer(dialogs=lambda _window: NoDialogs())
+    qtbot.addWidget(designer.window)
+    designer.window.resize(1200, 800)
+    designer.window.show()
+    yield designer
+    designer.close()
+
+
+@pytest.fixture
+def preview(designer, qtbot) -> PreviewControl:
+    control = next(part for part in designer.sections if isinstance(part, PreviewControl))
+    qtbot.waitUntil(lambda: control.drawn is not None)
+    return control
+
+
+def picture(preview) -> np.ndarray:
+    image = preview.panel.surface.grab_image().convertToFormat(QImage.Format.Format_RGB888)
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+
+
+def middle(preview) -> np.ndarray:
+    pixels = picture(preview)
+    rows, columns = pixels.shape[:2]
+    return pixels[rows * 2 // 5 : rows * 3 // 5, columns * 2 // 5 : columns * 3 // 5].mean((0, 1))
+
+
+def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbers(designer, preview, qtbot):
+    surface = preview.panel.surface
+    assert surface.failure == ""
+    red, _, blue = middle(preview)
+    assert blue > 1.5 * red
+
+    # Another paint is drawn by itself.
+    designer.open("red")
+    qtbot.waitUntil(lambda: preview.drawn is designer.desk.fit)
+    red, _, blue = middle(preview)
+    assert red > 1.5 * blue
+
+    # A slow picture is not drawn while edits come; each of them puts it off anew.
+    drawn = []
+    surface.frame_drawn.connect(lambda *frame: drawn.append(frame))
+    preview._frame_ms = 10 * FAST_MS
+    for lightness in (50.0, 55.0, 60.0):
+        designer.controller.edit(("lab", 0, 0), lightness)
+        assert preview._drawing.isActive()
+        assert preview._drawing.interval() == REST_MS
+    assert designer.window.patches._cells[0][0].isVisible()
+    assert preview.drawn is not designer.desk.fit
+    qtbot.waitUntil(lambda: preview.drawn is designer.desk.fit)
+    preview._frame_ms = FAST_MS
+    designer.controller.edit(("lab", 0, 0), 61.0)
+    assert preview._drawing.interval() == 0
+
+    # Another light, chosen by hand.
+    booth = picture(preview)
+    row = preview.panel.light.findData("sunny")
+    preview.panel.light.setCurrentIndex(row)
+    preview.panel.light.activated.emit(row)
+    qtbot.waitUntil(lambda: preview._view.environment == "sunny")
+    assert np.abs(picture(preview) - booth).mean() > 5.0
+
+    # A drag turns the form, and nothing of the paint.
+    before, steps = picture(preview), designer.store.stack.count()
+    canvas = surface.canvas
+    start = QPoint(canvas.width() // 2, canvas.height() // 2)
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
+    QTest.mouseMove(canvas, start + QPoint(60, 10))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(60, 10))
+    assert preview._view.camera.azimuth_deg != pytest.approx(35.0)
+    assert np.abs(picture(preview) - before).mean() > 2.0
+    assert designer.store.stack.count() == steps
+    QTest.keyClick(canvas, Qt.Key.Key_F)
+    assert preview._view.camera.distance is None
+
+    # A paint that cannot be leaves the picture, and says so.
+    designer.controller.edit(("gloss", "gu_20"), 199.0)
+    assert "last paint" in preview.panel.caption.accessibleName()
+    designer.controller.undo()
+    assert "last paint" not in preview.panel.caption.accessibleName()
+
+    # Hidden, it draws nothing.
+    preview.show(False)
+    kept = preview.drawn
+    designer.desk.edit(shipped_paint("copper"), "Copper")
+    qtbot.wait(2 * REST_MS)
+    assert preview.drawn is kept
+    preview.show(True)
+    qtbot.waitUntil(lambda: preview.drawn is designer.desk.fit)
+
+
+def test_a_smaller_light_holds_the_same_light():
+    radiance = np.random.default_rng(3).random((512, 1024, 3), np.float32)
+    small = smaller(Environment("noise", radiance), LIGHT_WIDTH)
+    assert small.radiance.shape == (256, 512, 3)
+    assert small.radiance.mean() == pytest.approx(float(radiance.mean()), rel=1e-5)
+    odd = Environment("odd", radiance[:, :1000])
+    assert smaller(odd, LIGHT_WIDTH) is odd
