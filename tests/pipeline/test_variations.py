@@ -30,7 +30,7 @@ from brdf_suite.pipeline.variations import DIRECTIONS, examined, flop_shares, va
 from brdf_suite.pipeline.variations_mix import mixed, second_end
 
 ANGLES = (15.0, 45.0, 110.0)
-STEEPEST_UM = math.floor(100.0 * math.tan(math.radians(STEEPEST_PEEL_DEG)) * 4e3 / (2.0 * math.pi)) / 100.0
+STEEPEST_UM = math.floor(100.0 * math.tan(math.radians(STEEPEST_PEEL_DEG)) * 1e3 / (2.0 * math.pi)) / 100.0
 
 
 @pytest.fixture(scope="module")
@@ -156,7 +156,7 @@ def test_flakes_and_peel_fade_in(blue: Paint) -> None:
     assert mixed(plain, flaky, 0.5).orange_peel == OrangePeel(0.4, 4.0)
     assert mixed(plain, plain, 0.5).orange_peel is None
     # Beyond a paint whose waves are as steep as waves can be, they stay that steep.
-    steep = replace(plain, orange_peel=OrangePeel(STEEPEST_UM, 4.0))
+    steep = replace(plain, orange_peel=OrangePeel(STEEPEST_UM, 1.0))
     assert mixed(plain, steep, 1.5).orange_peel.amplitude_um == pytest.approx(STEEPEST_UM, abs=0.01)
 
 
