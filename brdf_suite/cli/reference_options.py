@@ -1,4 +1,4 @@
-"""``brdf-suite render --renderer reference``: the same picture by path tracing."""
+"""``brdf-suite render --renderer reference|raytraced``: the same picture by tracing paths, or rays."""
 
 from __future__ import annotations
 
@@ -9,32 +9,59 @@ from brdf_suite.cli.output import print_json, progress_bar
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 
-RENDERERS = ("realtime", "reference")
+RENDERERS = ("realtime", "reference", "raytraced")
+QUALITIES = ("fast", "medium", "high")
 _OF_OTHER = {
-    "realtime": ("spp", "time", "fresh"),
-    "reference": ("bits", "colour_space", "transparent", "follow"),
+    "realtime": ("spp", "time", "fresh", "quality", "table_split"),
+    "reference": ("bits", "colour_space", "transparent", "follow", "quality", "table_split"),
+    "raytraced": ("bits", "colour_space", "transparent", "follow"),
 }
 
 
 def add_reference(command: argparse.ArgumentParser) -> None:
-    """Declare the choice of renderer and the path tracer's budget."""
+    """Declare the choice of renderer and the budgets of those that trace."""
     command.add_argument(
         "--renderer",
         choices=RENDERERS,
         default=RENDERERS[0],
         help="realtime (the default): lobes in prefiltered light; reference: path tracing with Mitsuba, an optional "
-        "extra; an EXR then holds its variance too",
+        "extra; an EXR then holds its variance too; raytraced: directional lights and sampled reflections, Mitsuba too",
     )
     command.add_argument(
-        "--spp", type=samples, default=None, metavar="N", help="reference: samples a pixel (default: 256)"
+        "--spp",
+        type=samples,
+        default=None,
+        metavar="N",
+        help="samples a pixel (default: reference 256; raytraced as the quality has them)",
     )
     command.add_argument(
-        "--time", type=_seconds, default=None, metavar="S", help="reference: seconds to trace at most"
+        "--time",
+        type=_seconds,
+        default=None,
+        metavar="S",
+        help="reference and raytraced: seconds to trace at most",
+    )
+    add_raytraced(command)
+
+
+def add_raytraced(command: argparse.ArgumentParser) -> None:
+    """Declare what the ray tracer is asked for, and that a traced picture may be begun anew."""
+    command.add_argument(
+        "--quality",
+        choices=QUALITIES,
+        default=None,
+        help="raytraced: 16 lights and one mirrored ray; 128, 16 rays and 16 samples (the default); 1,024, 256 and 64",
+    )
+    command.add_argument(
+        "--table-split",
+        choices=("clamp", "subtract"),
+        default=None,
+        help="raytraced: how the peak is cut off a measured table (default: clamp)",
     )
     command.add_argument(
         "--fresh",
         action="store_true",
-        help="reference: begin anew; else the same command goes on from what an interrupted one kept",
+        help="reference and raytraced: begin anew; else the same command goes on from what an interrupted one kept",
     )
 
 
@@ -75,6 +102,43 @@ def run_reference(options: argparse.Namespace, view: View) -> int:
     print(
         f"{picture.path}: {picture.width}×{picture.height}, {picture.paint} on {picture.surface} in "
         f"{picture.environment}; {picture.samples} samples a pixel{before}, {noise}, "
+        f"{picture.seconds:.1f} s ({picture.renderer})"
+    )
+    return 0
+
+
+def run_raytraced(options: argparse.Namespace, view: View) -> int:
+    """Ray-trace and write; print a line or a JSON object."""
+    from dataclasses import asdict
+
+    from brdf_suite.pipeline.raytraced_file import render_raytraced
+
+    with progress_bar("ray tracing", quiet=options.json) as progress:
+        picture = render_raytraced(
+            options.paint,
+            view,
+            options.size,
+            options.output,
+            quality=options.quality or "medium",
+            samples=options.spp,
+            seconds=options.time,
+            fresh=options.fresh,
+            tables=options.table_split or "clamp",
+            progress=progress,
+        )
+    if options.json:
+        facts = asdict(picture)
+        facts["output"] = str(facts.pop("path"))
+        print_json(facts)
+        return 0
+    for notice in picture.notices:
+        print(f"note: {notice}")
+    before = f", {picture.resumed_samples} of them from before" if picture.resumed_samples else ""
+    rays = "one mirrored ray" if picture.reflections == 1 else f"{picture.reflections} reflected rays"
+    count = "one sample" if picture.samples == 1 else f"{picture.samples} samples"
+    print(
+        f"{picture.path}: {picture.width}×{picture.height}, {picture.paint} on {picture.surface} in "
+        f"{picture.environment}; {picture.lights} lights, {rays}, {count} a pixel{before}, "
         f"{picture.seconds:.1f} s ({picture.renderer})"
     )
     return 0

@@ -8,7 +8,9 @@ from pathlib import Path
 from brdf_suite.cli.export_progress import add_export, export_progress
 from brdf_suite.cli.output import print_json
 from brdf_suite.cli.picture_options import add_picture, settings_of
+from brdf_suite.cli.reference_options import RENDERERS, add_raytraced, samples
 from brdf_suite.cli.scene_options import add_scene, view_of
+from brdf_suite.errors import SuiteError
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -32,6 +34,21 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--fps", type=float, default=30.0, metavar="N", help="frames a second of a video (default: 30)"
     )
     command.add_argument("--clockwise", action="store_true", help="seen from above")
+    command.add_argument(
+        "--renderer",
+        choices=RENDERERS,
+        default=RENDERERS[0],
+        help="realtime (the default), reference (path tracing) or raytraced; the last two with Mitsuba, an optional "
+        "extra; their finished frames are kept in PATH.part, and the same command goes on from there",
+    )
+    command.add_argument(
+        "--spp",
+        type=samples,
+        default=None,
+        metavar="N",
+        help="samples a pixel of each frame (default: reference 64; raytraced as the quality has them)",
+    )
+    add_raytraced(command)
     add_scene(command)
     add_picture(command, radiance=False)
     add_export(command)
@@ -44,12 +61,35 @@ def run(options: argparse.Namespace) -> int:
 
     from brdf_suite.pipeline.turntable import Turn, write_turntable
 
+    _check_renderer(options)
     view = view_of(options)
     turn = Turn(options.frames, options.fps, options.clockwise)
     with export_progress("turntable", options) as progress:
-        made = write_turntable(
-            options.paint, view, options.size, options.output, turn, settings_of(options), progress=progress
-        )
+        if options.renderer == "realtime":
+            made = write_turntable(
+                options.paint,
+                view,
+                options.size,
+                options.output,
+                turn,
+                settings_of(options),
+                progress=progress,
+            )
+        else:
+            # Only where it is asked for: the optional extra comes with it.
+            from brdf_suite.pipeline.traced_turntable import Budget, write_traced_turntable
+
+            made = write_traced_turntable(
+                options.renderer,
+                options.paint,
+                view,
+                options.size,
+                options.output,
+                turn,
+                Budget(options.quality or "medium", options.spp, options.table_split or "clamp"),
+                fresh=options.fresh,
+                progress=progress,
+            )
     if options.json:
         facts = asdict(made)
         facts["output"] = str(facts.pop("path"))
@@ -59,3 +99,16 @@ def run(options: argparse.Namespace) -> int:
         print(f"note: {notice}")
     print(f"{made.path}: {made.frames} frames of {made.width}×{made.height}, {made.paint}")
     return 0
+
+
+_OF_OTHER = {
+    "realtime": ("spp", "quality", "table_split", "fresh"),
+    "reference": ("quality", "table_split", "bits", "colour_space", "transparent"),
+    "raytraced": ("bits", "colour_space", "transparent"),
+}
+
+
+def _check_renderer(options: argparse.Namespace) -> None:
+    given = [f"--{name.replace('_', '-')}" for name in _OF_OTHER[options.renderer] if getattr(options, name)]
+    if given:
+        raise SuiteError(f"With --renderer {options.renderer} there is no {given[0]}; leave it out.")

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,9 @@ from brdf_suite.progress import Progress, part, report
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET
 
+if TYPE_CHECKING:
+    from brdf_suite.reference.raytraced.table_split import TableSplit
+
 TracedBy = Literal["reference", "raytraced"]
 Codes = NDArray[np.uint8]
 Draw = Callable[[View], tuple[Codes, View]]
@@ -40,10 +43,14 @@ _STATE = "turntable.json"
 
 @dataclass(frozen=True)
 class Budget:
-    """For each frame: ``quality`` of the ray tracer, ``samples`` a pixel (None: as many as usual)."""
+    """For each frame: ``quality`` of the ray tracer, ``samples`` a pixel (None: as many as usual).
+
+    ``tables`` is how the ray tracer cuts the peak off a measured table.
+    """
 
     quality: str = DEFAULT_PRESET
     samples: int | None = None
+    tables: TableSplit = "clamp"
 
 
 def write_traced_turntable(
@@ -152,10 +159,10 @@ def _raytraced(
     from brdf_suite.pipeline.raytraced import RaytracedSession
 
     session = RaytracedSession()
-    scene = session.show(paint, view, size, budget.quality)
+    scene = session.show(paint, view, size, budget.quality, tables=budget.tables)
 
     def draw(view: View) -> tuple[Codes, View]:
-        session.show(paint, view, size, budget.quality)
+        session.show(paint, view, size, budget.quality, tables=budget.tables)
         *_, image = session.passes(samples=budget.samples)
         return image.codes(), image.exposed_view
 
