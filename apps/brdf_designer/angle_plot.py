@@ -1,16 +1,17 @@
 """L*, C* and h over the aspecular angle, one above the other: points that can be dragged, model and lobes as lines.
 
 pyqtgraph takes a quarter of a second to import, so the plots are built after the window is first painted. They are
-drawn anew at the next turn of the event loop: numbers and patches come first.
+drawn a moment after an edit, all of a frame at once: numbers and patches come first.
 """
 
 from __future__ import annotations
 
+from brdf_qt.choice_button import ChoiceButton
 from brdf_qt.settings import settings
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
 from brdf_designer.caption import Caption
 from brdf_designer.desk_state import Colours, Curves
@@ -23,6 +24,7 @@ _STALE = (
     mark("Lines of the last paint that can be"),
     mark("Earlier lines"),
 )
+_PAUSE_MS = 15
 _SHOWN_KEY = "designer/plots"
 
 
@@ -65,7 +67,7 @@ class AnglePlot(QWidget):
         self._new_colours = self._new_curves = False
         self._drawing = QTimer(self)
         self._drawing.setSingleShot(True)
-        self._drawing.setInterval(0)
+        self._drawing.setInterval(_PAUSE_MS)
         self._drawing.timeout.connect(self.draw_now)
 
     @property
@@ -116,12 +118,9 @@ class AnglePlot(QWidget):
                 plot.show_curves(self._curves)
         self._new_colours = self._new_curves = False
 
-    def _button(self, number: int) -> QToolButton:
+    def _button(self, number: int) -> ChoiceButton:
         quantity = QUANTITIES[number]
-        button = QToolButton()
-        button.setText(tr(quantity.axis).split(" ", 1)[0])
-        button.setCheckable(True)
-        button.setAutoRaise(True)
+        button = ChoiceButton(tr(quantity.axis).split(" ", 1)[0])
         shown = str(settings().value(_SHOWN_KEY, "012"))
         button.setChecked(str(number) in shown)
         button.setAccessibleName(tr("Show the plot of {name}").format(name=tr(quantity.name)))
@@ -140,6 +139,9 @@ class AnglePlot(QWidget):
 
     def _show_chosen(self) -> None:
         shown = [plot for plot, button in zip(self.plots, self.buttons, strict=True) if button.isChecked()]
-        for plot in self.plots:
+        for place, plot in enumerate(self.plots, 1):
+            lowest = plot is shown[-1]
             plot.setVisible(plot in shown)
-            plot.show_axis(bool(shown) and plot is shown[-1])
+            plot.show_axis(lowest)
+            # The lowest has the axis below it, which takes about half the room of a plot.
+            self._box.setStretch(place, 3 if lowest else 2)

@@ -25,7 +25,7 @@ _ROUGHNESS_TIP = mark(
 )
 _HAZE_TIP = mark(
     "Haze index: gloss at 60° minus gloss at 20° (as practice reads ASTM D4039), GU. It grows where light is scattered "
-    "just beside the mirror direction, so that a glossy coat looks milky; a smooth clear coat has about 7 to 12."
+    "just beside the mirror direction, so that a glossy coat looks milky; a smooth clear coat has about 5 to 12."
 )
 _SLOPE_TIP = mark("Root mean square slope of the waves; a tenth of a degree is seen at arm's length.")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.choice_button import ChoiceButton
 from brdf_qt.form import Form
 from brdf_qt.number_field import NumberField
 from brdf_qt.settings import settings
@@ -12,7 +13,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QPushButton,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -118,16 +118,14 @@ class _Choice(QWidget):
         super().__init__()
         self._key = key
         self.setAccessibleName(name)
-        self.buttons: dict[str, QToolButton] = {}
+        self.buttons: dict[str, ChoiceButton] = {}
         group = QButtonGroup(self)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(0)
         for choice, (text, tip) in choices.items():
-            button = QToolButton()
-            button.setText(tr(text))
+            button = ChoiceButton(tr(text))
             button.setToolTip(tr(tip))
-            button.setCheckable(True)
             button.setAccessibleName(f"{name}: {tr(text)}")
             button.clicked.connect(lambda _=False, choice=choice: self._choose(choice))
             group.addButton(button)

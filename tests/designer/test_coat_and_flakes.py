@@ -1,0 +1,130 @@
+"""The coat as gloss and as index and roughness, in step; haze, orange peel, refusals; and what cannot be."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from brdf_suite.documents.paint import OrangePeel
+from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.reflectance.build import build_paint
+
+
+def type_in(number, text: str) -> None:
+    number.setFocus()
+    number.selectAll()
+    QTest.keyClicks(number, text)
+    QTest.keyClick(number, Qt.Key.Key_Return)
+
+
+def steps(designer) -> list[str]:
+    return [designer.store.stack.text(i) for i in range(designer.store.stack.count())]
+
+
+def test_gloss_and_coat_are_in_step_both_ways(designer, qtbot) -> None:
+    coat = designer.window.coat
+    before = designer.store.value
+    assert coat.ior.value() == pytest.approx(1.529, abs=0.002)
+    type_in(coat.ior, "1.560")
+    gloss = designer.store.value.gloss
+    assert gloss.gu_20 > before.gloss.gu_20
+    assert gloss.gu_60 is not None
+    assert coat.has_60.isChecked()
+    solved = build_paint(designer.store.value)
+    assert (solved.ior, solved.roughness) == (pytest.approx(1.56, abs=1e-3), pytest.approx(0.002, abs=2e-4))
+    type_in(coat.roughness, "0.01")
+    assert designer.store.value.gloss.gu_20 < gloss.gu_20
+    assert coat.ior.value() == pytest.approx(1.56, abs=2e-3)
+    assert coat.panel.fields["gloss.gu_20"].value() == pytest.approx(
+        designer.store.value.gloss.gu_20, abs=0.06
+    )
+    assert steps(designer) == ["Change Index of the Coat", "Change Roughness of the Coat"]
+    # And back: a reading that is typed is solved for the coat.
+    type_in(coat.panel.fields["gloss.gu_20"], "50")
+    assert coat.roughness.value() > 0.01
+    for _ in range(3):
+        designer.controller.undo()
+    assert designer.store.value == before
+
+
+def test_haze_is_told_from_the_readings_or_from_the_coat(designer, qtbot) -> None:
+    coat = designer.window.coat
+    qtbot.waitUntil(lambda: "computed" in coat.haze.text())
+    coat.has_60.click()
+    gloss = designer.store.value.gloss
+    assert coat.haze.text() == f"{gloss.gu_60 - gloss.gu_20:.1f} GU, from the readings"
+    assert "D4039" in coat.haze.toolTip()
+
+
+def test_orange_peel_is_part_of_the_paint(designer) -> None:
+    coat = designer.window.coat
+    assert not coat.peel.isEnabled()
+    coat.has_peel.click()
+    assert designer.store.value.orange_peel == OrangePeel()
+    type_in(coat.peel.fields["orange_peel.amplitude_um"], "2")
+    type_in(coat.peel.fields["orange_peel.wavelength_mm"], "6")
+    assert designer.store.value.orange_peel == OrangePeel(2.0, 6.0)
+    assert coat.slope.text().startswith("0.120°")
+    type_in(coat.peel.fields["orange_peel.amplitude_um"], "19")
+    type_in(coat.peel.fields["orange_peel.wavelength_mm"], "0.5")
+    assert "steeper than 5°" in designer.window.messages.shown()["edit"].what
+    assert designer.store.value.orange_peel == OrangePeel(19.0, 6.0)
+    coat.has_peel.click()
+    assert designer.store.value.orange_peel is None
+    coat.has_peel.click()
+    assert designer.store.value.orange_peel == OrangePeel(19.0, 6.0)
+    assert steps(designer)[:3] == ["Switch Orange Peel", "Change Orange peel", "Change Peel wavelength"]
+
+
+def test_a_gloss_that_cannot_be_is_explained_and_the_nearest_is_one_click_away(designer, qtbot) -> None:
+    coat, messages = designer.window.coat, designer.window.messages
+    asked_before = designer.store.value
+    type_in(coat.panel.fields["gloss.gu_20"], "180")
+    assert "reads from" in coat.note.text()
+    assert coat.note.isVisible()
+    assert not coat.ior.isEnabled()
+    qtbot.waitUntil(lambda: "nearest" in messages.shown())
+    message = messages.shown()["nearest"]
+    assert "GU at 20°" in message.todo
+    (text, take), *_ = message.actions
+    assert text == "Take the Nearest"
+    take()
+    taken = designer.store.value
+    assert 130.0 < taken.gloss.gu_20 < 180.0
+    build_paint(taken)
+    assert coat.ior.isEnabled()
+    assert not coat.note.isVisible()
+    assert "nearest" not in messages.shown()
+    assert steps(designer) == ["Change Gloss 20°", "Take Nearest Paint"]
+    designer.controller.undo()
+    assert designer.store.value.gloss.gu_20 == 180.0
+    designer.controller.undo()
+    assert designer.store.value == asked_before
+
+
+def test_colours_that_no_lobes_give_are_told_and_the_nearest_offered(designer, qtbot) -> None:
+    window = designer.window
+    type_in(window.editors.editors[2].fields[0], "80")
+    asked = designer.store.value
+    cells = window.patches._cells
+    assert cells[2][3].text().startswith("! fit ΔE00")
+    given = cells[2][0].given()
+    assert given is not None
+    assert given != cells[2][0]._rgb, "what the fit gives is seen beside what is asked"
+    qtbot.waitUntil(lambda: "nearest" in window.messages.shown())
+    message = window.messages.shown()["nearest"]
+    assert "No sum of the lobes gives the colour asked at" in message.what
+    assert "110°" in message.what
+    # Another edit takes the offer back: it was for the paint before.
+    type_in(window.editors.editors[2].fields[0], "81")
+    assert "nearest" not in window.messages.shown()
+    qtbot.waitUntil(lambda: "nearest" in window.messages.shown())
+    window.messages.shown()["nearest"].actions[0][1]()
+    fitter = PaintFitter(time_limit_s=60.0)
+    assert fitter.fit(designer.store.value).worst_delta_e < 1.0
+    fitter.close()
+    assert not any(cell[3].font().bold() for cell in cells)
+    designer.controller.undo()
+    designer.controller.undo()
+    assert designer.store.value == asked
