@@ -42,9 +42,10 @@ if TYPE_CHECKING:
 Change = Literal["nothing", "shown", "light"]
 _T = TypeVar("_T")
 
-PASSES = (1, 1, 2)
+PASSES = (1, 1, 2, 4)
 """Samples a pixel of the first passes: a picture at once, and its noise soon."""
-LATER_PASSES = 4
+LATER_SAMPLES = 500_000
+"""Of all pixels together in a pass after these, where 4 a pixel are not more: some tenths of a second."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,10 +144,10 @@ class LiveReference:
         ReferenceUnavailableError
             The renderer failed, as it does where memory runs out.
         """
-        from brdf_suite.reference.passes import step
+        from brdf_suite.reference.passes import pass_size, step
 
         done = 0 if self._estimate is None else self._estimate.passes
-        samples = PASSES[done] if done < len(PASSES) else LATER_PASSES
+        samples = PASSES[done] if done < len(PASSES) else pass_size(self.scene.size, LATER_SAMPLES)
         self._estimate = step(self.scene.traced, self._estimate, samples=samples)
         return self._estimate
 

@@ -10,15 +10,16 @@ from brdf_suite.appearance.light_matrix import ILLUMINANT_OF
 from brdf_suite.documents.paint import Flakes, OrangePeel, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
+from brdf_suite.realtime.values import MaterialWeights
 from brdf_suite.reflectance.protocol import Reflectance
 
 
 @dataclass(frozen=True, eq=False)
 class TracedPaint:
-    """A reflectance with its name, what lies in it and on it, and sentences about it for the user."""
+    """A reflectance, or lobes fitted to one, with its name, its flakes and orange peel, and sentences for the user."""
 
     name: str
-    reflectance: Reflectance
+    reflectance: Reflectance | MaterialWeights
     flakes: Flakes | None = None
     orange_peel: OrangePeel | None = None
     notices: tuple[str, ...] = ()

@@ -21,11 +21,12 @@ from brdf_suite.documents.view import View
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.exposure import ev_of, exposed
+from brdf_suite.pipeline.reference_optics import Dress, load_dress, lobe_term, optics_of
+from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
 from brdf_suite.pipeline.reference_paint import (
     in_the_lamp as in_the_lamp,  # asked for here by who builds scenes
 )
 from brdf_suite.pipeline.reference_paint import load_reflectance as load_reflectance
-from brdf_suite.pipeline.reference_paint import load_traced
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, part, report
@@ -45,7 +46,16 @@ Size = tuple[int, int]
 Pixels = NDArray[np.float64]
 
 _PAINT = "paint"
-_LIT_BY = ("camera", "rotation_deg", "fresnel", "light_colour", "lamps", "surface_look")
+_LIT_BY = (
+    "camera",
+    "rotation_deg",
+    "fresnel",
+    "light_colour",
+    "lamps",
+    "surface_look",
+    "relief",
+    "two_tone",
+)
 """What of a view the traced light depends on, beside environment and surface."""
 
 
@@ -130,7 +140,14 @@ def prepare_reference(
     environment = read_environment(path, view.environment_layout, part(progress, 0.3, 0.6))
     mesh = load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.8))
     return build_reference(
-        traced.name, traced.reflectance, view, size, environment, mesh, notices=traced.notices
+        traced.name,
+        traced.reflectance,
+        view,
+        size,
+        environment,
+        mesh,
+        notices=traced.notices,
+        paint=traced,
     )
 
 
@@ -143,12 +160,15 @@ def build_reference(
     mesh: Mesh,
     *,
     notices: tuple[str, ...] = (),
+    paint: TracedPaint | None = None,
+    dress: Dress | None = None,
     kept: ReferenceScene | None = None,
 ) -> ReferenceScene:
     """Return the scene of what is loaded already; fitted weights in place of a reflectance are traced as they are.
 
-    ``kept`` is a scene of the same parts, lamps and size of map: it is changed in place, which takes no building and
-    no compiling, and must not be used after. Errors as :func:`prepare_reference`.
+    ``paint`` says what flakes and orange peel it has; without it, it has none. ``dress`` is what the view lays on it,
+    read anew where it is not given. ``kept`` is a scene of the same parts, lamps and size of map: it is changed in
+    place, which takes no building and no compiling, and must not be used after. Errors as :func:`prepare_reference`.
     """
     from brdf_suite.reference.scene import Eye, SurfacePart, build_scene
     from brdf_suite.reference.variant import start
@@ -159,11 +179,14 @@ def build_reference(
     camera = matrices(view.camera, bounds, size)
     eye = Eye(camera.eye, camera.view_to_world, camera.half_tangents[0])
     mesh = _with_chosen_materials(mesh, view)
-    terms, told = _terms(reflectance, mesh, view)
+    worn = TracedPaint(name, reflectance) if paint is None else replace(paint, reflectance=reflectance)
+    dress = load_dress(view) if dress is None else dress
+    optics = optics_of(worn, dress, view, bounds)
+    terms = {**_stock_terms(mesh, view), _PAINT: optics.term}
     tint = light_matrix(view.light_colour.illuminant, view.light_colour.adapted)
     radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
     if kept is None:
-        parts = [SurfacePart(p.material, p.positions, p.normals, p.triangles) for p in mesh.parts]
+        parts = [SurfacePart(p.material, p.positions, p.normals, p.triangles, p.uvs) for p in mesh.parts]
         traced = build_scene(parts, terms, radiance, eye, view, size)
     else:
         traced = kept.traced
@@ -176,42 +199,13 @@ def build_reference(
         traced=traced,
         view=view,
         size=size,
-        key=_key(name, reflectance, view, size, environment, mesh),
+        key=_key(worn, dress, view, size, environment, mesh),
         environment=environment.name,
         surface=mesh.name,
         renderer=variant.title,
-        notices=(*notices, *told, *environment.notes, *mesh.notes, *_left_out(view)),
+        notices=(*notices, *optics.notices, *environment.notes, *mesh.notes, *_left_out(view)),
         eye=eye,
         light=radiance,
-    )
-
-
-def _terms(
-    reflectance: Reflectance | MaterialWeights, mesh: Mesh, view: View
-) -> tuple[dict[str, Any], tuple[str, ...]]:
-    """Return what each material reflects by, and sentences about it."""
-    from brdf_suite.reference.translate import translate
-
-    stock = _stock_terms(mesh, view)
-    if isinstance(reflectance, MaterialWeights):
-        return {**stock, _PAINT: lobe_term(reflectance, view)}, ()
-    translated = translate(reflectance)
-    return {**stock, _PAINT: translated.term}, translated.notices
-
-
-def lobe_term(weights: MaterialWeights, view: View) -> Any:
-    """Return lobe weights as something that reflects, with the gains that the view asks for."""
-    from brdf_suite.reference.lobe_weights import LobeWeights
-
-    return LobeWeights(
-        np.asarray(weights.exponents, float),
-        weights.kd,
-        weights.kdd,
-        weights.kg,
-        weights.coat,
-        weights.theta_fit_rad,
-        weights.ior,
-        raised=view.fresnel != "off",
     )
 
 
@@ -232,38 +226,49 @@ def _stock_terms(mesh: Mesh, view: View) -> dict[str, Any]:
 def _left_out(view: View) -> tuple[str, ...]:
     """Sentences about what the view asks for and the path tracer does not draw."""
     told = []
-    if view.sparkle.mode != "off":
-        told.append("The reference shows flakes as their mean, without sparkle.")
     if view.background == "blurred":
         told.append("The reference shows the environment behind the object as it is, not blurred.")
     if view.surface_look.ground:
         told.append("The reference shows no ground and no shadow on it.")
-    if view.relief.normal_map is not None or view.relief.orange_peel > 0.0:
-        told.append("The reference shows a smooth surface, without normal map and orange peel.")
-    if view.two_tone.paint is not None and view.two_tone.mask is not None:
-        told.append("The reference shows the first paint alone.")
     return tuple(told)
 
 
-def _key(name: str, reflectance: Any, view: View, size: Size, environment: Environment, mesh: Mesh) -> str:
+def _key(
+    paint: TracedPaint, dress: Dress, view: View, size: Size, environment: Environment, mesh: Mesh
+) -> str:
     """Tell a scene by what its light depends on; how the light is shown is no part of it."""
     document = view_to_json(view)
     shown = {name: document[name] for name in _LIT_BY if name in document}
+    if paint.flakes is not None or (dress.second is not None and dress.second.flakes is not None):
+        shown["sparkle"] = document["sparkle"]
     digest = hashlib.sha256(json.dumps(shown, sort_keys=True).encode())
-    digest.update(repr((name, size, environment.content_hash)).encode())
-    # The reflectance by what it is: values at some directions tell any two apart that a picture could.
-    if not isinstance(reflectance, MaterialWeights):
-        rng = np.random.default_rng(1)
-        directions = rng.normal(size=(2, 512, 3))
-        directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
-        directions[..., 2] = np.abs(directions[..., 2])
-        digest.update(np.round(reflectance.eval(directions[0], directions[1]), 9).tobytes())
-    else:
-        for array in (reflectance.kd, reflectance.kdd, reflectance.kg):
-            digest.update(np.asarray(array).tobytes())
+    digest.update(repr((paint.name, size, environment.content_hash)).encode())
+    for worn in (paint, dress.second):
+        if worn is not None:
+            _tell_paint(worn, digest)
+    if dress.normal_map is not None:
+        digest.update(dress.normal_map.slopes.tobytes())
+    if dress.mask is not None:
+        digest.update(dress.mask.share.tobytes())
     for p in mesh.parts:
         if p.material != _PAINT:
             digest.update(p.material.encode())
         digest.update(p.positions.tobytes())
         digest.update(p.triangles.tobytes())
     return digest.hexdigest()
+
+
+def _tell_paint(paint: TracedPaint, digest: Any) -> None:
+    """The reflectance by what it is: values at some directions tell any two apart that a picture could."""
+    reflectance = paint.reflectance
+    if isinstance(reflectance, MaterialWeights):
+        for array in (reflectance.kd, reflectance.kdd, reflectance.kg):
+            digest.update(np.asarray(array).tobytes())
+    else:
+        rng = np.random.default_rng(1)
+        directions = rng.normal(size=(2, 512, 3))
+        directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
+        directions[..., 2] = np.abs(directions[..., 2])
+        digest.update(np.round(reflectance.eval(directions[0], directions[1]), 9).tobytes())
+    if paint.flakes is not None or paint.orange_peel is not None:
+        digest.update(repr((paint.flakes, paint.orange_peel)).encode())

@@ -48,3 +48,19 @@ class UnderCoat:
         mean = direct * one_way + d.number(m.spread * (1.0 - even))
         albedo = d.colour(m.base_albedo.tolist())
         return (through / mean * (1.0 - stays)) / (1.0 - mi.Color3f(stays) * albedo)
+
+
+@dataclass(frozen=True, eq=False)
+class SeenThrough:
+    """A base as it is seen through a coat, without the coat."""
+
+    under: UnderCoat
+
+    @property
+    def samplers(self) -> Sequence[Sampler]:
+        """Those of the base."""
+        return tuple(self.under.base.samplers)
+
+    def value(self, light: Vector, view: Vector) -> Colour:
+        """Return f_r in 1/sr."""
+        return self.under.base.value(light, view) * self.under.factor(light, view)

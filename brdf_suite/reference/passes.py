@@ -103,13 +103,29 @@ def step(scene: TracedScene, estimate: Estimate | None = None, *, samples: int =
     return found.with_pass(radiance, coverage, samples, perf_counter() - start)
 
 
+def pass_size(size: tuple[int, int], most: int = 4_000_000) -> int:
+    """Return samples a pixel of a pass: 4 to 16, a power of two, at most ``most`` in all where 4 are not more.
+
+    The samples of one pass are spread over their pixel together (multi-jittered): in 16 the error is that of twice as
+    many single ones. More would be long to wait for.
+
+    >>> pass_size((320, 240)), pass_size((1920, 1080))
+    (16, 4)
+    """
+    samples = 16
+    while samples > 4 and samples * size[0] * size[1] > most:
+        samples //= 2
+    return samples
+
+
 def refine(
-    scene: TracedScene, estimate: Estimate | None = None, *, samples_per_pass: int = 4
+    scene: TracedScene, estimate: Estimate | None = None, *, samples_per_pass: int = 4, samples: int = 0
 ) -> Iterator[Estimate]:
-    """Yield ever better estimates without end, going on from ``estimate``."""
-    found = estimate
-    while True:
-        found = step(scene, found, samples=samples_per_pass)
+    """Yield ever better estimates, going on from ``estimate``; without end, or up to ``samples`` a pixel."""
+    found = estimate or Estimate.nothing(scene.size)
+    while not samples or found.samples < samples:
+        wanted = min(samples_per_pass, samples - found.samples) if samples else samples_per_pass
+        found = step(scene, found, samples=wanted)
         yield found
 
 
@@ -118,7 +134,7 @@ def trace(
     *,
     samples: int | None = None,
     seconds: float | None = None,
-    samples_per_pass: int = 4,
+    samples_per_pass: int | None = None,
     estimate: Estimate | None = None,
     progress: Progress | None = None,
     kept: Callable[[Estimate], Any] | None = None,
@@ -127,6 +143,8 @@ def trace(
 
     Parameters
     ----------
+    samples_per_pass
+        Left out: :func:`pass_size`.
     estimate
         From where to go on; its passes count towards ``samples``.
     kept
@@ -143,7 +161,8 @@ def trace(
     report(progress, 0.0, "tracing")
     if samples is not None and before >= samples:
         return found
-    for newest in refine(scene, found, samples_per_pass=samples_per_pass):
+    size = samples_per_pass or pass_size(scene.size)
+    for newest in refine(scene, found, samples_per_pass=size, samples=samples or 0):
         found = newest
         if kept is not None:
             kept(found)

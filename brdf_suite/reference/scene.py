@@ -22,6 +22,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.lighting.latlong import column_angles, direction, sample
 from brdf_suite.reference.bsdf import make_bsdf
+from brdf_suite.reference.place import Viewpoint
 
 DEFAULT_DEPTH = 8
 """Surfaces that a path may meet, and one more for the light: interreflections of a car body fade by a factor each."""
@@ -29,12 +30,13 @@ DEFAULT_DEPTH = 8
 
 @dataclass(frozen=True, eq=False)
 class SurfacePart:
-    """Triangles that share a material: positions and normals (n, 3), triangles (k, 3)."""
+    """Triangles that share a material: positions and normals (n, 3), triangles (k, 3), uvs (n, 2) in millimetres."""
 
     material: str
     positions: npt.NDArray[Any]
     normals: npt.NDArray[Any]
     triangles: npt.NDArray[Any]
+    uvs: npt.NDArray[Any] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,6 +81,7 @@ class TracedScene:
             values[f"sensor.film.{name}"] = mi.ScalarVector2u(*size)
         values.update()
         self.size = size
+        _set_viewpoint(self.bsdfs, eye, size)
 
     def set_light(self, radiance: npt.NDArray[np.float32] | None, rotation_deg: float) -> None:
         """Turn the light, and take another map (h, w, 3) of the same size where one is given."""
@@ -121,11 +124,18 @@ def build_scene(
         },
     }
     bsdfs = {name: make_bsdf(term) for name, term in terms.items()}
+    _set_viewpoint(bsdfs, eye, size)
     for index, lamp in enumerate(view.lamps):
         described[f"lamp_{index}"] = _lamp(lamp)
     for index, part in enumerate(parts):
         described[f"part_{index}"] = _mesh(f"part_{index}", part, bsdfs[part.material])
     return TracedScene(mi.load_dict(described), size, terms, bsdfs)
+
+
+def _set_viewpoint(bsdfs: Mapping[str, Any], eye: Eye, size: tuple[int, int]) -> None:
+    viewpoint = Viewpoint.of(eye.place, eye.axes, eye.half_width_tangent, size)
+    for bsdf in bsdfs.values():
+        bsdf.viewpoint = viewpoint
 
 
 def mitsuba_map(radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
@@ -193,10 +203,19 @@ def _lamp(lamp: Lamp) -> dict[str, Any]:
 def _mesh(name: str, part: SurfacePart, bsdf: Any) -> Any:
     properties = mi.Properties()
     properties["bsdf"] = bsdf
-    mesh = mi.Mesh(name, len(part.positions), len(part.triangles), has_vertex_normals=True, props=properties)
+    mesh = mi.Mesh(
+        name,
+        len(part.positions),
+        len(part.triangles),
+        has_vertex_normals=True,
+        has_vertex_texcoords=part.uvs is not None,
+        props=properties,
+    )
     values = mi.traverse(mesh)
     values["vertex_positions"] = np.ascontiguousarray(part.positions, np.float32).ravel()
     values["vertex_normals"] = np.ascontiguousarray(part.normals, np.float32).ravel()
+    if part.uvs is not None:
+        values["vertex_texcoords"] = np.ascontiguousarray(part.uvs, np.float32).ravel()
     values["faces"] = np.ascontiguousarray(part.triangles, np.uint32).ravel()
     values.update()
     return mesh

@@ -7,12 +7,13 @@ from typing import Any
 
 from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.reference.aspecular import Aspecular, Several
-from brdf_suite.reference.coated import UnderCoat
+from brdf_suite.reference.coated import SeenThrough, UnderCoat
 from brdf_suite.reference.fitted_samplers import fitted_samplers
 from brdf_suite.reference.table import HalfAngleTable
 from brdf_suite.reference.terms import CoatLobe, FacetLobe, Lambertian, Sum
 from brdf_suite.reflectance import coat_lobe
 from brdf_suite.reflectance.aspecular_base import AspecularBase
+from brdf_suite.reflectance.layers import divided
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_of
 from brdf_suite.reflectance.models.lambertian import Lambertian as CoreLambertian
@@ -42,6 +43,35 @@ def translate(reflectance: Reflectance) -> Translated:
         return Translated(term)
     table = IsotropicTable.from_reflectance(reflectance)
     return Translated(HalfAngleTable.of(table, fitted_samplers(reflectance)), (TABULATED,))
+
+
+@dataclass(frozen=True, eq=False)
+class Divided:
+    """The twins of a reflectance's base and coat: None where it has none, or where nothing divides it."""
+
+    base: Any
+    coat: Any | None
+    ior: float
+    notices: tuple[str, ...] = ()
+
+
+def divide(reflectance: Reflectance) -> Divided:
+    """Return the twins of base and coat, as the layers of the lobe fit (:func:`~.layers.layered`) are divided."""
+    if isinstance(reflectance, PaintReflectance):
+        coat = reflectance.coat
+        return Divided(_exact(reflectance.base), CoatLobe(coat.ior, coat.roughness), coat.ior)
+    if isinstance(reflectance, CookTorrance):
+        wide, sharp, ior = divided(reflectance)
+        return Divided(_cook_torrance(wide), _cook_torrance(sharp) if sharp.paint.lobes else None, ior)
+    if isinstance(reflectance, Coated):
+        inner = divide(reflectance.base)
+        under = UnderCoat(reflectance, inner.base)
+        above: Any = under.coat
+        if inner.coat is not None:
+            above = Sum((under.coat, SeenThrough(UnderCoat(reflectance, inner.coat))))
+        return Divided(SeenThrough(under), above, reflectance.ior, inner.notices)
+    whole = translate(reflectance)
+    return Divided(whole.term, None, 1.0, whole.notices)
 
 
 def _exact(reflectance: object) -> Any | None:

@@ -73,7 +73,7 @@ def test_what_changes_no_light_keeps_the_estimate(live, light) -> None:
     assert live.show("copper", view, SIZE) == "light"
     for _ in range(5):
         estimate = live.step()
-    assert (estimate.samples, estimate.passes) == (12, 5)
+    assert (estimate.samples, estimate.passes) == (24, 5)
     assert 0.0 < estimate.noise < 1.0
     assert live.show("copper", view, SIZE) == "nothing"
     before = live.codes()

@@ -1,0 +1,135 @@
+"""What the paint of a view reflects by, in the path tracer: its flakes, its relief, and a second paint by a mask."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from brdf_suite.documents.view import View
+from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
+from brdf_suite.pipeline.surface_images import ImageRequest, peel_tile
+from brdf_suite.realtime.camera import Bounds
+from brdf_suite.realtime.relief_textures import mask_coordinates
+from brdf_suite.realtime.relief_values import MaskImage, SlopeMap
+from brdf_suite.realtime.values import MaterialWeights
+from brdf_suite.reflectance.protocol import Reflectance
+
+if TYPE_CHECKING:
+    from brdf_suite.reference.placed import PlacedPaint
+    from brdf_suite.reference.relief import Peel, Slopes
+
+
+@dataclass(frozen=True, eq=False)
+class Dress:
+    """What a view lays on the paint, loaded: a normal map, a mask and the second paint that it lets through."""
+
+    normal_map: SlopeMap | None = None
+    mask: MaskImage | None = None
+    second: TracedPaint | None = None
+
+
+def load_dress(view: View) -> Dress:
+    """Read what a view lays on the paint; errors as :func:`~.surface_images.load_surface_images`."""
+    from brdf_suite.files.relief_images import read_mask, read_normal_map
+
+    request = ImageRequest.of(view)
+    return Dress(
+        None if request.normal_map is None else SlopeMap(read_normal_map(request.normal_map)),
+        None if request.mask is None else MaskImage(read_mask(request.mask)),
+        None if request.second_paint is None else load_traced(request.second_paint, view),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Optics:
+    """A term, and sentences about it for the user."""
+
+    term: Any
+    notices: tuple[str, ...] = ()
+
+
+def optics_of(paint: TracedPaint, dress: Dress, view: View, bounds: Bounds) -> Optics:
+    """Return what ``paint`` reflects by in ``view``: the plain twin where nothing differs from place to place."""
+    from brdf_suite.reference.placed import Mask, TwoTone
+    from brdf_suite.reference.translate import translate
+
+    first, told = _placed(paint, dress, view)
+    if dress.mask is not None and dress.second is not None:
+        second, more = _placed(dress.second, dress, view)
+        where: dict[str, Any] = mask_coordinates(view, bounds, dress.mask.aspect)
+        mask = Mask.of(dress.mask.share, where["mask_tiles"], where["mask_u"], where["mask_v"])
+        return Optics(TwoTone(first, second, mask), (*told, *(more if more != told else ())))
+    if not first.is_plain:
+        return Optics(first, told)
+    if isinstance(paint.reflectance, MaterialWeights):
+        return Optics(lobe_term(paint.reflectance, view))
+    plain = translate(paint.reflectance)
+    return Optics(plain.term, plain.notices)
+
+
+def lobe_term(weights: MaterialWeights, view: View) -> Any:
+    """Return lobe weights as something that reflects, with the gains that the view asks for."""
+    from brdf_suite.reference.lobe_weights import LobeWeights
+
+    return LobeWeights(
+        np.asarray(weights.exponents, float),
+        weights.kd,
+        weights.kdd,
+        weights.kg,
+        weights.coat,
+        weights.theta_fit_rad,
+        weights.ior,
+        raised=view.fresnel != "off",
+    )
+
+
+def _placed(paint: TracedPaint, dress: Dress, view: View) -> tuple[PlacedPaint, tuple[str, ...]]:
+    from brdf_suite.reference.flakes import FlakeLayer
+    from brdf_suite.reference.placed import PlacedPaint
+
+    base, coat, ior, told = _divided(paint.reflectance, view)
+    layer = None
+    if paint.flakes is not None and paint.flakes.density_per_mm2 > 0.0 and view.sparkle.mode != "off":
+        layer = FlakeLayer(paint.flakes, ior, view.sparkle.strength)
+    return PlacedPaint(base, coat, _shape(dress, view), _peel(paint, view), layer), told
+
+
+def _divided(
+    reflectance: Reflectance | MaterialWeights, view: View
+) -> tuple[Any, Any | None, float, tuple[str, ...]]:
+    from brdf_suite.reference.translate import divide
+
+    if isinstance(reflectance, MaterialWeights):
+        none = np.zeros_like(reflectance.kdd)
+        base = lobe_term(replace(reflectance, kg=none), view)
+        coat = lobe_term(replace(reflectance, kd=np.zeros(3), kdd=none), view)
+        ior = reflectance.ior if reflectance.coat == "dielectric" else 1.0
+        return base, coat if reflectance.kg.any() else None, ior, ()
+    parts = divide(reflectance)
+    return parts.base, parts.coat, parts.ior, parts.notices
+
+
+def _shape(dress: Dress, view: View) -> Slopes | None:
+    from brdf_suite.reference.relief import Slopes
+
+    if dress.normal_map is None:
+        return None
+    width = view.relief.normal_width_mm
+    tiles = (1.0 / width, 1.0 / (width * dress.normal_map.aspect))
+    return Slopes.of(dress.normal_map.slopes, tiles, view.relief.normal_strength)
+
+
+def _peel(paint: TracedPaint, view: View) -> Peel | None:
+    """The view's orange peel, or the paint's own where the view asks for none."""
+    from brdf_suite.reference.relief import Peel
+
+    slope_deg, length_mm = view.relief.orange_peel, view.relief.orange_peel_mm
+    if slope_deg <= 0.0 and paint.orange_peel is not None:
+        slope_deg, length_mm = paint.orange_peel.slope_deg, paint.orange_peel.wavelength_mm
+    if slope_deg <= 0.0:
+        return None
+    tile = peel_tile()
+    return Peel.of(tile.slopes, 1.0 / (tile.waves * length_mm), math.tan(math.radians(slope_deg)))

@@ -1,0 +1,221 @@
+"""Reflectances that differ from place to place: a paint with relief and flakes, and two paints with a mask.
+
+``at(place, view)`` gives what the surface is there: samplers, and the light that it reflects per light that arrives,
+f_r times the cosine, which is not the same for a coat that leans and the base below it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.reference.directions import Colour, Vector, number
+from brdf_suite.reference.flakes import FlakeLayer
+from brdf_suite.reference.place import Place
+from brdf_suite.reference.relief import InFrame, Leaning, Peel, Slopes, Weighed, folds, look_up, texture
+from brdf_suite.reference.terms import Sampler, Sum
+
+
+@dataclass(frozen=True, eq=False)
+class Standing:
+    """What a surface is at one place: ``reflected`` gives f_r times the cosine, in 1/sr, of light and view."""
+
+    samplers: Sequence[Sampler]
+    reflected: Callable[[Vector, Vector], Colour]
+
+
+class Placed(Protocol):
+    """A reflectance that differs from place to place."""
+
+    def at(self, place: Place, view: Vector) -> Standing:
+        """Return what it is at a place that is seen from ``view`` (local, above the horizon)."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedPaint:
+    """A paint of a base and a coat with what lies in and on them; without any of it, the sum of the two.
+
+    Attributes
+    ----------
+    base, coat
+        Terms; ``coat`` None: the base is all.
+    shape
+        A normal map, with which base and coat lean.
+    peel
+        Orange peel, with which the coat leans; all of the paint where it has no coat.
+    flakes
+        The countable flakes of the base.
+    """
+
+    base: Any
+    coat: Any | None = None
+    shape: Slopes | None = None
+    peel: Peel | None = None
+    flakes: FlakeLayer | None = None
+
+    @property
+    def samplers(self) -> Sequence[Sampler]:
+        """Those of base and coat on a plain surface."""
+        return tuple(self._plain.samplers)
+
+    def value(self, light: Vector, view: Vector) -> Colour:
+        """Return f_r in 1/sr on a plain surface: the mean over its flakes."""
+        return self._plain.value(light, view)
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is the same everywhere."""
+        return self.shape is None and self.peel is None and self.flakes is None
+
+    @property
+    def _plain(self) -> Any:
+        return self.base if self.coat is None else Sum((self.base, self.coat))
+
+    def at(self, place: Place, view: Vector) -> Standing:
+        """Return the paint at a place."""
+        up = mi.Vector3f(0.0, 0.0, 1.0)
+        level = mi.Vector2f(0.0)
+        below = Leaning.of(up, level if self.shape is None else self.shape.at(place.uv), place, view)
+        above = below
+        if self.peel is not None:
+            above = Leaning.of(below.normal, self.peel.at(place.uv), place, view)
+            if self.coat is None:
+                below = above
+        leans = self.shape is not None or self.peel is not None
+        flaked = self._flaked(place, below)
+
+        def reflected(light: Vector, view: Vector) -> Colour:
+            total = mi.Color3f(0.0)
+            for direction in folds(light) if leans else (light,):
+                total += _of_layer(self.base, below, direction, view, flaked)
+                if self.coat is not None:
+                    total += _of_layer(self.coat, above, direction, view, None)
+            return total
+
+        if not leans:
+            return Standing(self.samplers, reflected)
+        samplers: list[Sampler] = [InFrame(sampler, below) for sampler in self.base.samplers]
+        if self.coat is not None:
+            samplers += [InFrame(sampler, above) for sampler in self.coat.samplers]
+        return Standing(samplers, reflected)
+
+    def _flaked(self, place: Place, below: Leaning) -> Callable[[Colour, Vector, Vector], Colour] | None:
+        layer = self.flakes
+        if layer is None:
+            return None
+        to_flakes = _frame_of_flakes(place, below)
+
+        def flaked(base: Colour, light: Vector, view: Vector) -> Colour:
+            part = layer.countable(base, light, view)
+            return base + part * (layer.ratio(place, light, view, to_flakes) - 1.0)
+
+        return flaked
+
+
+@dataclass(frozen=True, eq=False)
+class Mask:
+    """The share of the second paint: an image over tiles of uv, or over a place in the world.
+
+    ``tiles`` are per millimetre; where they are 0, the coordinates are rows (4,) times (x, y, z, 1), metres.
+    """
+
+    image: Any
+    tiles: tuple[float, float]
+    along_u: tuple[float, ...]
+    along_v: tuple[float, ...]
+
+    @classmethod
+    def of(
+        cls,
+        share: npt.NDArray[Any],
+        tiles: tuple[float, float],
+        along_u: tuple[float, ...],
+        along_v: tuple[float, ...],
+    ) -> Mask:
+        """Return the mask of an image (h, w), 0…1, its first row at v = 0."""
+        tensor = np.asarray(share)[..., None]
+        return cls(texture(tensor, repeat=tiles[0] != 0.0), tiles, along_u, along_v)
+
+    def share(self, place: Place) -> Any:
+        """Return the share, 0 to 1, at a place."""
+        if self.tiles[0] != 0.0:
+            at = mi.Point2f(place.uv.x * number(self.tiles[0]), place.uv.y * number(self.tiles[1]))
+        else:
+            at = mi.Point2f(*(self._along(row, place.position) for row in (self.along_u, self.along_v)))
+        return dr.clip(look_up(self.image, at), 0.0, 1.0)
+
+    @staticmethod
+    def _along(row: tuple[float, ...], position: Any) -> Any:
+        x, y, z, w = (number(value) for value in row)
+        return x * position.x + y * position.y + z * position.z + w
+
+
+@dataclass(frozen=True, eq=False)
+class TwoTone:
+    """Two paints: the second where the mask is 1."""
+
+    first: PlacedPaint
+    second: PlacedPaint
+    mask: Mask
+
+    @property
+    def samplers(self) -> Sequence[Sampler]:
+        """Those of the first paint, on a plain surface."""
+        return self.first.samplers
+
+    def value(self, light: Vector, view: Vector) -> Colour:
+        """Return f_r in 1/sr of the first paint, on a plain surface."""
+        return self.first.value(light, view)
+
+    def at(self, place: Place, view: Vector) -> Standing:
+        """Return the two at a place, by their shares."""
+        share = self.mask.share(place)
+        one, two = self.first.at(place, view), self.second.at(place, view)
+        samplers: list[Sampler] = [Weighed(sampler, 1.0 - share) for sampler in one.samplers]
+        samplers += [Weighed(sampler, share) for sampler in two.samplers]
+
+        def reflected(light: Vector, view: Vector) -> Colour:
+            return dr.lerp(one.reflected(light, view), two.reflected(light, view), share)
+
+        return Standing(samplers, reflected)
+
+
+def _of_layer(
+    term: Any,
+    leaning: Leaning,
+    light: Vector,
+    view: Vector,
+    flaked: Callable[[Colour, Vector, Vector], Colour] | None,
+) -> Colour:
+    light, view = leaning.to_local(light), leaning.to_local(view)
+    above = (light.z > 0.0) & (view.z > 0.0)
+    value = term.value(light, view)
+    if flaked is not None:
+        value = flaked(value, light, view)
+    return dr.select(above, value * light.z, mi.Color3f(0.0))
+
+
+def _frame_of_flakes(place: Place, below: Leaning) -> Callable[[Vector], Vector]:
+    """How directions of the leaning frame are turned to that of the flakes, which stands still on the object.
+
+    The tangents are those of the shader's ``local_frame`` (Duff et al., JCGT 6(1), 2017), of the normal in the world.
+    """
+    n = place.to_world(below.normal)
+    side = dr.select(n.z >= 0.0, mi.Float(1.0), mi.Float(-1.0))
+    a = -1.0 / (side + n.z)
+    b = n.x * n.y * a
+    s = mi.Vector3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x)
+    t = mi.Vector3f(b, side + n.y * n.y * a, -n.y)
+
+    def turned(direction: Vector) -> Vector:
+        world = place.to_world(below.to_surface(direction))
+        return mi.Vector3f(dr.dot(world, s), dr.dot(world, t), direction.z)
+
+    return turned

@@ -1,0 +1,169 @@
+"""Small shapes of the surface in the renderer: frames that lean with a normal map, and with the coat's orange peel."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.reference.directions import Real, Square, Vector, number
+from brdf_suite.reference.place import Place
+from brdf_suite.reference.terms import Sampler
+
+_LOWEST = 1e-3
+"""The least cosine of the view to a leaning normal, as in the real-time picture."""
+_TURN = (0.8090169943749475, 0.5877852522924731)
+_STRETCH = 1.0352762
+_BESIDE = (0.37, 0.61)
+
+
+@dataclass(frozen=True, eq=False)
+class Slopes:
+    """A tiled relief: slopes ``image`` (h, w, 2) dh/du and dh/dv, its first row at v = 0; ``tiles`` per millimetre."""
+
+    texture: Any
+    tiles: tuple[float, float]
+    strength: float
+
+    @classmethod
+    def of(cls, image: npt.NDArray[Any], tiles: tuple[float, float], strength: float) -> Slopes:
+        """Return the relief; ``strength`` is a factor on the slopes."""
+        return cls(texture(image), tiles, strength)
+
+    def at(self, uv: Any) -> Any:
+        """Return the slopes at a place, millimetres."""
+        where = mi.Point2f(uv.x * number(self.tiles[0]), uv.y * number(self.tiles[1]))
+        return look_up(self.texture, where) * number(self.strength)
+
+
+@dataclass(frozen=True, eq=False)
+class Peel:
+    """Orange peel: a tile of slopes of mean square 1, laid twice, the second time turned, so that it never repeats."""
+
+    texture: Any
+    tiles: float
+    slope: float
+
+    @classmethod
+    def of(cls, image: npt.NDArray[Any], tiles: float, slope: float) -> Peel:
+        """Return the peel of a tile (n, n, 2), ``tiles`` per millimetre, with a root mean square ``slope``."""
+        return cls(texture(image), tiles, slope)
+
+    def at(self, uv: Any) -> Any:
+        """Return the slopes at a place, millimetres."""
+        cos, sin = _TURN
+        x, y = uv.x * number(self.tiles), uv.y * number(self.tiles)
+        one = look_up(self.texture, mi.Point2f(x, y))
+        turned = mi.Point2f(cos * x - sin * y, sin * x + cos * y)
+        other = look_up(
+            self.texture, mi.Point2f(turned.x * _STRETCH + _BESIDE[0], turned.y * _STRETCH + _BESIDE[1])
+        )
+        # Slopes along the turned axes, back to u and v.
+        back = mi.Vector2f(cos * other.x + sin * other.y, cos * other.y - sin * other.x)
+        return (one + back) * number(0.5**0.5 * self.slope)
+
+
+def texture(image: npt.NDArray[Any], *, repeat: bool = True) -> Any:
+    """Return an image (h, w, c) for :func:`look_up`, which is bilinear; its first row is at v = 0."""
+    wrap = dr.WrapMode.Repeat if repeat else dr.WrapMode.Clamp
+    tensor = mi.TensorXf(np.ascontiguousarray(image, np.float32))
+    kind: Any = mi.Texture2f
+    return kind(tensor, filter_mode=dr.FilterMode.Linear, wrap_mode=wrap)
+
+
+def look_up(image: Any, at: Any) -> Any:
+    """Return the first two channels of an image at coordinates of 1 per tile."""
+    found = image.eval(at)
+    return mi.Vector2f(found[0], found[1]) if len(found) > 1 else found[0]
+
+
+@dataclass(frozen=True, eq=False)
+class Leaning:
+    """A frame about a normal that leans from z, in the coordinates of the surface."""
+
+    frame: Any
+
+    @classmethod
+    def of(cls, normal: Vector, slopes: Any, place: Place, view: Vector) -> Leaning:
+        """Return the frame of a surface with ``slopes`` over ``normal``; one that looks away is bent to the view."""
+        m = dr.normalize(normal - slopes.x * place.along_u - slopes.y * place.along_v)
+        cosine = dr.dot(m, view)
+        bent = dr.normalize(m + (_LOWEST - cosine) * view)
+        n = dr.select(cosine >= _LOWEST, m, bent)
+        # The axes stay those of the surface, but for the lean: flakes keep their tilts.
+        s = dr.normalize(mi.Vector3f(1.0, 0.0, 0.0) - n * n.x)
+        return cls(mi.Frame3f(s, dr.cross(n, s), n))
+
+    @property
+    def normal(self) -> Vector:
+        """The normal that leans."""
+        return self.frame.n
+
+    def to_local(self, direction: Vector) -> Vector:
+        """Return a direction of the surface in this frame."""
+        return self.frame.to_local(direction)
+
+    def to_surface(self, direction: Vector) -> Vector:
+        """Return a direction of this frame as the surface has it."""
+        return self.frame.to_world(direction)
+
+
+@dataclass(frozen=True, eq=False)
+class InFrame:
+    """A sampler of a surface that leans.
+
+    Light from below the surface's own horizon, which a leaning one would mirror, comes by way of the surface beside it,
+    taken for a mirror that lies level (after Schüssler et al. 2017): from the other side of the horizon.
+    """
+
+    sampler: Sampler
+    leaning: Leaning
+
+    def share(self, view: Vector) -> Real:
+        """Return the share of a mixture."""
+        return self.sampler.share(self.leaning.to_local(view))
+
+    def draw(self, view: Vector, u: Square) -> Vector:
+        """Return directions to the light; those below the leaning horizon are lost."""
+        light = self.sampler.draw(self.leaning.to_local(view), u)
+        found = self.leaning.to_surface(light)
+        folded = mi.Vector3f(found.x, found.y, abs(found.z))
+        return dr.select(light.z > 0.0, folded, mi.Vector3f(0.0))
+
+    def density(self, light: Vector, view: Vector) -> Real:
+        """Return the density per solid angle."""
+        local_view = self.leaning.to_local(view)
+        total = mi.Float(0.0)
+        for direction in folds(light):
+            local = self.leaning.to_local(direction)
+            total += dr.select(local.z > 0.0, self.sampler.density(local, local_view), 0.0)
+        return total
+
+
+def folds(light: Vector) -> tuple[Vector, Vector]:
+    """Return the two directions from which a leaning surface gets what comes from ``light``, above the horizon."""
+    return light, mi.Vector3f(light.x, light.y, -light.z)
+
+
+@dataclass(frozen=True, eq=False)
+class Weighed:
+    """A sampler with a share of its own at each place."""
+
+    sampler: Sampler
+    weight: Real
+
+    def share(self, view: Vector) -> Real:
+        """Return the share of a mixture."""
+        return self.weight * self.sampler.share(view)
+
+    def draw(self, view: Vector, u: Square) -> Vector:
+        """Return directions to the light."""
+        return self.sampler.draw(view, u)
+
+    def density(self, light: Vector, view: Vector) -> Real:
+        """Return the density per solid angle."""
+        return self.sampler.density(light, view)

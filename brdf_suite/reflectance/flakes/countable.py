@@ -1,0 +1,54 @@
+"""How much of a paint's base the flakes send that can be counted, for any pair of directions.
+
+Flakes that cover the share c = 1 - exp(-density·π/4·size²) of the surface are mirrors of reflectance R below a coat of
+index n. With their tilts' density p = bell / (2π m²) per solid angle, the light in and out through the coat (T), and a
+solid angle outside being n² cosθ'/cosθ times that below,
+
+    f = c R T(wi) T(wo) bell / (8π m² n² cosθ'i cosθ'o),
+
+θ' below the coat, in 1/sr. It is what ``realtime.flake_share`` has at the mirror direction of the light that a fit
+holds for, and it is reciprocal. They have the base's hue, and never send more than most of it.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.documents.paint import Flakes
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_bell
+
+FLAKE_REFLECTANCE = 0.9
+"""Of an aluminium flake, the usual one; published values of the metal are 0.87 to 0.92 over the visible."""
+LARGEST_SHARE = 0.9
+"""Of the base: finer flakes and pigment between them are never absent."""
+FLAKE_WAVINESS = 0.01
+"""Radians: standard deviation of the tilt within one flake, which is no perfect mirror (docs/sparkle.md)."""
+
+
+def covered_share(flakes: Flakes) -> float:
+    """Return the share of the surface, 0 to 1, that the countable flakes cover, overlapping at random."""
+    millimetres = flakes.size_um * 1e-3
+    return -math.expm1(-flakes.density_per_mm2 * math.pi / 4.0 * millimetres**2)
+
+
+def countable_part(
+    flakes: Flakes, wi: npt.ArrayLike, wo: npt.ArrayLike, base: Floats, ior: float, strength: float = 1.0
+) -> Floats:
+    """Return the part (..., 3) of the base's f_r ``base`` (..., 3), 1/sr, that countable flakes send.
+
+    ``wi``, ``wo`` (..., 3) above the horizon, ``ior`` of the coat (1: none), ``strength``: factor on the flakes' light.
+    """
+    wi, wo = np.asarray(wi, float), np.asarray(wo, float)
+    bell = tilt_bell((flake_slope(wi, wo, ior) ** 2).sum(-1), flakes.roughness)
+    wanted = strength * covered_share(flakes) * FLAKE_REFLECTANCE / (8.0 * math.pi * flakes.roughness**2)
+    wanted = wanted * bell / ior**2
+    for w in (wi, wo):
+        below = np.sqrt(1.0 - (w[..., 0] ** 2 + w[..., 1] ** 2) / ior**2)
+        wanted = wanted * (1.0 - fresnel_dielectric(w[..., 2], ior)) / np.maximum(below, 1e-6)
+    share = np.minimum(wanted / np.maximum(base.max(axis=-1), 1e-12), LARGEST_SHARE)
+    return np.asarray(base * share[..., None])

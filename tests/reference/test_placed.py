@@ -1,0 +1,325 @@
+"""What differs from place to place: flakes, relief, two paints; as in the core and in the real-time picture."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from brdf_suite.documents.paint import Flakes, OrangePeel
+from brdf_suite.documents.view import Camera, View
+from brdf_suite.documents.view_settings import Relief, Sparkle, TwoTone
+from brdf_suite.files.images import write_exr, write_png
+from brdf_suite.geometry.directions import spherical
+from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.flakes.countable import countable_part
+from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio
+from brdf_suite.reflectance.flakes.tilt import tilt_place
+
+pytestmark = pytest.mark.usefixtures("variant")
+FLAKES = Flakes(120.0, 20.0, 0.17, 0.3)
+IOR = 1.5
+
+
+def vectors(rows: np.ndarray, kind: str = "Vector3f"):
+    import mitsuba as mi
+
+    return getattr(mi, kind)(np.ascontiguousarray(rows.T, np.float32))
+
+
+def pixels(rng: np.random.Generator, n: int, smallest: float, largest: float):
+    """Places in millimetres and how they change from pixel to pixel, as single precision holds them."""
+    at = rng.random((n, 2)) * 50.0
+    width = 10.0 ** rng.uniform(math.log10(smallest), math.log10(largest), (n, 1))
+    across, down = (rng.normal(size=(n, 2)) * width for _ in "ab")
+    return [rows.astype(np.float32).astype(float) for rows in (at, across, down)]
+
+
+def placed(at, across, down):
+    import mitsuba as mi
+
+    return SimpleNamespace(
+        uv=vectors(at, "Point2f"),
+        across=vectors(across, "Vector2f"),
+        down=vectors(down, "Vector2f"),
+        seen=mi.Bool(True),
+    )
+
+
+def test_the_flakes_are_those_of_the_core(variant, monkeypatch) -> None:
+    from brdf_suite.reference import flakes
+
+    # The core sees a pixel as one spot, a sample as a smaller one within it.
+    monkeypatch.setattr(flakes, "footprint_of_sample", lambda reach: reach)
+    rng = np.random.default_rng(1)
+    at, across, down = pixels(rng, 20_000, 0.003, 30.0)
+    slope = (rng.normal(size=(len(at), 2)) * 0.15).astype(np.float32).astype(float)
+    field = glint_field(
+        at, across, down, density=120.0, size=0.02, roughness=0.17, waviness=0.01, colour_spread=0.3
+    )
+    wanted = glint_ratio(field, *tilt_place(slope, 0.17), 0.01)
+    layer = flakes.FlakeLayer(FLAKES, IOR)
+    found = np.array(flakes._Field.of(placed(at, across, down), layer).ratio(vectors(slope, "Vector2f"))).T
+    assert np.abs(found - wanted).max() < 1e-4 * wanted.max()
+    assert np.quantile(np.abs(found - wanted), 0.99) < 1e-3
+    assert wanted.std() > 1.0
+
+
+def test_flakes_send_their_mean_over_the_surface(variant) -> None:
+    """A z-test of the flakes that samples see, over many places, at two tilts."""
+    from brdf_suite.reference import flakes
+
+    rng = np.random.default_rng(2)
+    at, across, down = pixels(rng, 400_000, 0.05, 5.0)
+    layer = flakes.FlakeLayer(FLAKES, IOR)
+    for slope in (0.0, 0.2):
+        slopes = np.broadcast_to([slope, 0.0], at.shape)
+        found = np.array(
+            flakes._Field.of(placed(at, across, down), layer).ratio(vectors(slopes, "Vector2f"))
+        ).T
+        error = found.std(axis=0) / math.sqrt(len(found))
+        assert np.all(np.abs(found.mean(axis=0) - 1.0) < 4.5 * error), slope
+        assert np.all(error < 0.05)
+
+
+def test_countable_flakes_send_as_much_as_in_the_core(variant) -> None:
+    from brdf_suite.reference.flakes import FlakeLayer
+
+    rng = np.random.default_rng(3)
+    wi, wo = (
+        spherical(np.arccos(rng.random(5000) * 0.95 + 0.05), rng.uniform(0, 2 * np.pi, 5000)) for _ in "ab"
+    )
+    base = rng.random((5000, 3)).astype(np.float32)
+    wanted = countable_part(FLAKES, wi, wo, base.astype(float), IOR, 2.0)
+    found = FlakeLayer(FLAKES, IOR, 2.0).countable(vectors(base, "Color3f"), vectors(wi), vectors(wo))
+    np.testing.assert_allclose(np.array(found).T, wanted, rtol=1e-4, atol=1e-6)
+    back = countable_part(FLAKES, wo, wi, base.astype(float), IOR, 2.0)
+    np.testing.assert_allclose(back, wanted, rtol=1e-12)
+    assert (wanted <= 0.9 * base + 1e-9).all()
+
+
+def test_countable_flakes_agree_with_the_real_time_share_at_the_mirror_direction() -> None:
+    from brdf_suite.realtime.flake_share import countable_lobe
+
+    theta = math.radians(45.0)
+    base = np.full((1, 3), 0.5)
+    wanted = countable_lobe(FLAKES, np.zeros(1), base, theta, IOR)
+    found = countable_part(FLAKES, spherical(theta, 0.0), spherical(theta, math.pi), base[0], IOR)
+    np.testing.assert_allclose(found, wanted[0], rtol=1e-9)
+
+
+@pytest.mark.parametrize("theta_deg", [10.0, 60.0])
+def test_tilts_are_drawn_as_their_density_says(variant, chi_square, theta_deg: float) -> None:
+    import mitsuba as mi
+
+    from brdf_suite.reference.flakes import Tilts
+
+    tilts = Tilts(1.0, 0.3, IOR)
+    count = 100_000
+    view = spherical(np.full(count, math.radians(theta_deg)), math.pi)
+    u = mi.Point2f(np.random.default_rng(4).random((2, count)).astype(np.float32))
+    drawn = np.array(tilts.draw(vectors(view), u), float).T
+
+    def density(light: np.ndarray) -> np.ndarray:
+        views = np.broadcast_to(view[0], light.shape)
+        return np.array(tilts.density(vectors(light), vectors(views)), float)
+
+    assert chi_square(drawn, density, math.radians(theta_deg)) > 1e-4
+
+
+@pytest.fixture(scope="module")
+def leaning_paint(variant):
+    """Copper with a steep relief, at 100,000 samples of one place that leans by some 20°."""
+    import mitsuba as mi
+
+    from brdf_suite.reference.placed import PlacedPaint
+    from brdf_suite.reference.relief import Slopes
+    from brdf_suite.reference.translate import divide
+
+    parts = divide(build_paint(load_shipped_paint("copper")))
+    slopes = np.full((4, 4, 2), (0.3, -0.2), np.float32)
+    paint = PlacedPaint(parts.base, parts.coat, shape=Slopes.of(slopes, (1.0, 1.0), 1.0))
+    place = SimpleNamespace(
+        uv=mi.Point2f(0.1, 0.2), along_u=mi.Vector3f(1.0, 0.0, 0.0), along_v=mi.Vector3f(0.0, 1.0, 0.0)
+    )
+    return paint, place
+
+
+@pytest.mark.parametrize("theta_deg", [20.0, 65.0])
+def test_a_leaning_surface_is_drawn_as_its_density_says(leaning_paint, chi_square, theta_deg: float) -> None:
+    import mitsuba as mi
+
+    from brdf_suite.reference import terms
+
+    paint, place = leaning_paint
+    count = 100_000
+    rng = np.random.default_rng(5)
+    view = spherical(np.full(count, math.radians(theta_deg)), math.pi)
+    standing = paint.at(place, vectors(view))
+    choice, u = mi.Float(rng.random(count).astype(np.float32)), rng.random((2, count)).astype(np.float32)
+    drawn = np.array(terms.draw(standing.samplers, vectors(view), choice, mi.Point2f(u)), float).T
+
+    def density(light: np.ndarray) -> np.ndarray:
+        views = vectors(np.broadcast_to(view[0], light.shape))
+        return np.array(terms.density(paint.at(place, views).samplers, vectors(light), views), float)
+
+    # The coat's lobe leans, so the panels of the test need not follow it: it is about the mirror of the leaning normal.
+    broad = drawn[np.linalg.norm(drawn - coat_direction(view[0]), axis=1) > 0.05]
+    assert len(broad) > 0.3 * count
+    mass = sphere_mass(
+        lambda light: density(light) * (np.linalg.norm(light - coat_direction(view[0]), axis=1) > 0.05)
+    )
+    share = (broad[:, 2] > 0.0).mean() * len(broad) / count
+    assert share == pytest.approx(mass, abs=0.01)
+
+
+def coat_direction(view: np.ndarray) -> np.ndarray:
+    """Where the leaning coat mirrors a view to, folded above the horizon."""
+    n = np.array([-0.3, 0.2, 1.0])
+    n /= np.linalg.norm(n)
+    light = 2.0 * (n @ view) * n - view
+    return np.array([light[0], light[1], abs(light[2])])
+
+
+def sphere_mass(density) -> float:
+    """The integral over the upper hemisphere, by midpoints even in cosine and azimuth."""
+    z, phi = np.meshgrid(
+        (np.arange(400) + 0.5) / 400, 2 * np.pi * (np.arange(800) + 0.5) / 800, indexing="ij"
+    )
+    light = np.stack([np.sqrt(1 - z * z) * np.cos(phi), np.sqrt(1 - z * z) * np.sin(phi), z], -1).reshape(
+        -1, 3
+    )
+    return float(density(light).mean() * 2.0 * np.pi)
+
+
+def test_what_leans_reflects_all_that_it_would(leaning_paint) -> None:
+    """In a white furnace, what comes from below the surface's horizon is made up for: the albedo is the flat one's."""
+    import mitsuba as mi
+
+    from brdf_suite.reference import terms
+    from brdf_suite.reflectance.albedo import directional_albedo
+
+    paint, place = leaning_paint
+    count = 200_000
+    rng = np.random.default_rng(6)
+    view = spherical(0.5, 2.0)
+    views = vectors(np.broadcast_to(view, (count, 3)))
+    standing = paint.at(place, views)
+    choice = mi.Float(rng.random(count).astype(np.float32))
+    light = terms.draw(
+        standing.samplers, views, choice, mi.Point2f(rng.random((2, count)).astype(np.float32))
+    )
+    pdf = np.array(terms.density(standing.samplers, light, views), float)
+    value = np.array(standing.reflected(light, views), float).T
+    weights = np.where(
+        (np.array(light.z) > 0.0)[:, None] & (pdf > 0)[:, None], value / np.maximum(pdf, 1e-30)[:, None], 0
+    )
+    n = np.array([-0.3, 0.2, 1.0]) / np.linalg.norm([-0.3, 0.2, 1.0])
+    wanted = directional_albedo(
+        build_paint(load_shipped_paint("copper")), spherical(math.acos(n @ view), 0.0)
+    )
+    error = weights.std(axis=0) / math.sqrt(count)
+    assert np.all(np.abs(weights.mean(axis=0) - wanted) < 4.5 * error + 3e-3 * wanted)
+
+
+SIZE = (64, 48)
+
+
+@pytest.fixture(scope="module")
+def pictures(variant, tmp_path_factory):
+    """Return radiance of both renderers inside the object, for a view of a sphere in a lamp and soft light."""
+    from brdf_suite.pipeline.any_fit import fit_any
+    from brdf_suite.pipeline.reference_live import LiveReference
+    from brdf_suite.pipeline.still import loaded_scene
+
+    live = LiveReference()
+    folder = tmp_path_factory.mktemp("placed")
+    light = folder / "soft.exr"
+    write_exr(light, np.full((16, 32, 3), 0.3, np.float32))
+
+    def both(paint: str, passes: int, **changes):
+        view = View(environment=str(light), surface="sphere", background="grey", **changes)
+        live.show(paint, view, SIZE)
+        for _ in range(passes):
+            estimate = live.step()
+        with loaded_scene(view) as loaded:
+            loaded.scene.set_paint_fit(fit_any(paint, errors=False))
+            drawn = loaded.scene.renderer.linear_image(loaded.composed(view, SIZE), SIZE)
+        inside = (estimate.coverage > 0.999) & (drawn[..., 3] > 0.999)
+        y = np.array([0.2627, 0.678, 0.0593])
+        return drawn[..., :3] @ y, estimate.radiance @ y, inside, live.scene.notices
+
+    return both, folder
+
+
+def test_single_flakes_are_where_the_real_time_picture_has_them(pictures) -> None:
+    from brdf_suite.documents.view_settings import Lamp
+
+    both, _ = pictures
+    lamps = (Lamp("directional", azimuth_deg=60.0, elevation_deg=40.0, strength=2.0),)
+    near = {"camera": Camera(35.0, 10.0, 0.8, None, 200.0), "lamps": lamps}
+    drawn, traced, inside, notices = both("coarse_silver", 6, **near)
+    smooth, mean, _, _ = both("coarse_silver", 6, **near, sparkle=Sparkle("off"))
+    sparkles, found = (drawn - smooth)[inside], (traced - mean)[inside]
+    assert sparkles.std() > 0.02
+    assert np.corrcoef(sparkles, found)[0, 1] > 0.8
+    assert not any("flakes" in notice for notice in notices)
+
+
+def test_relief_and_two_tone_are_those_of_the_real_time_picture(pictures) -> None:
+    both, folder = pictures
+    mask = np.zeros((16, 16, 3), np.uint8)
+    mask[:, 8:] = 255
+    write_png(folder / "mask.png", mask)
+    drawn, traced, inside, _ = both(
+        "solid_white", 4, two_tone=TwoTone("solid_black", str(folder / "mask.png"), 150.0, "front")
+    )
+    assert traced[inside].std() > 0.05
+    assert np.corrcoef(drawn[inside], traced[inside])[0, 1] > 0.95
+    from brdf_suite.documents.view_settings import Lamp
+
+    lamps = (Lamp("directional", azimuth_deg=60.0, elevation_deg=40.0, strength=2.0),)
+    x, y = np.meshgrid(np.arange(64), np.arange(64))
+    slopes = np.stack([0.3 * np.sin(x * np.pi / 32), 0.2 * np.cos(y * np.pi / 32), -np.ones((64, 64))], -1)
+    normals = -slopes / np.linalg.norm(slopes, axis=-1)[..., None]
+    write_png(folder / "normals.png", np.uint8(np.round((normals + 1.0) * 127.5)))
+    relief = Relief(str(folder / "normals.png"), 1.0, 60.0)
+    drawn, traced, inside, _ = both("matte_grey", 4, relief=relief, lamps=lamps)
+    plain, _, _, _ = both("matte_grey", 1, lamps=lamps)
+    shapes = (drawn - plain)[inside]
+    assert shapes.std() > 0.02
+    assert np.corrcoef(shapes, (traced - plain)[inside])[0, 1] > 0.9
+
+
+def test_orange_peel_of_the_paint_or_of_the_view_moves_reflections(variant, tmp_path) -> None:
+    """Black paint before stripes of light: they waver by the slope, whichever of the two asks for it."""
+    from brdf_suite.pipeline.reference_live import LiveReference
+
+    pixels = np.full((32, 64, 3), 0.1, np.float32)
+    pixels[:, np.arange(64) % 4 < 2] = 2.0
+    write_exr(tmp_path / "stripes.exr", pixels)
+    near = Camera(35.0, 10.0, 0.5, None, 200.0)
+    view = View(environment=str(tmp_path / "stripes.exr"), surface="sphere", background="grey", camera=near)
+    paint = load_shipped_paint("solid_black")
+    live = LiveReference()
+
+    def traced(worn, shown):
+        live.show(worn, shown, (48, 40))
+        for _ in range(5):
+            estimate = live.step()
+        return estimate.radiance[..., 1]
+
+    smooth = traced(paint, view)
+    peel = OrangePeel(20.0, 8.0)
+    own = traced(replace(paint, orange_peel=peel), view)
+    # A slope asked for by the view goes before the paint's own.
+    asked = traced(
+        replace(paint, orange_peel=OrangePeel(0.1, 5.0)),
+        replace(view, relief=Relief(orange_peel=peel.slope_deg, orange_peel_mm=8.0)),
+    )
+    np.testing.assert_allclose(own, asked, rtol=1e-3, atol=1e-4)
+    assert np.abs(own - smooth).mean() > 0.03 * smooth.mean()
