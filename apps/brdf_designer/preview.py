@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_designer.desk import Desk
 from brdf_designer.preview_drawer import PreviewContents, PreviewDrawer
+from brdf_designer.preview_pace import PreviewPace
 from brdf_designer.preview_panel import PreviewPanel
 from brdf_designer.preview_scene import LIGHTS, PreviewScene, load_scene
 from brdf_designer.window import DesignerWindow
@@ -28,10 +29,6 @@ if TYPE_CHECKING:
     from brdf_suite.realtime.camera import Bounds
     from brdf_suite.realtime.context import Context
 
-FAST_MS = 8.0
-"""A frame that takes no longer is drawn at once: numbers and picture together stay within one of the screen's."""
-REST_MS = 40
-"""A slower one waits until the hand rests for so long: the next number must never wait for a picture."""
 _LIGHT, _SHOWN = "preview/light", "preview/shown"
 
 
@@ -45,7 +42,8 @@ class PreviewControl(QObject):
         self._contents = PreviewContents()
         self._drawer: PreviewDrawer | None = None
         self._view = View()
-        self._frame_ms = 1000.0
+        self._plan: list[tuple[int, bool]] = []
+        self.pace = PreviewPace()
         self._asked = ""
         light = settings().value(_LIGHT, LIGHTS[0], type=str)
         self.light = light if light in LIGHTS else LIGHTS[0]
@@ -85,7 +83,8 @@ class PreviewControl(QObject):
         surface = self.panel.surface
         if surface is None or surface.failure or not self.panel.isVisible():
             return True
-        return self._contents.scene is not None and self.drawn is self._contents.fit
+        settled = not self._drawing.isActive() and not self._plan
+        return settled and self._contents.scene is not None and self.drawn is self._contents.fit
 
     def choose_light(self, name: str) -> None:
         """Show the paint in another light; the old picture stays until it is there."""
@@ -101,6 +100,7 @@ class PreviewControl(QObject):
         settings().setValue(_SHOWN, on)
         if on:
             self._load()
+            self._draw_later()
 
     def _add_command(self) -> None:
         self.action = self._window.add_command(
@@ -147,16 +147,27 @@ class PreviewControl(QObject):
 
     def _take(self, fit: PaintFit) -> None:
         self._contents.fit = fit
-        # Started anew by each edit: while the hand moves, a slow picture waits, and shows the newest when it rests.
-        self._drawing.start(0 if self._frame_ms <= FAST_MS else REST_MS)
+        self._draw_later()
+
+    def _draw_later(self) -> None:
+        """Plan the picture anew: while the hand moves, a slow one waits, and shows the newest when it rests."""
+        self._plan = list(self.pace.after_change())
+        self._drawing.start(self._plan[0][0])
 
     def _draw(self) -> None:
-        if self.panel.surface is not None and self.panel.isVisible():
-            self.panel.surface.redraw()
+        waited, draft = self._plan.pop(0)
+        surface = self.panel.surface
+        if surface is None or not self.panel.isVisible():
+            return
+        if self._drawer is not None:
+            self._drawer.draft = draft
+        surface.set_view(self._view)
+        if self._plan:
+            self._drawing.start(self._plan[0][0] - waited)
 
     def _time(self, milliseconds: float, typical: bool) -> None:
-        if typical:
-            self._frame_ms = milliseconds
+        if typical and self._drawer is not None:
+            self.pace.note(milliseconds, draft=self._drawer.draft)
 
     def _new_surface(self) -> GlSurface:
         # Deferred: the widget brings moderngl, which only a screen with OpenGL needs.
@@ -184,8 +195,7 @@ class PreviewControl(QObject):
 
     def _set_view(self, view: View) -> None:
         self._view = view
-        if self.panel.surface is not None:
-            self.panel.surface.set_view(view)
+        self._draw_later()
 
     def _set_camera(self, camera: Camera) -> None:
         self._set_view(dataclasses.replace(self._view, camera=camera))

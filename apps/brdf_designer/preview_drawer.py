@@ -28,7 +28,8 @@ class PreviewContents:
 class PreviewDrawer:
     """Draws the contents in one context; what has changed since the last frame is handed over first.
 
-    ``surround`` gives the grey (R = G = B, 0 to 1) that is shown while there is nothing to draw.
+    ``surround`` gives the grey (R = G = B, 0 to 1) that is shown while there is nothing to draw. ``draft``: one sample
+    a pixel, for a renderer in software that takes long over several.
     """
 
     def __init__(self, context: Context, contents: PreviewContents, surround: Callable[[], Grey]) -> None:
@@ -36,6 +37,7 @@ class PreviewDrawer:
         self._renderer: SceneRenderer | None = None
         self._scene: PreviewScene | None = None
         self._fit: PaintFit | None = None
+        self.draft = False
 
     @property
     def bounds(self) -> Bounds | None:
@@ -67,7 +69,10 @@ class PreviewDrawer:
         if fit is not self._fit:
             self._renderer.set_paint_fit(fit)
             self._fit = fit
-        self._renderer.draw(view, framebuffer, size)
+        if self.draft:
+            self._renderer.renderer.render(view, framebuffer, size, samples=1)
+        else:
+            self._renderer.draw(view, framebuffer, size)
         return not uploads
 
     def release(self) -> None:

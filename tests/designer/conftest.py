@@ -11,6 +11,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_designer.assembly import Designer
+from brdf_designer.thumbnails import Thumbnails
 from brdf_qt.dialogs import Answer, Overwrite
 
 from brdf_suite.pipeline.paint import PaintFitter
@@ -60,8 +61,9 @@ def dialogs() -> ScriptedDialogs:
 
 
 @pytest.fixture
-def designer(qtbot, dialogs) -> Designer:
-    """Designer, shown, with its plot there."""
+def designer(qtbot, dialogs, monkeypatch) -> Designer:
+    """Designer, shown, with its plot there; placeholders stand for the small pictures, which need a process."""
+    monkeypatch.setattr(Thumbnails, "_ask_next", lambda _self: None)
     designer = Designer(dialogs=lambda _window: dialogs)
     qtbot.addWidget(designer.window)
     designer.window.show()

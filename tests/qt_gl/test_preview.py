@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from brdf_designer.assembly import Designer, shipped_paint
-from brdf_designer.preview import FAST_MS, REST_MS, PreviewControl
+from brdf_designer.preview import PreviewControl
+from brdf_designer.preview_pace import FAST_MS, REST_MS, PreviewPace
 from brdf_designer.preview_scene import LIGHT_WIDTH, smaller
+from brdf_designer.thumbnails import Thumbnails
 from brdf_qt.dialogs import Answer
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
@@ -21,10 +23,12 @@ class NoDialogs:
 
 
 @pytest.fixture
-def designer(qtbot) -> Designer:
+def designer(qtbot, monkeypatch) -> Designer:
+    # The pictures of the history come from a process of their own, which is no matter of these tests.
+    monkeypatch.setattr(Thumbnails, "_ask_next", lambda _self: None)
     designer = Designer(dialogs=lambda _window: NoDialogs())
     qtbot.addWidget(designer.window)
-    designer.window.resize(1200, 800)
+    designer.window.resize(800, 560)
     designer.window.show()
     yield designer
     designer.close()
@@ -62,26 +66,26 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     assert red > 1.5 * blue
 
     # A slow picture is not drawn while edits come; each of them puts it off anew.
-    drawn = []
-    surface.frame_drawn.connect(lambda *frame: drawn.append(frame))
-    preview._frame_ms = 10 * FAST_MS
+    preview.pace = PreviewPace(full_ms=10 * FAST_MS)
     for lightness in (50.0, 55.0, 60.0):
         designer.controller.edit(("lab", 0, 0), lightness)
         assert preview._drawing.isActive()
         assert preview._drawing.interval() == REST_MS
-    assert designer.window.patches._cells[0][0].isVisible()
     assert preview.drawn is not designer.desk.fit
     qtbot.waitUntil(lambda: preview.drawn is designer.desk.fit)
-    preview._frame_ms = FAST_MS
+    # First a draft, then, when the hand rests, the whole.
+    qtbot.waitUntil(lambda: preview.is_complete and not preview._drawer.draft)
+    preview.pace = PreviewPace(full_ms=FAST_MS)
     designer.controller.edit(("lab", 0, 0), 61.0)
     assert preview._drawing.interval() == 0
+    preview.pace = PreviewPace()
 
     # Another light, chosen by hand.
     booth = picture(preview)
     row = preview.panel.light.findData("sunny")
     preview.panel.light.setCurrentIndex(row)
     preview.panel.light.activated.emit(row)
-    qtbot.waitUntil(lambda: preview._view.environment == "sunny")
+    qtbot.waitUntil(lambda: preview._view.environment == "sunny" and preview.is_complete)
     assert np.abs(picture(preview) - booth).mean() > 5.0
 
     # A drag turns the form, and nothing of the paint.
@@ -92,6 +96,7 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     QTest.mouseMove(canvas, start + QPoint(60, 10))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(60, 10))
     assert preview._view.camera.azimuth_deg != pytest.approx(35.0)
+    qtbot.waitUntil(lambda: preview.is_complete)
     assert np.abs(picture(preview) - before).mean() > 2.0
     assert designer.store.stack.count() == steps
     QTest.keyClick(canvas, Qt.Key.Key_F)
@@ -111,6 +116,14 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     assert preview.drawn is kept
     preview.show(True)
     qtbot.waitUntil(lambda: preview.drawn is designer.desk.fit)
+
+
+def test_a_slow_picture_waits_and_a_fast_one_does_not():
+    assert PreviewPace(full_ms=2.0, draft_ms=300.0).after_change() == ((0, False),)
+    (rest, draft), (long_rest, last) = PreviewPace(full_ms=200.0, draft_ms=50.0).after_change()
+    assert (draft, last) == (True, False)
+    assert 0 < rest < long_rest
+    assert PreviewPace(full_ms=900.0, draft_ms=300.0).after_change() == ((long_rest, False),)
 
 
 def test_a_smaller_light_holds_the_same_light():
