@@ -8,8 +8,10 @@ from brdf_designer.coat_control import CoatControl
 from brdf_designer.colour_offer import NearestOffer
 from brdf_designer.desk import Desk
 from brdf_designer.history import HistoryControl
+from brdf_designer.interpolation_control import InterpolationControl
 from brdf_designer.preview import PreviewControl
 from brdf_designer.standard_control import StandardControl
+from brdf_designer.variations_control import VariationsControl
 from brdf_designer.window import DesignerWindow
 
 PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (
@@ -18,6 +20,8 @@ PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (
     PreviewControl,
     HistoryControl,
     StandardControl,
+    VariationsControl,
+    InterpolationControl,
 )
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 
