@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.fit_error import is_large
+from brdf_qt.fit_error import LARGE_DELTA_E
 from brdf_qt.message_bar import Message
 from brdf_qt.tasks import TaskRunner
 from brdf_qt.translation import tr
@@ -20,6 +20,7 @@ from brdf_suite.progress import Progress
 
 KEY = "nearest"
 _CLOSING_MS = 10_000
+_LARGE_BEYOND = 2.0
 
 
 def find_nearest(paint: Paint, progress: Progress) -> Feasible | None:
@@ -62,7 +63,7 @@ class NearestOffer(QObject):
             self._desk.edit(found.paint, step_name(found.paint, ("nearest",)))
 
     def _judge(self, fit: PaintFit) -> None:
-        if is_large(fit.worst_delta_e):
+        if missed(fit):
             self._desk.at_idle(KEY, self._search)
 
     def _refuse(self, error: SuiteError) -> None:
@@ -76,7 +77,7 @@ class NearestOffer(QObject):
 
     def _search(self) -> None:
         fit = self._desk.fit
-        can_be = fit is not None and (fit.exact_follows or not is_large(fit.worst_delta_e))
+        can_be = fit is not None and (fit.exact_follows or not missed(fit))
         # What cannot be in the midst of a drag may be at its end.
         if can_be or self._desk.in_gesture or self.offered is not None or self._closed:
             return
@@ -106,11 +107,21 @@ class NearestOffer(QObject):
         fit = self._desk.fit
         if fit is None:
             return []
-        return [
-            angle_text(fit.paint, index)
-            for index in by_angle(fit.paint)
-            if is_large(fit.angles[index].delta_e_2000)
-        ]
+        found = missed(fit)
+        return [angle_text(fit.paint, index) for index in by_angle(fit.paint) if index in found]
+
+
+def missed(fit: PaintFit) -> list[int]:
+    """Return the readings whose colour the lobes miss by so much that another paint is worth an offer.
+
+    Lobes are the same on both sides of the mirror direction, and a coat lets a little less out beyond it: what a
+    reading there misses by that alone, about 1.2, is told at its patch and no reason for another paint.
+    """
+    return [
+        index
+        for index, row in enumerate(fit.angles)
+        if row.delta_e_2000 > (LARGE_DELTA_E if row.aspecular_deg >= 0.0 else _LARGE_BEYOND)
+    ]
 
 
 def told(found: Feasible) -> str:

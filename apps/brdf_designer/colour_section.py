@@ -349,6 +349,7 @@ class AngleEditors(QWidget):
         while len(self.editors) > count:
             editor = self.editors.pop()
             self._box.removeWidget(editor)
+            editor.hide()
             editor.deleteLater()
         while len(self.editors) < count:
             editor = AngleEditor(self.space)

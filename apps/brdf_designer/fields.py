@@ -79,7 +79,7 @@ def step_name(paint: Paint, key: Key) -> str:
 def angle_text(paint: Paint, index: int) -> str:
     """Return the angle of a measurement, as in ``15°``; with its light where that is not at 45°."""
     measurement = paint.measurements[index]
-    text = f"{measurement.aspecular_deg:g}°"
+    text = f"{measurement.aspecular_deg:g}°".replace("-", "−")
     light = measurement.illumination_deg
     return text if light == 45.0 else f"{text}, light {light:g}°"
 

@@ -161,6 +161,7 @@ class PatchRow(QWidget):
             self._grid.setColumnStretch(len(self._cells) - 1, 0)
             for widget in (*self._cells.pop(), *self._standard_cells.pop()):
                 self._grid.removeWidget(widget)
+                widget.hide()
                 widget.deleteLater()
         for (field, angle, numbers, _), colour in zip(self._cells, colours.angles, strict=True):
             field.show_colour(colour)
