@@ -15,6 +15,7 @@ from PySide6.QtGui import QColor, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from brdf_suite.appearance.flop import flop_index
 from brdf_suite.documents.paint import Measurement
 from brdf_suite.documents.store import load_paint, paint_from_json, save_paint
 
@@ -335,7 +336,30 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer):
 def test_make_solid(designer):
     action(designer, "Paint ▸ Make Solid From ▸ 45°").trigger()
     assert {m.lab for m in designer.store.value.measurements} == {(25.0, 4.0, -38.0)}
-    assert designer.window.status.cell("Flop index").text() == "Flop 0.0"
+    assert designer.window.status.cell("Flop index").text() == "Flop 0.0, reached 0.0"
+
+
+def test_the_status_bar_tells_what_the_fit_gives_beside_what_was_asked(designer):
+    flop, fit = (designer.window.status.cell(name) for name in ("Flop index", "Fit"))
+    assert flop.text() == "Flop 13.9, reached 13.9"
+    assert fit.text().endswith(", exact")
+    rows = fit.toolTip().splitlines()
+    assert rows[0] == "15°: asked 62.0 / −4.0 / −45.0, fit 62.0 / −4.0 / −45.0, ΔE00 0.00"
+    # Darker towards the mirror direction than away from it cannot be reached: the flop that is shown says so.
+    type_in(field(designer, 2, 0), "55")
+    asked, reached = flop.text().rstrip(" ?").split(", reached ")
+    lightness = [row.fitted[0] for row in designer.desk.fit.angles]
+    assert asked == f"Flop {flop_index(62.0, 25.0, 55.0).value:.1f}"
+    assert reached == f"{flop_index(*lightness).value:.1f}" != asked.split()[1]
+    assert fit.text().startswith("! Fit ΔE00 ≤ ")
+    worst = max(row.delta_e_2000 for row in designer.desk.fit.angles)
+    assert abs(float(fit.text().split("≤ ")[1].split(",")[0]) - worst) <= 0.01
+    given = designer.desk.fit.angles[2].fitted
+    assert f"fit {given[0]:.1f} / " in fit.toolTip().splitlines()[2]
+    # Of a paint that cannot be, only what is asked is said.
+    type_in(designer.window.coat.panel.fields["gloss.gu_20"], "199")
+    assert "reached" not in flop.text()
+    assert fit.text().startswith("(")
 
 
 def test_every_edit_reaches_the_other_programs(designer, qtbot):
