@@ -83,6 +83,8 @@ class Documents(QObject):
     ) -> None:
         super().__init__(parent)
         self._format, self._dialogs, self._autosave_failed = form, dialogs, autosave_failed
+        self.foreign: Callable[[Path], bool] | None = None
+        """Asked first about every file to be opened; True where it is no paint of ours, and is taken care of."""
         self._last_key = 0
         self._closed: list[OpenDocument] = []
         self._front = self._made(DocumentStore(first, self), pristine=True)
@@ -124,6 +126,8 @@ class Documents(QObject):
         present = self.with_path(path)
         if present is not None:
             self.show(present)
+            return True
+        if self.foreign is not None and self.foreign(path):
             return True
         read = files.read(path)
         if read is None:
