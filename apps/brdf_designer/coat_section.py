@@ -82,6 +82,7 @@ class CoatSection(PaintSection):
         self._solved = (1.5, LOWEST_ROUGHNESS)
         self._held: tuple[float, float] | None = None
         self._asked: tuple[float, float] | None = None
+        self._taken = False
 
     def show_paint(self, paint: Paint) -> None:
         """Show the readings and the orange peel."""
@@ -104,6 +105,7 @@ class CoatSection(PaintSection):
 
     def show_fit(self, state: FitState) -> None:
         """Show the coat that was solved."""
+        self._taken = True
         self._solved = (state.ior, state.roughness)
         for field, value in zip((self.ior, self.roughness), self._solved, strict=True):
             field.setEnabled(True)
@@ -119,7 +121,7 @@ class CoatSection(PaintSection):
 
     def mark_stale(self) -> None:
         """Say that no coat gives these readings."""
-        self._asked = None
+        self._asked, self._taken = None, True
         for field in (self.ior, self.roughness):
             field.setEnabled(False)
         self.haze.setText(tr("–, no such coat"))
@@ -155,9 +157,13 @@ class CoatSection(PaintSection):
     def _set_coat(self, key: str) -> None:
         held = self._held or self._solved
         value = (self.ior.value(), held[1]) if key == "ior" else (held[0], self.roughness.value())
-        self._asked = value
+        self._asked, self._taken = value, False
         self.edited.emit(("coat", key), value)
         self._asked = None
+        if not self._taken:
+            # It was refused: what is shown is the coat that the paint has.
+            for field, solved in zip((self.ior, self.roughness), self._solved, strict=True):
+                field.set_value(solved)
 
     def _switch_60(self, on: bool) -> None:
         value = self.panel.fields["gloss.gu_60"].value() if on else None

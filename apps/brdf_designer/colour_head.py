@@ -72,7 +72,7 @@ class ColourHead(QWidget):
         known = PARAMETERS["aspecular_deg"]
         self.angle = NumberField(tr("New angle"), "°", known.low, 134.0, 5.0, 1, 60.0)
         self.angle.setObjectName("new_angle")
-        self.angle.setToolTip(tr("Aspecular angle of a further reading, with the light at 45°."))
+        self._light_deg: float | None = None
         self.add = QPushButton(tr("Add angle"))
         self.add.setToolTip(tr("Add a reading at this angle, with the colour that the paint has there."))
         self.add.clicked.connect(lambda: self.angle_added.emit(self.angle.value()))
@@ -96,10 +96,20 @@ class ColourHead(QWidget):
         box.setContentsMargins(0, 0, 0, 4)
         box.addWidget(form)
 
-    def show_set(self, name: str | None) -> None:
-        """Show which set the paint's angles are; ``None``: none of them."""
+    def show_set(self, name: str | None, light_deg: float | None = None) -> None:
+        """Show which set the paint's angles are, ``None``: none of them; and where a view can be, by its light."""
         self._set = name
         self.sets.setCurrentIndex(self.sets.findData(name))
+        if light_deg is not None and light_deg != self._light_deg:
+            self._light_deg = light_deg
+            known = PARAMETERS["aspecular_deg"]
+            # A view at grazing sees nothing; one degree above it is enough.
+            self.angle.setRange(max(known.low, light_deg - 89.0), min(known.high, light_deg + 89.0))
+            self.angle.setToolTip(
+                tr("Aspecular angle of a further reading, with the light at {light:g}°.").format(
+                    light=light_deg
+                )
+            )
 
     def _chosen(self, row: int) -> None:
         name = self.sets.itemData(row)

@@ -14,6 +14,7 @@ there and back ends where it began:
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -30,10 +31,12 @@ from brdf_suite.appearance.flop_moves import (
     with_travel,
 )
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
+from brdf_suite.appearance.gloss import HIGHEST_ROUGHNESS, LOWEST_ROUGHNESS
 from brdf_suite.appearance.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.documents.paint import PARAMETERS, Flakes, Lab, OrangePeel, Paint
+from brdf_suite.errors import UnreachableError
 from brdf_suite.pipeline.angle_sets import at_geometries, with_angle, without_angle
-from brdf_suite.reflectance.build import gloss_of_coat
+from brdf_suite.reflectance.build import DarkerThanCoatError, gloss_of_coat
 
 Key = tuple[str | int, ...]
 COMPONENTS = ("L*", "a*", "b*")
@@ -43,6 +46,7 @@ DEFAULT_PEEL = OrangePeel()
 # Of L*a*b* that comes of angles: as fine as the numbers are shown, and a little more.
 _DIGITS = 4
 _GLOSS_DIGITS = 3
+_HALVINGS = 14
 
 
 def edited(paint: Paint, key: Key, value: Any) -> Paint:
@@ -187,7 +191,10 @@ def _rounded(row: Any) -> Lab:
 
 def _coat(paint: Paint, _key: Key, value: tuple[float, float]) -> Paint:
     ior, roughness = value
-    gloss = gloss_of_coat(paint, ior, roughness)
+    try:
+        gloss = gloss_of_coat(paint, ior, roughness)
+    except DarkerThanCoatError as error:
+        raise UnreachableError(_roughest(paint, ior, error)) from error
     assert gloss.gu_60 is not None
     return replace(
         paint,
@@ -195,6 +202,24 @@ def _coat(paint: Paint, _key: Key, value: tuple[float, float]) -> Paint:
             gloss, gu_20=round(gloss.gu_20, _GLOSS_DIGITS), gu_60=round(gloss.gu_60, _GLOSS_DIGITS)
         ),
     )
+
+
+def _roughest(paint: Paint, ior: float, error: DarkerThanCoatError) -> str:
+    """Say why the coat cannot be, and how rough one of that index can be at most over these colours."""
+    _, angle = error.measurement
+    low, high = LOWEST_ROUGHNESS, HIGHEST_ROUGHNESS
+    for _ in range(_HALVINGS):
+        middle = math.sqrt(low * high)
+        try:
+            gloss_of_coat(paint, ior, middle)
+        except DarkerThanCoatError:
+            high = middle
+        else:
+            low = middle
+    return tr(
+        "A coat that rough mirrors {share:.4f} of the light at {angle:g}° by itself, and the colour there is darker. "
+        "With index {ior:.3f} its roughness can be up to {most:.4f}."
+    ).format(share=error.share, angle=angle, ior=ior, most=math.floor(1e4 * low) / 1e4)
 
 
 def _orange_peel(paint: Paint, key: Key, value: Any) -> Paint:

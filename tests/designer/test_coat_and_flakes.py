@@ -48,6 +48,21 @@ def test_gloss_and_coat_are_in_step_both_ways(designer, qtbot) -> None:
     assert designer.store.value == before
 
 
+def test_a_coat_that_the_colours_do_not_allow_is_refused_with_what_can_be(designer) -> None:
+    coat = designer.window.coat
+    designer.window.edited.emit(("colour", 0), (6.0, 0.0, 0.0))
+    before, roughness = designer.store.value, coat.roughness.value()
+    type_in(coat.roughness, "0.2")
+    told = designer.window.messages.shown()["edit"].what
+    assert "at 15°" in told
+    assert designer.store.value == before
+    assert coat.roughness.value() == roughness
+    most = told.rsplit("up to ", 1)[1].rstrip(".")
+    type_in(coat.roughness, most)
+    assert "edit" not in designer.window.messages.shown()
+    assert designer.store.value != before
+
+
 def test_haze_is_told_from_the_readings_or_from_the_coat(designer, qtbot) -> None:
     coat = designer.window.coat
     qtbot.waitUntil(lambda: "computed" in coat.haze.text())
