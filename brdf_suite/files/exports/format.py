@@ -140,3 +140,10 @@ def readings_loss(subject: Subject) -> tuple[str, ...]:
         f"Only what the virtual instruments read of it goes in: L*a*b* at {count} angles and gloss. How it reflects "
         "between and beyond them is left out.",
     )
+
+
+def model_loss(subject: Subject) -> tuple[str, ...]:
+    """Return the sentence for formats with a model of their own about a paint that is not designed by readings."""
+    if not subject.computed:
+        return ()
+    return ("The model is fitted to the designed paint that has the same readings, not to the paint itself.",)

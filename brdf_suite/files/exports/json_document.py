@@ -116,7 +116,11 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
 
 def is_json(head: bytes) -> bool:
     """Return whether the first bytes of a file are those of paints in JSON."""
-    return head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{") and f'"{NAME}"'.encode() in head
+    found = head.find(f'"{NAME}"'.encode())
+    # A glTF that carries such an object in its extras begins with its asset.
+    return (
+        found >= 0 and head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{") and b'"asset"' not in head[:found]
+    )
 
 
 def read(path: PathLike) -> Imported:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.exports import csv_table, cxf3, json_document
+from brdf_suite.files.exports import csv_table, cxf3, gltf, json_document, luxcore, openpbr, rgl
 from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike
 from brdf_suite.files.measured.bounded_reading import open_plain
 
@@ -13,6 +13,10 @@ FORMATS: tuple[ExportFormat, ...] = (
     cxf3.FORMAT,
     csv_table.FORMAT,
     json_document.FORMAT,
+    luxcore.FORMAT,
+    openpbr.FORMAT,
+    gltf.FORMAT,
+    rgl.FORMAT,
 )
 """In the order in which they are offered."""
 

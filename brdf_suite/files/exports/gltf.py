@@ -1,0 +1,152 @@
+"""glTF 2.0 with ``KHR_materials_clearcoat``: a sphere in the paint, for viewers and game engines.
+
+Base colour, metalness and roughness are fitted (:mod:`brdf_suite.files.exports.metal_rough_fit`); the clearcoat of glTF
+has the index 1.5. All the rest, the readings too, stands in the material's ``extras`` under ``brdf_suite``, as in the
+JSON export, and is read back from there.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Sequence
+from importlib.metadata import version
+
+import numpy as np
+
+from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.reading import read_json
+from brdf_suite.errors import FileError
+from brdf_suite.files.exports import json_document
+from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike, Subject, model_loss
+from brdf_suite.files.exports.metal_rough_fit import GLTF_IOR, fit_gltf
+from brdf_suite.files.exports.model_fit import told_differences
+from brdf_suite.geometry.directions import spherical
+from brdf_suite.progress import Progress
+
+EXTRAS = "brdf_suite"
+_RINGS, _SECTORS = 32, 64
+_RADIUS_M = 0.1
+
+
+def losses(subject: Subject) -> tuple[str, ...]:
+    """Return what a viewer of glTF does not show of a paint; it is fitted for this."""
+    found = fit_gltf(subject.paint)
+    told = [
+        *model_loss(subject),
+        told_differences(subject.paint, found.differences, "glTF's clearcoat (one colour for every angle)"),
+        f"The clearcoat of glTF has the index {GLTF_IOR:g}, whatever the paint's.",
+        "Viewers show no change of hue over the angle, and no flakes: readings, gloss, flakes and texts go along in "
+        "the material's extras, which only this suite reads.",
+    ]
+    if found.clipped:
+        told.append(
+            "A colour lies outside Rec. 709, in which the parameters are kept; it is moved to the edge."
+        )
+    return (*told, *json_document.losses(subject))
+
+
+def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
+    """Write one paint on a sphere; :class:`FileError` where the disk refuses, :class:`UnreachableError` of a paint."""
+    (subject,) = subjects
+    model = fit_gltf(subject.paint)
+    vertices, triangles = _sphere()
+    data = vertices.tobytes() + triangles.tobytes()
+    half, bound = vertices.nbytes, (_RADIUS_M * np.ones(3)).tolist()
+    # On a unit sphere the normals are the positions; the node makes it smaller.
+    document = {
+        "asset": {"version": "2.0", "generator": f"BRDF Suite {version('brdf-suite')}"},
+        "extensionsUsed": ["KHR_materials_clearcoat"],
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"name": subject.name, "mesh": 0, "scale": bound}],
+        "meshes": [
+            {"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 0}, "indices": 1, "material": 0}]}
+        ],
+        "materials": [
+            {
+                "name": subject.name,
+                "pbrMetallicRoughness": {
+                    "baseColorFactor": [*model.colour, 1.0],
+                    "metallicFactor": model.metalness,
+                    "roughnessFactor": model.roughness,
+                },
+                "extensions": {
+                    "KHR_materials_clearcoat": {
+                        "clearcoatFactor": 1.0,
+                        "clearcoatRoughnessFactor": model.coat_roughness,
+                    }
+                },
+                "extras": {EXTRAS: json_document.document(subjects)},
+            }
+        ],
+        "accessors": [
+            {
+                "bufferView": 0, "componentType": 5126, "count": len(vertices), "type": "VEC3",
+                "min": vertices.min(axis=0).tolist(), "max": vertices.max(axis=0).tolist(),
+            },
+            {"bufferView": 1, "componentType": 5123, "count": triangles.size, "type": "SCALAR"},
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": 0, "byteLength": half, "target": 34962},
+            {"buffer": 0, "byteOffset": half, "byteLength": triangles.nbytes, "target": 34963},
+        ],
+        "buffers": [
+            {
+                "byteLength": len(data),
+                "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode("ascii"),
+            }
+        ],
+    }  # fmt: skip
+    text = json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    write_atomically(path, text.encode("utf-8"))
+    return ()
+
+
+def _sphere() -> tuple[
+    np.ndarray[tuple[int, int], np.dtype[np.float32]], np.ndarray[tuple[int], np.dtype[np.uint16]]
+]:
+    """Unit vectors, and triangles whose front looks outwards; y is up."""
+    theta, phi = np.meshgrid(
+        np.linspace(0.0, np.pi, _RINGS + 1), np.linspace(0.0, 2.0 * np.pi, _SECTORS + 1), indexing="ij"
+    )
+    # The frame of directions has z up; (x, y, z) to (x, z, -y) turns it without mirroring.
+    up_z = spherical(theta.ravel(), phi.ravel())
+    vertices = np.stack((up_z[:, 0], up_z[:, 2], -up_z[:, 1]), axis=-1).astype(np.float32)
+    first = (np.arange(_RINGS)[:, None] * (_SECTORS + 1) + np.arange(_SECTORS)).ravel()
+    below = first + _SECTORS + 1
+    triangles = (
+        np.stack((first, below, first + 1, first + 1, below, below + 1), axis=-1).ravel().astype(np.uint16)
+    )
+    return vertices, triangles
+
+
+def is_ours(head: bytes) -> bool:
+    """Return whether the first bytes of a file are those of a glTF that this suite wrote."""
+    return (
+        head.lstrip(b" \t\r\n").startswith(b"{")
+        and b'"asset"' in head
+        and b'"generator": "BRDF Suite' in head
+    )
+
+
+def read(path: PathLike) -> Imported:
+    """Return the paint in the extras of a glTF that this suite wrote; raise :class:`FileError` where there is none."""
+    value = read_json(path)
+    try:
+        found = value["materials"][0]["extras"][EXTRAS]  # type: ignore[index]  # any shape but ours is caught
+    except (KeyError, IndexError, TypeError) as error:
+        raise FileError(path, "holds no paint of this suite", f"materials[0].extras.{EXTRAS}") from error
+    return json_document.imported(found, path)
+
+
+FORMAT = ExportFormat(
+    name="gltf",
+    title="glTF, clearcoat (KHR_materials_clearcoat)",
+    ending=".gltf",
+    holds="One base colour, metalness and roughness under a clearcoat of index 1.5; the readings in extras.",
+    losses=losses,
+    write=write,
+    read=read,
+    sniff=is_ours,
+)

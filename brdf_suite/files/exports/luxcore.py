@@ -1,0 +1,86 @@
+"""LuxCore: the paint as a material of type ``carpaint``, a text of properties for a scene (``.scn``).
+
+A scene takes the lines over with ``Scene.Parse``; an object is painted by ``scene.objects.NAME.material``. Colours are
+linear Rec. 709. How the parameters are found stands in :mod:`brdf_suite.files.exports.carpaint_fit`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from importlib.metadata import version
+
+from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.files.exports.carpaint_fit import CarPaint, fit_carpaint
+from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject, flake_loss, model_loss
+from brdf_suite.files.exports.model_fit import told_differences
+from brdf_suite.progress import Progress
+
+_NOT_A_NAME = re.compile(r"[^A-Za-z0-9_]+")
+
+
+def losses(subject: Subject) -> tuple[str, ...]:
+    """Return what the car paint of LuxCore cannot hold of a paint; it is fitted for this."""
+    found = fit_carpaint(subject.paint)
+    told = [
+        *model_loss(subject),
+        told_differences(subject.paint, found.differences, "LuxCore's car paint (two lobes under a coat)"),
+    ]
+    if found.clipped:
+        told.append(
+            "A colour lies outside Rec. 709, in which LuxCore keeps its parameters; it is moved to the edge."
+        )
+    return (*told, *flake_loss(subject), "Gloss readings, notes and source are left out.")
+
+
+def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
+    """Write the materials of paints; raise :class:`FileError`, or :class:`UnreachableError` of a paint."""
+    blocks, names = [], set()
+    for subject in subjects:
+        name = base = material_name(subject.name)
+        number = 1
+        while name in names:
+            number += 1
+            name = f"{base}_{number}"
+        names.add(name)
+        blocks.append(_block(subject, name, fit_carpaint(subject.paint)))
+    write_atomically(path, "\n".join(blocks).encode("utf-8"))
+    return ()
+
+
+def material_name(name: str) -> str:
+    """Return a paint's name as that of a material: letters, digits and underscores."""
+    return _NOT_A_NAME.sub("_", name).strip("_") or "paint"
+
+
+def _block(subject: Subject, name: str, paint: CarPaint) -> str:
+    differences = ", ".join(f"{value:.2f}" for value in paint.differences)
+    lines = [
+        f"# {' '.join(subject.name.split())}, by BRDF Suite {version('brdf-suite')}",
+        f"# dE00 to the paint at its readings: {differences}",
+        f'scene.materials.{name}.type = "carpaint"',
+        f"scene.materials.{name}.kd = {_numbers(paint.kd)}",
+    ]
+    for index, (ks, r, m) in enumerate(zip(paint.ks, paint.r, paint.m, strict=True), start=1):
+        lines += [
+            f"scene.materials.{name}.ks{index} = {_numbers(ks)}",
+            f"scene.materials.{name}.r{index} = {_numbers((r,))}",
+            f"scene.materials.{name}.m{index} = {_numbers((m,))}",
+        ]
+    lines += [f"scene.materials.{name}.ka = 0 0 0", f"scene.materials.{name}.d = 0", ""]
+    return "\n".join(lines)
+
+
+def _numbers(values: Sequence[float]) -> str:
+    return " ".join(f"{value:.9g}" for value in values)
+
+
+FORMAT = ExportFormat(
+    name="luxcore",
+    title="LuxCore car paint",
+    ending=".scn",
+    holds="A diffuse layer, two coloured lobes and a clearcoat, fitted to the readings.",
+    losses=losses,
+    write=write,
+    many=True,
+)
