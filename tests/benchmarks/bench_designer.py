@@ -1,0 +1,50 @@
+"""From a slider's mouse event to the numbers and patches of Designer: set, and painted.
+
+A drag of 600 steps in the real window with all its parts, in a process of its own on Qt's offscreen platform. The first
+30 steps, in which caches fill, do not count. Slow work is done at idle; its longest pieces are told beside.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from statistics import median
+
+import numpy as np
+
+NAME = "designer"
+BOUNDS = {
+    "update_median_ms": (
+        "<=",
+        5.0,
+        "ms",
+        "slider event to numbers and patches set and painted, median of a drag",
+    ),
+    "update_p99_ms": ("<=", 12.0, "ms", "the same, 99th percentile"),
+    "values_median_ms": ("", None, "ms", "the part of it until all values are set, before the painting"),
+    "idle_median_ms": ("", None, "ms", "a piece of the work that is done once the edits pause"),
+    "idle_max_ms": ("", None, "ms", "the longest of them: what an event that comes just then waits for"),
+}
+NOTES = {"update_p99_ms": "without the small picture, which this platform cannot draw"}
+_WARM_UP = 30
+
+
+def run(progress=None):
+    from brdf_suite.progress import report
+
+    report(progress, 0.1, "dragging a slider of Designer")
+    script = Path(__file__).with_name("designer_drag.py")
+    done = subprocess.run(
+        [sys.executable, str(script)], capture_output=True, text=True, check=True, timeout=300
+    )
+    times = json.loads(done.stdout.splitlines()[-1])
+    update, values = times["update"][_WARM_UP:], times["values"][_WARM_UP:]
+    return {
+        "update_median_ms": median(update),
+        "update_p99_ms": float(np.percentile(update, 99)),
+        "values_median_ms": median(values),
+        "idle_median_ms": median(times["idle"]),
+        "idle_max_ms": max(times["idle"]),
+    }
