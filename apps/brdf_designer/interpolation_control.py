@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject
 
 from brdf_designer.desk import Desk
 from brdf_designer.interpolation_section import FILE, STOPS, InterpolationSection
+from brdf_designer.measured_endings import standard_patterns
 from brdf_designer.thumbnails import thumbnails_of
 from brdf_designer.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
@@ -189,10 +190,8 @@ class InterpolationControl(QObject):
     def _ask_path(self) -> Path | None:
         present = self._desk.documents.front.store.path
         folder = present.parent if present is not None else Path.home()
-        filters = tr("Paints and measured files") + (
-            " (*.brdfpaint *.brdfpalette *.cxf *.binary *.bsdf *.brdf *.brdftable *.dat *.json)"
-        )
-        return self._desk.documents.dialogs.open_path(folder, f"{filters};;{tr('All files')} (*)")
+        filters = f"{tr('Paints and measured files')} ({standard_patterns()});;{tr('All files')} (*)"
+        return self._desk.documents.dialogs.open_path(folder, filters)
 
 
 def _load(name_or_path: str | Path, progress: Progress) -> Standard:

@@ -106,7 +106,7 @@ class InterpolationSection(QWidget):
         box.addWidget(self.slider)
         ends = QHBoxLayout()
         self.first, self.second = QLabel(), QLabel()
-        self.second.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.second.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for label in (self.first, self.second):
             label.setMinimumWidth(24)
             label.setTextFormat(Qt.TextFormat.PlainText)

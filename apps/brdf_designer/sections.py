@@ -9,6 +9,7 @@ from brdf_designer.colour_offer import NearestOffer
 from brdf_designer.desk import Desk
 from brdf_designer.history import HistoryControl
 from brdf_designer.interpolation_control import InterpolationControl
+from brdf_designer.measured_control import MeasuredControl
 from brdf_designer.preview import PreviewControl
 from brdf_designer.standard_control import StandardControl
 from brdf_designer.variations_control import VariationsControl
@@ -22,6 +23,7 @@ PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (
     StandardControl,
     VariationsControl,
     InterpolationControl,
+    MeasuredControl,
 )
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 

@@ -13,6 +13,7 @@ from brdf_qt.translation import tr
 from PySide6.QtCore import QDateTime, QLocale, QObject
 
 from brdf_designer.desk import Desk
+from brdf_designer.measured_endings import standard_patterns
 from brdf_designer.standard_section import StandardSection
 from brdf_designer.standard_settings import ToleranceSettings, load, save
 from brdf_designer.standard_state import state_of, verdict_word
@@ -245,18 +246,8 @@ class StandardControl(QObject):
     def _ask_path(self) -> Path | None:
         present = self._desk.documents.front.store.path
         folder = present.parent if present is not None else Path.home()
-        return self._desk.documents.dialogs.open_path(
-            folder,
-            ";;".join(
-                (
-                    tr("Standards")
-                    + " (*.brdfpaint *.brdfpalette *.cxf *.binary *.bsdf *.brdf *.brdftable *.dat *.json)",
-                    tr("Paints and palettes") + " (*.brdfpaint *.brdfpalette)",
-                    "CxF3 (*.cxf)",
-                    tr("All files") + " (*)",
-                )
-            ),
-        )
+        filters = f"{tr('Standards')} ({standard_patterns()});;{tr('All files')} (*)"
+        return self._desk.documents.dialogs.open_path(folder, filters)
 
     def _ask_batch(self) -> None:
         path = self._ask_path()

@@ -79,6 +79,18 @@ class VariationsControl(QObject):
         """The neighbours that are shown."""
         return self._found
 
+    @property
+    def is_complete(self) -> bool:
+        """Whether every picture that is wanted is there, or never will be."""
+        if not self.host.is_open or self._pictures.problem:
+            return True
+        wanted = [self._desk.paint, *(one.paint for one in self._found if one.paint is not None)]
+        present = self._of is not None and self._of.paint is self._desk.paint
+        return present and all(
+            self._pictures.is_drawn(paint, self._scene) or self._pictures.refusal(paint, self._scene)
+            for paint in wanted
+        )
+
     def take(self, direction: str) -> None:
         """Make a neighbour the paint, as one step."""
         paint = self._desk.paint

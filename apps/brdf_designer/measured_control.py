@@ -1,0 +1,170 @@
+"""Starts designs from measurements: read on a thread, opened in a tab, with a report that stays with it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from brdf_qt.message_bar import message_of
+from brdf_qt.settings import settings
+from brdf_qt.tasks import TaskRunner
+from brdf_qt.translation import tr
+from PySide6.QtCore import QObject
+
+from brdf_designer.desk import Desk
+from brdf_designer.measured_endings import patterns
+from brdf_designer.measured_section import ANGLE_SETS, MeasuredSection
+from brdf_designer.standard_control import StandardControl
+from brdf_designer.window import DesignerWindow
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.store import PAINT_ENDING
+from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.measured_start import START_SET, MeasuredStart
+from brdf_suite.progress import Progress
+
+KEY = "measured"
+_SET = "measured/angles"
+
+
+@dataclass(frozen=True)
+class _Request:
+    """What is to be read; ``document`` is the one to read again for, ``None`` for a new one."""
+
+    path: str
+    geometry: str
+    document: int | None = None
+
+
+class MeasuredControl(QObject):
+    """Opens what is measured, or a paint that was not designed by angles, as the start of a design."""
+
+    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        self._tasks = TaskRunner(self, threads=1)
+        self._kept: dict[int, tuple[str, MeasuredStart]] = {}
+        self.section = MeasuredSection()
+        self.host = window.add_section(KEY, tr("Measurement"), self.section, after="model")
+        self.host.hide()
+        self.section.again_asked.connect(self.read_again)
+        self.section.standard_asked.connect(self._take_standard)
+        self.action = window.add_command(
+            "file",
+            tr("New from &Measurement…"),
+            "Ctrl+Shift+N",
+            self.ask,
+            "new_from_measurement",
+            tip=tr("Measure a reflectance by the virtual spectrophotometer and design from there"),
+        )
+        desk.document_switched.connect(self._show)
+        desk.documents.foreign = self.open_foreign
+
+    def ask(self) -> None:
+        """Ask for something measured, and start a design from it."""
+        present = self._desk.documents.front.store.path
+        folder = present.parent if present is not None else Path.home()
+        filters = ";;".join(
+            (
+                f"{tr('Measured files and paints')} ({patterns(PAINT_ENDING)})",
+                f"{tr('All files')} (*)",
+            )
+        )
+        path = self._desk.documents.dialogs.open_path(folder, filters)
+        if path is not None:
+            self.open(path)
+
+    def open(self, name_or_path: str | Path) -> None:
+        """Read a measured file, or a paint of any kind, and open what was read as a new paint."""
+        self._submit(_Request(str(name_or_path), _kept_set()))
+
+    def open_foreign(self, path: Path) -> bool:
+        """Take care of a file that is to be opened and is no paint designed by its angles; see :class:`Documents`."""
+        if not _is_measurement(path):
+            return False
+        self._desk.documents.front.files.remember(path.absolute())
+        self.open(path)
+        return True
+
+    def read_again(self, geometry: str) -> None:
+        """Read the original of the document in front at another set of angles; one step."""
+        key = self._desk.document_key
+        if key in self._kept:
+            settings().setValue(_SET, geometry)
+            self._submit(_Request(self._kept[key][0], geometry, key))
+
+    def start_of_front(self) -> MeasuredStart | None:
+        """Return the report of the document in front; ``None`` where it did not start from a measurement."""
+        kept = self._kept.get(self._desk.document_key)
+        return None if kept is None else kept[1]
+
+    def close(self) -> None:
+        """End the thread."""
+        self._tasks.stop()
+
+    def _submit(self, request: _Request) -> None:
+        progress = self._window.progress
+
+        def told(fraction: float, what: str) -> None:
+            progress.set_job(KEY, fraction, what, lambda: self._tasks.cancel(KEY))
+
+        def done(start: MeasuredStart) -> None:
+            progress.end_job(KEY)
+            self._opened(request, start)
+
+        def failed(error: Exception) -> None:
+            progress.end_job(KEY)
+            todo = tr("The paints that are open are unchanged.")
+            self._desk.show_message(message_of(error, "open", todo=todo))
+
+        self._tasks.submit(KEY, _read, request, done, failed, told)
+
+    def _opened(self, request: _Request, start: MeasuredStart) -> None:
+        self._desk.dismiss_message("open")
+        if request.document is None:
+            self._desk.open_paint(start.paint)
+        elif request.document != self._desk.document_key:
+            return  # its tab is no longer in front; nobody waits for it
+        else:
+            present = self._desk.paint
+            read = replace(start.paint, name=present.name, flakes=present.flakes, notes=present.notes)
+            self._desk.edit(read, tr("Measure Again"))
+        self._kept[self._desk.document_key] = (request.path, start)
+        self._show()
+
+    def _show(self) -> None:
+        start = self.start_of_front()
+        self.host.setVisible(start is not None)
+        if start is not None:
+            self.section.show_start(start)
+
+    def _take_standard(self) -> None:
+        standards = self._window.findChild(StandardControl)
+        kept = self._kept.get(self._desk.document_key)
+        if standards is not None and kept is not None:
+            standards.load(kept[0])
+
+
+def _read(request: _Request, progress: Progress) -> MeasuredStart:
+    from brdf_suite.appearance.geometries import GEOMETRY_SETS
+    from brdf_suite.pipeline.measured_start import load_start
+
+    return load_start(request.path, GEOMETRY_SETS[request.geometry], progress)
+
+
+def _is_measurement(path: Path) -> bool:
+    """Whether a file is a paint of another kind, or measured; false for whatever else, which opening tells of."""
+    from brdf_suite.documents.store import load_any_paint
+    from brdf_suite.files.measured import sniff
+
+    try:
+        if path.suffix.lower() == PAINT_ENDING:
+            return not isinstance(load_any_paint(path), Paint)
+        sniff(path)
+    except SuiteError:
+        return False
+    return True
+
+
+def _kept_set() -> str:
+    name = settings().value(_SET, START_SET, type=str)
+    return name if name in dict(ANGLE_SETS) else START_SET

@@ -1,0 +1,108 @@
+"""New from a measurement: by the menu, by opening and by dropping; with the report, and told what cannot be read."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from brdf_designer.measured_control import MeasuredControl
+from brdf_designer.standard_control import StandardControl
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+from PySide6.QtGui import QDropEvent
+
+from brdf_suite.documents.store import save_paint
+from brdf_suite.pipeline.scene import find_any_paint
+
+
+@pytest.fixture
+def control(designer) -> MeasuredControl:
+    return next(part for part in designer.sections if isinstance(part, MeasuredControl))
+
+
+@pytest.fixture
+def cook_torrance(tmp_path):
+    """A paint of Cook-Torrance lobes in a file."""
+    path = tmp_path / "lobes.brdfpaint"
+    save_paint(replace(find_any_paint("table1_blue"), name="Lobes"), path)
+    return path
+
+
+def wait_for(qtbot, control) -> None:
+    qtbot.waitUntil(lambda: control.start_of_front() is not None)
+
+
+def test_a_measured_file_by_the_menu(designer, control, dialogs, qtbot, shared_data) -> None:
+    dialogs.path = shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf"
+    assert control.host.isHidden()
+    control.action.trigger()
+    wait_for(qtbot, control)
+    paint = designer.desk.paint
+    assert paint.name == "vch_golden_yellow_rgb"
+    assert paint.lab_at(15.0) == pytest.approx((101.13, 8.09, 76.7), abs=0.01)
+    assert not designer.store.is_clean
+    section = control.section
+    assert not control.host.isHidden()
+    assert "18.2 GU 20°" in section.gloss.text()
+    # 25 to 105° under the light of the instrument but for 45°, and further angles under the two others.
+    assert section.table.rowCount() == 10
+    assert section.table.item(1, 1).text() == f"{control.start_of_front().under(45.0)[0].delta_e_2000:.1f}"
+    assert "not used" in section.summary.text()
+    assert any("flakes" in line for line in section.notices.text().splitlines())
+    assert designer.window.progress.jobs == ()
+
+
+def test_a_paint_of_lobes_is_opened_and_read_again_at_more_angles(
+    designer, control, qtbot, cook_torrance
+) -> None:
+    designer.window.open_asked.emit(cook_torrance)
+    wait_for(qtbot, control)
+    before = designer.desk.paint
+    assert before.name == "Lobes"
+    assert before.gloss.gu_20 == pytest.approx(31.6, abs=0.1)
+    assert designer.store.path is None
+    assert cook_torrance.absolute() in designer.files.recent()
+    angles = control.section.angles
+    angles.setCurrentIndex(angles.findData("five"))
+    angles.activated.emit(angles.currentIndex())
+    qtbot.waitUntil(lambda: len(designer.desk.paint.measurements) == 5)
+    assert designer.window.undo_action.text() == "&Undo Measure Again"
+    designer.window.undo_action.trigger()
+    assert designer.desk.paint is before
+    # The report stays with its tab.
+    designer.window.new_asked.emit()
+    assert control.host.isHidden()
+    designer.documents.show(designer.documents.row[0])
+    assert not control.host.isHidden()
+
+
+def test_a_dropped_file_and_the_original_as_standard(designer, control, qtbot, cook_torrance) -> None:
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(cook_torrance))])
+    designer.window.dropEvent(
+        QDropEvent(
+            QPointF(50, 50),
+            Qt.DropAction.CopyAction,
+            data,
+            Qt.MouseButton.LeftButton,
+            Qt.KeyboardModifier.NoModifier,
+        )
+    )
+    wait_for(qtbot, control)
+    standards = next(part for part in designer.sections if isinstance(part, StandardControl))
+    control.section.standard.click()
+    qtbot.waitUntil(lambda: standards.standard is not None)
+    assert standards.section.results.item(0, 1).text() == "0.00"
+
+
+def test_what_is_neither_is_told_as_ever(designer, control, qtbot, tmp_path) -> None:
+    text = tmp_path / "notes.txt"
+    text.write_text("nothing measured")
+    designer.window.open_asked.emit(text)
+    assert "notes.txt" in designer.window.messages.shown()["open"].where
+    broken = tmp_path / "broken.bsdf"
+    broken.write_bytes(b"tensor_file\0\1\0" + b"\xff" * 40)
+    before = designer.desk.paint
+    designer.window.open_asked.emit(broken)
+    qtbot.waitUntil(lambda: "broken.bsdf" in designer.window.messages.shown()["open"].where)
+    assert designer.desk.paint is before
+    assert designer.window.progress.jobs == ()
