@@ -72,7 +72,7 @@ def texture(image: npt.NDArray[Any], *, repeat: bool = True) -> Any:
     wrap = dr.WrapMode.Repeat if repeat else dr.WrapMode.Clamp
     tensor = mi.TensorXf(np.ascontiguousarray(image, np.float32))
     kind: Any = mi.Texture2f
-    return kind(tensor, filter_mode=dr.FilterMode.Linear, wrap_mode=wrap)
+    return kind(tensor, use_accel=False, filter_mode=dr.FilterMode.Linear, wrap_mode=wrap)
 
 
 def look_up(image: Any, at: Any) -> Any:

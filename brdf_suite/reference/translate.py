@@ -5,17 +5,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.reference.aspecular import Aspecular, Several
 from brdf_suite.reference.coated import SeenThrough, UnderCoat
+from brdf_suite.reference.factored import FactoredTerm
 from brdf_suite.reference.fitted_samplers import fitted_samplers
+from brdf_suite.reference.lobe_weights import LobeWeights
 from brdf_suite.reference.table import HalfAngleTable
 from brdf_suite.reference.terms import CoatLobe, FacetLobe, Lambertian, Sum
 from brdf_suite.reflectance import coat_lobe
 from brdf_suite.reflectance.aspecular_base import AspecularBase
+from brdf_suite.reflectance.factored import Factored
 from brdf_suite.reflectance.layers import divided
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_of
+from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
 from brdf_suite.reflectance.models.lambertian import Lambertian as CoreLambertian
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Reflectance
@@ -91,9 +97,19 @@ def _exact(reflectance: object) -> Any | None:
         return UnderCoat(reflectance, base.term)
     if isinstance(reflectance, IsotropicTable):
         return HalfAngleTable.of(reflectance, fitted_samplers(reflectance))
+    if isinstance(reflectance, Factored):
+        return FactoredTerm(reflectance)
+    if isinstance(reflectance, CosineLobes):
+        return _cosine_lobes(reflectance)
     if isinstance(reflectance, CoreLambertian):
         return Lambertian(_triple(reflectance.albedo))
     return None
+
+
+def _cosine_lobes(model: CosineLobes) -> LobeWeights:
+    kd, exponents, kdd, kg = (np.asarray(v, float) for v in (model.kd, model.exponents, model.kdd, model.kg))
+    # The sum as it stands: no gains that follow the angle.
+    return LobeWeights(exponents, kd, kdd, kg, "none", 0.0, 1.0, raised=False)
 
 
 def _cook_torrance(model: CookTorrance) -> Sum:

@@ -144,6 +144,24 @@ def _poulin_fournier() -> Reflectance:
     return PoulinFournier((0.1, 0.1, 0.12), (0.6, 0.55, 0.5))
 
 
+def _factored() -> Reflectance:
+    import numpy as np
+
+    from brdf_suite.geometry.directions import Floats
+    from brdf_suite.reflectance.factored import Factored
+
+    # Satin: facets with a broad and a narrow part, and a colour that pales towards grazing.
+    def of_direction(w: Floats) -> Floats:
+        low = (1.0 - w[..., 2:]) ** 3
+        return np.asarray((1.0 - low) * np.array([1.0, 0.8, 0.5]) + low * np.array([1.1, 1.1, 1.1]))
+
+    def of_half_vector(h: Floats) -> Floats:
+        tan2 = 1.0 / np.maximum(h[..., 2:], 1e-3) ** 2 - 1.0
+        return np.asarray((0.08 + 0.12 * np.exp(-tan2 / 0.3) + 0.6 * np.exp(-tan2 / 0.02)) * np.ones(3))
+
+    return Factored.from_functions(of_direction, of_half_vector, 32)
+
+
 def _lambertian() -> Reflectance:
     from brdf_suite.reflectance.models.lambertian import Lambertian
 
@@ -219,6 +237,14 @@ _ENTRIES = (
         False,
         "BRDF approximation for interactive colour appearance design, equations 1 to 3",
         {"reciprocity": 0.998},
+    ),
+    ModelEntry(
+        "factored",
+        "Product of textures, light × half vector × view",
+        _factored,
+        True,
+        False,
+        "McCool, Ang and Ahmad 2001",
     ),
     ModelEntry("ggx", "GGX metal over a matt part", _ggx, True, True, "Walter et al. 2007; Heitz 2014"),
     ModelEntry(

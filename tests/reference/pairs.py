@@ -14,6 +14,7 @@ from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.ggx import Ggx
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.models.table_1 import TABLE_1
+from brdf_suite.reflectance.registry import MODELS as REGISTERED
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
@@ -52,6 +53,10 @@ MODELS = {
         CookTorrance(TABLE_1["table1_white"]), HalfAngleGrid(40, 20, 36, reciprocal=False)
     ),
 }
+
+
+for _name in ("factored", "cosine_lobes"):
+    MODELS[_name] = lambda name=_name: REGISTERED[name].default
 
 
 def without_a_formula():
