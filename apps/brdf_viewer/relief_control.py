@@ -42,6 +42,7 @@ class ReliefControl(QObject):
         section.paint_browse_wanted.connect(self._browse_paint)
         window.busy_cancelled.connect(self._cancelled)
         stage.view_changed.connect(lambda _old, new: self._show(new))
+        stage.contents_changed.connect(self._show_own_peel)
         self._show(stage.view)
 
     @property
@@ -93,6 +94,10 @@ class ReliefControl(QObject):
             failed=self._failed,
             progress=lambda fraction, what: self._window.set_busy(IMAGES, fraction, what),
         )
+
+    def _show_own_peel(self) -> None:
+        fit = self._stage.fit
+        self._section.set_own_peel(None if fit is None else fit.orange_peel)
 
     def _loaded(self, images: SurfaceImages) -> None:
         self._window.set_idle(IMAGES)

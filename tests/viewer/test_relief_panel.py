@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
+from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import SurfaceLook
+from brdf_suite.pipeline.paint import PaintFitter
 
 
 @pytest.fixture
@@ -56,6 +59,24 @@ def test_orange_peel_is_seen_and_its_height_told(ball) -> None:
     assert ball.view.relief.orange_peel_mm == 10.0
     section(ball).orange_peel.edited.emit(0.0)
     assert np.array_equal(ball.pixels(), before)
+
+
+def test_a_paint_brings_its_own_orange_peel(ball, qtbot) -> None:
+    stage = ball.controller.stage
+    smooth, before = ball.pixels(), stage.paint
+    fitter = PaintFitter(time_limit_s=60.0)
+    waved = replace(before, orange_peel=OrangePeel(14.0, 2.5))
+    stage.set_fit(fitter.fit(waved), waved)
+    fitter.close()
+    own = ball.pixels()
+    assert not np.array_equal(own, smooth)
+    assert "The paint's own: 14 µm" in section(ball).peel_facts.text()
+    # What the view sets takes its place.
+    section(ball).orange_peel.edited.emit(1.0)
+    assert not np.array_equal(ball.pixels(), own)
+    assert "in place of the paint's own" in section(ball).peel_facts.text()
+    section(ball).orange_peel.edited.emit(0.0)
+    assert np.array_equal(ball.pixels(), own)
 
 
 def test_a_normal_map_is_opened_and_taken_away(ball, images, asked, qtbot) -> None:

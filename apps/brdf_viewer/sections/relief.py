@@ -6,9 +6,11 @@ from brdf_qt.form import Form
 from brdf_qt.icons import icon
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
+from brdf_qt.translation import tr
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
+from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.documents.view_settings import PARAMETERS, Relief, TwoTone
 from brdf_suite.surface.orange_peel import height_rms_um
@@ -75,6 +77,8 @@ class ReliefSection(Section):
         self.orange_peel = self._number("orange_peel", PARAMETERS["relief.orange_peel"], 0.02, 2)
         self.orange_peel_mm = self._number("orange_peel_mm", PARAMETERS["relief.orange_peel_mm"], 0.5, 1)
         self.peel_facts = note()
+        self._relief = Relief()
+        self._own_peel: OrangePeel | None = None
         self.normal_map = self._file("normal_map", "a normal map", self.relief_edited)
         self.normal_strength = self._number("normal_strength", PARAMETERS["relief.normal_strength"], 0.1, 2)
         self.normal_width_mm = self._number("normal_width_mm", PARAMETERS["relief.normal_width_mm"], 10.0, 1)
@@ -110,10 +114,26 @@ class ReliefSection(Section):
         for name in ("orange_peel", "orange_peel_mm", "normal_strength", "normal_width_mm"):
             getattr(self, name).set_value(getattr(relief, name))
         self.normal_map.set_path(relief.normal_map)
-        height = height_rms_um(relief.orange_peel, relief.orange_peel_mm)
-        set_note(
-            self.peel_facts, f"Waves of {height:.2g} µm (RMS height)" if relief.orange_peel > 0.0 else ""
-        )
+        self._relief = relief
+        self._show_peel()
+
+    def set_own_peel(self, peel: OrangePeel | None) -> None:
+        """Show the orange peel that the paint itself has; it is drawn while the view sets none."""
+        self._own_peel = peel
+        self._show_peel()
+
+    def _show_peel(self) -> None:
+        relief, own, text = self._relief, self._own_peel, ""
+        if relief.orange_peel > 0.0:
+            height = height_rms_um(relief.orange_peel, relief.orange_peel_mm)
+            text = tr("Waves of {height:.2g} µm (RMS height)").format(height=height)
+            if own is not None:
+                text = tr("{waves}, in place of the paint's own").format(waves=text)
+        elif own is not None:
+            text = tr(
+                "The paint's own: {height:g} µm (RMS height), {length:g} mm. A slope that is set here takes its place."
+            ).format(height=own.amplitude_um, length=own.wavelength_mm)
+        set_note(self.peel_facts, text)
 
     def set_two_tone(self, two_tone: TwoTone, title: str) -> None:
         """Show the second paint, by its ``title``, and where it is."""
