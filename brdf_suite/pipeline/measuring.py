@@ -14,7 +14,8 @@ import numpy as np
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
 from brdf_suite.appearance.light_colour import LightColour
 from brdf_suite.appearance.spaces import in_display_gamut
-from brdf_suite.appearance.tolerance import DIFFERENCES, Tolerances, Verdict, judge
+from brdf_suite.appearance.tolerance import DIFFERENCES, Tolerances, Verdict, difference_named, judge
+from brdf_suite.appearance.words import Named, named_differences, named_flop, sentence
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.metrics import ErrorFigures, error_figures
@@ -39,6 +40,7 @@ SCATTERED = (
     "Scattered samples are interpolated: gloss, and colours far from any sample, are only as good as the "
     "samples near them."
 )
+_USUAL_LIGHT_DEG = 45.0
 _LIGHTS, _VIEW_RINGS, _VIEW_AZIMUTHS = 8, 16, 32
 
 
@@ -196,9 +198,23 @@ class Comparison:
     verdict: Verdict | None
     metamerism: Mapping[str, tuple[float, ...]] | None
 
+    @property
+    def words(self) -> tuple[tuple[Named, ...], ...]:
+        """The trade's words for the second against the first, per geometry."""
+        pairs = zip(self.first.readings, self.second.readings, strict=True)
+        return tuple(named_differences(one.lab, two.lab) for one, two in pairs)
+
+    @property
+    def sentence(self) -> str:
+        """All geometries in words: ``darker at 110°; more flop``."""
+        flops = self.first.flop, self.second.flop
+        word = None if flops[0] is None or flops[1] is None else named_flop(flops[0].value, flops[1].value)
+        return sentence([_angle(reading) for reading in self.first.readings], self.words, word)
+
     def to_json(self) -> dict[str, object]:
         """Return the comparison as plain values."""
         rows: list[dict[str, object]] = []
+        words = self.words
         for k, (one, two) in enumerate(zip(self.first.readings, self.second.readings, strict=True)):
             rows.append(
                 {
@@ -208,11 +224,13 @@ class Comparison:
                     "lab_a": list(one.lab),
                     "lab_b": list(two.lab),
                     **{f"delta_e_{name}": values[k] for name, values in self.differences.items()},
+                    "words": [named.text() for named in words[k]],
                 }
             )
         answer: dict[str, object] = {
             "geometry": self.first.geometry_set.name,
             "angles": rows,
+            "words": self.sentence,
             "gloss_difference": {
                 f"gu_{angle}": self.second.gloss[angle] - value for angle, value in self.first.gloss.items()
             },
@@ -231,6 +249,12 @@ class Comparison:
         return answer
 
 
+def _angle(reading: Reading) -> str:
+    light = reading.geometry.illumination_deg
+    text = f"{reading.geometry.aspecular_deg:g}°"
+    return text if light == _USUAL_LIGHT_DEG else f"{text}, light {light:g}°"
+
+
 def compare(
     first: Measurable,
     second: Measurable,
@@ -241,6 +265,9 @@ def compare(
     """Return how ``second`` differs from ``first``, the reference."""
     one, two = (measure(item.reflectance, geometry_set, aperture) for item in (first, second))
     differences = {name: tuple(formula(one.lab, two.lab).tolist()) for name, formula in DIFFERENCES.items()}
+    if tolerances is not None and tolerances.difference not in DIFFERENCES:
+        own = difference_named(tolerances.difference)
+        differences[tolerances.difference] = tuple(own(one.lab, two.lab).tolist())
     wi, wo, weight = hemisphere_pairs()
     near = angle_between(mirror(wi), wo) < math.radians(NEAR_MIRROR_DEG)
     angles = [geometry.aspecular_deg for geometry in geometry_set.geometries]

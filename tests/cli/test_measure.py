@@ -233,6 +233,30 @@ def test_tolerances_decide_the_status(asked) -> None:
     assert [row["passes"] for row in json.loads(only[1])["verdict"]["angles"]].count(True) == 1
 
 
+def test_compare_says_it_in_words(asked) -> None:
+    _status, out, _err = asked("compare", "blue", "midnight_blue", "--geometry", "e2194")
+    assert "in words: much darker and much redder at 15°" in out
+    assert "; more flop" in out
+    answer = json.loads(asked("compare", "blue", "midnight_blue", "--geometry", "e2194", "--json")[1])
+    assert answer["words"].endswith("; more flop")
+    assert answer["angles"][0]["words"] == ["much darker", "much redder"]
+    assert "in words: no visible difference" in asked("compare", "blue", "blue")[1]
+
+
+def test_compare_judges_the_parts_of_a_difference(asked) -> None:
+    tight = ("compare", "blue", "midnight_blue", "--geometry", "e2194", "--tolerance")
+    status, out, _err = asked(*tight, "15=E99,L1", "--tolerance", "99")
+    assert status == 1
+    assert "FAIL (ΔL ≤ 1)" in out
+    assert out.count("pass (≤ 99)") == 2
+    assert asked(*tight, "L99,C99,H99")[0] == 0
+    row = json.loads(asked(*tight, "L99,C8,H99", "--ellipsoid", "--json")[1])["verdict"]["angles"][2]
+    assert row["exceeded"] == ["ellipsoid"]
+    status, out, _err = asked(*tight, "99", "--difference", "cmc:1.4:0.7")
+    assert status == 0
+    assert "CMC(1.4:0.7)" in out
+
+
 def test_spectra_are_compared_under_other_lights(asked, shared_data: Path) -> None:
     folder = shared_data / "brdf"
     _status, out, _err = asked("compare", folder / "krylon_blue.brdf", folder / "cayman.brdf", "--json")
@@ -288,6 +312,8 @@ def test_bad_requests_are_refused_in_one_line(asked, shared_data: Path, tmp_path
         (("measure", document), "broken.brdfpaint"),
         (("compare", "blue", "no_such_paint"), "no_such_paint"),
         (("compare", "blue", "blue", "--tolerance", "-1"), "a number from 0"),
+        (("compare", "blue", "blue", "--tolerance", "L-1"), "a number from 0"),
+        (("compare", "blue", "blue", "--difference", "cmc:0:1"), "two positive weights"),
         (("compare", "blue", "red", "--tolerance", "33=1"), "nothing is read there"),
         (("compare", "blue", "red", "--tolerance", "nan=1"), "-15, 15, 25, 45, 75, 110"),
         (("convert", blue, tmp_path / "out.nothing"), ".nothing"),
