@@ -9,6 +9,7 @@ import mitsuba as mi
 import numpy as np
 
 from brdf_suite.reference import terms
+from brdf_suite.reference.raytraced.numbers import in_cube, own
 
 _VIEWS_DEG = (0.0, 45.0, 65.0, 80.0)
 _SAMPLES = 4096
@@ -18,13 +19,12 @@ TOLERANCE = 0.005
 
 def largest_albedo(term: Any) -> float:
     """Return the largest directional albedo of any channel at four angles, sampled; 1 is all light."""
-    theta = np.radians(np.repeat(_VIEWS_DEG, _SAMPLES))
-    index = np.tile(np.arange(_SAMPLES), len(_VIEWS_DEG))
-    u = np.modf(0.5 + index[:, None] * np.array([0.8191725134, 0.6710436067, 0.5497004779]))[0]
-    choice, a, b = (mi.Float(np.ascontiguousarray(x, np.float32)) for x in u.T)
-    sine, cosine = (mi.Float(f(theta).astype(np.float32)) for f in (np.sin, np.cos))
-    view = mi.Vector3f(sine, 0.0, cosine)
-    light = terms.draw(term.samplers, view, choice, mi.Point2f(a, b))
+    lane = dr.arange(mi.UInt32, len(_VIEWS_DEG) * _SAMPLES)
+    cosines = own(np.cos(np.radians(_VIEWS_DEG)).astype(np.float32), mi.Float)
+    cosine = dr.gather(mi.Float, cosines, lane // _SAMPLES)
+    view = mi.Vector3f(dr.sqrt(dr.maximum(1.0 - dr.square(cosine), 0.0)), 0.0, cosine)
+    choice, u = in_cube(lane % _SAMPLES, mi.UInt32(0))
+    light = terms.draw(term.samplers, view, choice, u)
     pdf = terms.density(term.samplers, light, view)
     above = (light.z > 0.0) & (pdf > 0.0)
     weight = dr.select(above, term.value(light, view) * (light.z / pdf), 0.0)

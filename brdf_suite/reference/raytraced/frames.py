@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.reference.raytraced.camera import Pinhole
+from brdf_suite.reference.raytraced.numbers import own
 from brdf_suite.reference.raytraced.tracer import Deal, Stage, trace
 
 Pixels = npt.NDArray[np.float64]
@@ -42,7 +43,7 @@ class Film:
             edges = [min(count, -(-count * k // number // 16) * 16) for k in range(number)] + [count]
             self._pieces = {
                 number: [
-                    (slice(a, b), mi.UInt32(self._column[a:b]), mi.UInt32(self._row[a:b]))
+                    (slice(a, b), own(self._column[a:b], mi.UInt32), own(self._row[a:b], mi.UInt32))
                     for a, b in pairwise(edges)
                     if b > a
                 ]

@@ -9,7 +9,10 @@ from __future__ import annotations
 
 from typing import Any
 
+import drjit as dr
 import mitsuba as mi
+import numpy as np
+import numpy.typing as npt
 
 Words = Any  # mi.UInt32
 
@@ -43,3 +46,14 @@ def in_cube(index: Words, turn: Words) -> tuple[Any, Any]:
         for k, alpha in enumerate(_ALPHA_3)
     )
     return a, mi.Point2f(b, c)
+
+
+def own(values: npt.NDArray[Any], kind: Any) -> Any:
+    """Return values (n,) as an array of ``kind`` in memory of the renderer's own.
+
+    What numpy lends may begin anywhere, and a program that walks along it is compiled for where it begins.
+    """
+    found = dr.zeros(kind, len(values))
+    dr.scatter(found, kind(np.ascontiguousarray(values)), dr.arange(mi.UInt32, len(values)))
+    dr.eval(found)
+    return found

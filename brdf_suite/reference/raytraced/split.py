@@ -24,6 +24,7 @@ from brdf_suite.reference.raytraced.lobes import (
     FacetGlint,
     MirrorLobe,
 )
+from brdf_suite.reference.raytraced.numbers import in_cube
 from brdf_suite.reference.raytraced.table_split import TableSplit, split_by_values
 from brdf_suite.reference.table import HalfAngleTable
 from brdf_suite.reference.terms import CoatLobe, FacetLobe, Sum
@@ -82,14 +83,11 @@ class Mirrored:
     @classmethod
     def of(cls, split: Split) -> Mirrored:
         """Return it with the lobes' albedo over the cosine of the view, from 64 angles of 1,024 samples."""
-        cosines = (np.arange(_MIRROR_NODES) + 0.5) / _MIRROR_NODES
-        lane = np.repeat(cosines, _MIRROR_SAMPLES).astype(np.float32)
-        index = np.tile(np.arange(_MIRROR_SAMPLES), _MIRROR_NODES)
-        steps = np.array([0.8191725134, 0.6710436067, 0.5497004779])
-        u = np.modf(0.5 + index[:, None] * steps)[0].astype(np.float32)
-        cosine = mi.Float(lane)
+        lane = dr.arange(mi.UInt32, _MIRROR_NODES * _MIRROR_SAMPLES)
+        cosine = (mi.Float(lane // _MIRROR_SAMPLES) + 0.5) / _MIRROR_NODES
         view = mi.Vector3f(dr.sqrt(dr.maximum(1.0 - cosine * cosine, 0.0)), 0.0, cosine)
-        _, weight = split.draw(view, mi.Float(u[:, 0]), mi.Point2f(mi.Float(u[:, 1]), mi.Float(u[:, 2])))
+        choice, u = in_cube(lane % _MIRROR_SAMPLES, mi.UInt32(0))
+        _, weight = split.draw(view, choice, u)
         means = np.array(weight).reshape(3, _MIRROR_NODES, _MIRROR_SAMPLES).mean(axis=2)
         table = mi.Float(np.ascontiguousarray(means.T, np.float32).ravel())
         dr.eval(table)

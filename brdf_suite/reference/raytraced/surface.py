@@ -73,7 +73,9 @@ class Surface:
         values["vertex_positions"] = np.ascontiguousarray(arrays.positions).ravel()
         values["faces"] = np.ascontiguousarray(arrays.triangles).ravel()
         values.update()
-        self._scene = mi.load_dict({"type": "scene", "surface": mesh})
+        # Without it some rays slip through between two triangles, and a black dot is left of them.
+        watertight = {"embree_use_robust_intersections": True}
+        self._scene = mi.load_dict({"type": "scene", "surface": mesh, **watertight})
         self._positions, self._normals, self._uvs = (
             mi.Float(np.ascontiguousarray(a, np.float32).ravel())
             for a in (arrays.positions, arrays.normals, arrays.uvs)

@@ -28,6 +28,7 @@ from brdf_suite.reference.raytraced.lobes import (
     cosine_lobe_mirrored,
     exponent_of,
 )
+from brdf_suite.reference.raytraced.numbers import own
 from brdf_suite.reference.terms import Facets
 
 TableSplit = Literal["clamp", "subtract"]
@@ -204,5 +205,5 @@ def fitted_peak(term: Any, cap: Sequence[float]) -> FittedPeak | None:
 def values_of(term: Any, light: Floats, view: Floats) -> Floats:
     """Return f_r (n, 3) of a term for lights (n, 3) and views (n, 3), or one (3,), as numbers."""
     views = np.broadcast_to(view, light.shape)
-    at, to = (mi.Vector3f(np.ascontiguousarray(x.T, np.float32)) for x in (light, views))
+    at, to = (mi.Vector3f(*(own(row, mi.Float) for row in x.T.astype(np.float32))) for x in (light, views))
     return np.asarray(np.array(term.value(at, to), np.float64).T)
