@@ -19,4 +19,4 @@ def patterns(*more: str) -> str:
 
 def standard_patterns() -> str:
     """Return the patterns of whatever may hold a standard."""
-    return patterns(PAINT_ENDING, PALETTE_ENDING, CXF_ENDING)
+    return patterns(PAINT_ENDING, PALETTE_ENDING, CXF_ENDING, ".csv")

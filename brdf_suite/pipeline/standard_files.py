@@ -1,4 +1,4 @@
-"""Standards out of files: a paint, every paint of a palette, every sample of a CxF3 file, a measured BRDF."""
+"""Standards out of files: a paint, every paint of a palette or of a hand-over, every CxF3 sample, a measured BRDF."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.protocol import Reflectance
 
 CXF_ENDING = ".cxf"
+_HEAD = 1 << 16
 BY_INSTRUMENT = "Its colours are read by the virtual spectrophotometer."
 
 
@@ -38,6 +39,8 @@ def load_standards(
         found = _of_palette(path)
     elif ending == CXF_ENDING:
         found = _of_cxf(path)
+    elif handed := _of_handover(path):
+        found = handed
     elif is_measured_file(path):
         item = load_measurable(path)
         found = (_of_reflectance(item.name, str(path), item.reflectance, item.notices),)
@@ -77,6 +80,27 @@ def _of_palette(path: Path) -> tuple[Standard, ...]:
 
 def _of_swatch(swatch: Swatch, origin: str) -> Standard:
     return _of_paint(swatch.paint, origin)
+
+
+def _of_handover(path: Path) -> tuple[Standard, ...]:
+    """The paints of a file that was handed over, known by its content; none where it is something else."""
+    if not is_measured_file(path):
+        return ()
+    # Many writers and readers, and few sessions need one.
+    from brdf_suite.files.cxf import is_cxf
+    from brdf_suite.files.exports import FORMATS
+
+    try:
+        with path.open("rb") as stream:
+            head = stream.read(_HEAD)
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    if is_cxf(head):
+        return _of_cxf(path)
+    for known in FORMATS:
+        if known.sniff is not None and known.read is not None and known.sniff(head):
+            return tuple(_of_paint(paint, path.name) for paint in known.read(path).paints)
+    return ()
 
 
 def _of_cxf(path: Path) -> tuple[Standard, ...]:

@@ -17,6 +17,8 @@ from brdf_suite.documents.palette import Group, Palette, Swatch
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.files.exports import FORMATS as EXPORTS
+from brdf_suite.files.exports import Subject
 from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
 from brdf_suite.pipeline.standard import Standard, judge_all, judge_batch, standard_of
 from brdf_suite.pipeline.standard_files import load_standards
@@ -128,6 +130,40 @@ def test_every_paint_of_a_palette(blue: Paint, tmp_path: Path) -> None:
     save_palette(Palette("Empty"), path)
     with pytest.raises(FileError, match="no paint"):
         load_standards(path)
+
+
+@pytest.mark.parametrize("ending", [".cxf", ".csv", ".json"])
+def test_what_was_handed_over_is_a_standard(blue: Paint, tmp_path: Path, ending: str) -> None:
+    """Each keeps the readings; a batch that is the very paint passes to the last digit that is written."""
+    path = tmp_path / f"handed{ending}"
+    form = next(known for known in EXPORTS if known.ending == ending)
+    form.write([Subject(blue), Subject(load_shipped_paint("red"))], path, None)
+    found = load_standards(path)
+    assert [standard.name for standard in found] == ["Blue", "Red"]
+    assert found[0].origin == path.name
+    assert judge_batch(found[0], blue, Tolerances({}, 0.01)).passes is True
+    assert judge_batch(found[1], blue, Tolerances({}, 0.01)).passes is False
+    # Known by what is in it, whatever it is called.
+    other = tmp_path / "renamed.dat"
+    other.write_bytes(path.read_bytes())
+    assert load_standards(other)[0].readings == found[0].readings
+
+
+def test_a_cxf_sample_of_two_angles_is_judged_there(shared_data: Path, blue: Paint, tmp_path: Path) -> None:
+    with pytest.raises(FileError, match="line 15"):
+        load_standards(shared_data / "palettes" / "cxf" / "geometry_edge_cases.cxf")
+    path = tmp_path / "handed.cxf"
+    form = next(known for known in EXPORTS if known.ending == ".cxf")
+    form.write([Subject(blue)], path, None)
+    text = path.read_text("utf-8")
+    start = text.index("<cc:ColorCIELab" if "<cc:ColorCIELab" in text else "<ColorCIELab")
+    end = text.index("ColorCIELab>", start) + len("ColorCIELab>")
+    path.write_text(text[:start] + text[end:], "utf-8")
+    (standard,) = load_standards(path)
+    assert len(standard.readings) == 2
+    report = judge_batch(standard, blue, Tolerances({}, 0.01))
+    assert [row.standard is not None for row in report.rows].count(True) == 2
+    assert report.passes is True
 
 
 def test_a_measured_file_is_read_at_any_angle(shared_data: Path, blue: Paint) -> None:
