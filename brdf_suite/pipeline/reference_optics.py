@@ -86,6 +86,44 @@ def lobe_term(weights: MaterialWeights, view: View) -> Any:
     )
 
 
+def scalar_optics(paint: TracedPaint, dress: Dress, view: View, instead: str) -> Optics:
+    """Return the paint as one of Mitsuba's own plug-ins, where nothing else runs; ``instead`` says what is missing.
+
+    Raises
+    ------
+    ReferenceUnavailableError
+        The paint is not isotropic, so that it has no such form.
+    """
+    from brdf_suite.reference.scalar import AS_A_TABLE, table_bsdf
+
+    told = [instead, AS_A_TABLE]
+    placed = _peel_of(paint, view)[0] > 0.0 or (paint.flakes is not None and view.sparkle.mode != "off")
+    if placed or dress.normal_map is not None or dress.second is not None:
+        told.append(
+            "Without LLVM there are no single flakes, no relief and no second paint: the first is shown, smooth."
+        )
+    if isinstance(paint.reflectance, MaterialWeights):
+        return Optics(scalar_lobes(paint.reflectance, view), tuple(told))
+    return Optics(table_bsdf(paint.reflectance), tuple(told))
+
+
+def scalar_lobes(weights: MaterialWeights, view: View) -> Any:
+    """Return lobe weights as one of Mitsuba's own plug-ins, with the gains that the view asks for."""
+    from brdf_suite.reference.scalar import LobesSeen, table_bsdf
+
+    seen = LobesSeen(
+        np.asarray(weights.exponents, float),
+        weights.kd,
+        weights.kdd,
+        weights.kg,
+        weights.coat,
+        weights.theta_fit_rad,
+        weights.ior,
+        raised=view.fresnel != "off",
+    )
+    return table_bsdf(seen)
+
+
 def _placed(paint: TracedPaint, dress: Dress, view: View) -> tuple[PlacedPaint, tuple[str, ...]]:
     from brdf_suite.reference.flakes import FlakeLayer
     from brdf_suite.reference.placed import PlacedPaint
@@ -123,13 +161,17 @@ def _shape(dress: Dress, view: View) -> Slopes | None:
 
 
 def _peel(paint: TracedPaint, view: View) -> Peel | None:
-    """The view's orange peel, or the paint's own where the view asks for none."""
     from brdf_suite.reference.relief import Peel
 
-    slope_deg, length_mm = view.relief.orange_peel, view.relief.orange_peel_mm
-    if slope_deg <= 0.0 and paint.orange_peel is not None:
-        slope_deg, length_mm = paint.orange_peel.slope_deg, paint.orange_peel.wavelength_mm
+    slope_deg, length_mm = _peel_of(paint, view)
     if slope_deg <= 0.0:
         return None
     tile = peel_tile()
     return Peel.of(tile.slopes, 1.0 / (tile.waves * length_mm), math.tan(math.radians(slope_deg)))
+
+
+def _peel_of(paint: TracedPaint, view: View) -> tuple[float, float]:
+    """The view's orange peel, or the paint's own where the view asks for none: its slope, degrees, and length, mm."""
+    if view.relief.orange_peel <= 0.0 and paint.orange_peel is not None:
+        return paint.orange_peel.slope_deg, paint.orange_peel.wavelength_mm
+    return view.relief.orange_peel, view.relief.orange_peel_mm

@@ -21,7 +21,14 @@ from brdf_suite.documents.view import View
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.exposure import ev_of, exposed
-from brdf_suite.pipeline.reference_optics import Dress, load_dress, lobe_term, optics_of
+from brdf_suite.pipeline.reference_optics import (
+    Dress,
+    load_dress,
+    lobe_term,
+    optics_of,
+    scalar_lobes,
+    scalar_optics,
+)
 from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
 from brdf_suite.pipeline.reference_paint import (
     in_the_lamp as in_the_lamp,  # asked for here by who builds scenes
@@ -41,6 +48,7 @@ from brdf_suite.surface.mesh import Mesh
 if TYPE_CHECKING:
     from brdf_suite.reference.passes import Estimate
     from brdf_suite.reference.scene import Eye, TracedScene
+    from brdf_suite.reference.variant import Variant
 
 Size = tuple[int, int]
 Pixels = NDArray[np.float64]
@@ -133,7 +141,7 @@ def prepare_reference(
     from brdf_suite.reference.variant import start
 
     report(progress, 0.0, "starting the path tracer")
-    start()
+    variant = start(scalar=True)
     traced = load_traced(paint, view)
     report(progress, 0.3, "reading the environment")
     _, path = find_environment(view.environment)
@@ -148,6 +156,7 @@ def prepare_reference(
         mesh,
         notices=traced.notices,
         paint=traced,
+        variant=variant,
     )
 
 
@@ -163,17 +172,19 @@ def build_reference(
     paint: TracedPaint | None = None,
     dress: Dress | None = None,
     kept: ReferenceScene | None = None,
+    variant: Variant | None = None,
 ) -> ReferenceScene:
     """Return the scene of what is loaded already; fitted weights in place of a reflectance are traced as they are.
 
     ``paint`` says what flakes and orange peel it has; without it, it has none. ``dress`` is what the view lays on it,
     read anew where it is not given. ``kept`` is a scene of the same parts, lamps and size of map: it is changed in
-    place, which takes no building and no compiling, and must not be used after. Errors as :func:`prepare_reference`.
+    place, which takes no building and no compiling, and must not be used after. ``variant`` is the one that was
+    started, where it may be the scalar one. Errors as :func:`prepare_reference`.
     """
     from brdf_suite.reference.scene import Eye, SurfacePart, build_scene
     from brdf_suite.reference.variant import start
 
-    variant = start()
+    variant = start() if variant is None else variant
     bounds = Bounds.of(p.positions for p in mesh.parts)
     view = replace(view, camera=compose(view.camera, bounds, size))
     camera = matrices(view.camera, bounds, size)
@@ -181,8 +192,11 @@ def build_reference(
     mesh = _with_chosen_materials(mesh, view)
     worn = TracedPaint(name, reflectance) if paint is None else replace(paint, reflectance=reflectance)
     dress = load_dress(view) if dress is None else dress
-    optics = optics_of(worn, dress, view, bounds)
-    terms = {**_stock_terms(mesh, view), _PAINT: optics.term}
+    if variant.is_scalar:
+        optics = scalar_optics(worn, dress, view, variant.instead)
+    else:
+        optics = optics_of(worn, dress, view, bounds)
+    terms = {**_stock_terms(mesh, view, variant), _PAINT: optics.term}
     tint = light_matrix(view.light_colour.illuminant, view.light_colour.adapted)
     radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
     if kept is None:
@@ -215,12 +229,13 @@ def _with_chosen_materials(mesh: Mesh, view: View) -> Mesh:
     return replace(mesh, parts=parts)
 
 
-def _stock_terms(mesh: Mesh, view: View) -> dict[str, Any]:
+def _stock_terms(mesh: Mesh, view: View, variant: Variant) -> dict[str, Any]:
     from brdf_suite.fitting.lobes.basis import default_basis
 
     stock = stock_materials(default_basis().exponents)
     used = {p.material for p in mesh.parts}
-    return {name: lobe_term(weights, view) for name, weights in stock.items() if name in used}
+    make = scalar_lobes if variant.is_scalar else lobe_term
+    return {name: make(weights, view) for name, weights in stock.items() if name in used}
 
 
 def _left_out(view: View) -> tuple[str, ...]:

@@ -106,7 +106,7 @@ def build_scene(
     *,
     depth: int = DEFAULT_DEPTH,
 ) -> TracedScene:
-    """Return the scene: ``parts`` with the ``terms`` of their materials, in the light of a map (h, w, 3)."""
+    """Return the scene: ``parts`` with the terms, or BSDFs, of their materials, in the light of a map (h, w, 3)."""
     described: dict[str, Any] = {
         "type": "scene",
         "integrator": {
@@ -123,7 +123,8 @@ def build_scene(
             "to_world": _turned(view.rotation_deg),
         },
     }
-    bsdfs = {name: make_bsdf(term) for name, term in terms.items()}
+    # In the scalar variant materials are Mitsuba's own plug-ins already.
+    bsdfs = {name: term if isinstance(term, mi.BSDF) else make_bsdf(term) for name, term in terms.items()}
     _set_viewpoint(bsdfs, eye, size)
     for index, lamp in enumerate(view.lamps):
         described[f"lamp_{index}"] = _lamp(lamp)
@@ -133,9 +134,11 @@ def build_scene(
 
 
 def _set_viewpoint(bsdfs: Mapping[str, Any], eye: Eye, size: tuple[int, int]) -> None:
-    viewpoint = Viewpoint.of(eye.place, eye.axes, eye.half_width_tangent, size)
-    for bsdf in bsdfs.values():
-        bsdf.viewpoint = viewpoint
+    ours = [bsdf for bsdf in bsdfs.values() if hasattr(bsdf, "term")]
+    if ours:
+        viewpoint = Viewpoint.of(eye.place, eye.axes, eye.half_width_tangent, size)
+        for bsdf in ours:
+            bsdf.viewpoint = viewpoint
 
 
 def mitsuba_map(radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:

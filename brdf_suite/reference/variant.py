@@ -23,6 +23,7 @@ LLVM_VARIABLE = "DRJIT_LIBLLVM_PATH"
 OLDEST_LLVM = 17
 """LLVM 14 to 16 abort in the middle of a compilation."""
 LLVM_PACKAGE = "libllvm19"
+SCALAR = "scalar_rgb"
 PROBE_TIMEOUT_S = 300.0
 
 _PLACES = (
@@ -43,10 +44,19 @@ class Variant:
     name: str
     llvm_path: str = ""
     version: str = ""
+    instead: str = ""
+    """Why it is the scalar one: what is missing, and what to install."""
+
+    @property
+    def is_scalar(self) -> bool:
+        """Whether only Mitsuba's own plug-ins run: every reflectance is then given as a table."""
+        return self.name.startswith("scalar")
 
     @property
     def title(self) -> str:
         """What a user is told."""
+        if self.is_scalar:
+            return "Mitsuba, without LLVM"
         return f"Mitsuba, {'CUDA' if self.name.startswith('cuda') else f'LLVM {self.version}'}"
 
 
@@ -157,9 +167,17 @@ def _has_cuda() -> bool:
     )
 
 
-def start() -> Variant:
-    """Choose the variant, once in a process, and make it Mitsuba's. Errors as :func:`choose_variant`."""
-    variant = choose_variant()
+def start(*, scalar: bool = False) -> Variant:
+    """Choose the variant, once in a process, and make it Mitsuba's. Errors as :func:`choose_variant`.
+
+    With ``scalar``, where neither LLVM nor a graphics card can be used, it is the scalar variant, which needs neither.
+    """
+    try:
+        variant = choose_variant()
+    except ReferenceUnavailableError as error:
+        if not (scalar and is_installed()):
+            raise
+        variant = Variant(SCALAR, instead=str(error))
     if variant.llvm_path:
         os.environ[LLVM_VARIABLE] = variant.llvm_path
     import mitsuba as mi

@@ -1,0 +1,110 @@
+"""Without LLVM and without a graphics card: tables in Mitsuba's own plug-in, and what is said about it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from brdf_suite.errors import ReferenceUnavailableError
+from brdf_suite.files.exr import read_exr
+from brdf_suite.files.images import write_exr
+from brdf_suite.geometry.directions import spherical
+from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.reference import variant as variants
+from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.registry import MODELS
+
+SIZE = (24, 20)
+
+
+@pytest.fixture
+def without_llvm(monkeypatch: pytest.MonkeyPatch):
+    """A machine with Mitsuba and nothing that it compiles with."""
+    pytest.importorskip("mitsuba", reason="the extra brdf-suite[reference] is not installed")
+    # What was found on this machine stays known: trying it out again takes seconds.
+    monkeypatch.setattr(variants, "choose_variant", lambda: variants.choose(False, [], variants.probe))
+
+
+@pytest.fixture
+def light(tmp_path: Path) -> Path:
+    path = tmp_path / "soft.exr"
+    rng = np.random.default_rng(1)
+    write_exr(path, np.repeat(np.repeat(0.2 + rng.random((4, 8, 3)), 8, 0), 8, 1).astype(np.float32))
+    return path
+
+
+def test_the_scalar_variant_is_chosen_only_by_who_can_use_it(without_llvm) -> None:
+    with pytest.raises(ReferenceUnavailableError, match="libllvm19"):
+        variants.start()
+    found = variants.start(scalar=True)
+    assert found.is_scalar
+    assert "libllvm19" in found.instead
+    import mitsuba as mi
+
+    assert mi.variant() == "scalar_rgb"
+
+
+def test_a_table_in_the_plug_in_is_the_paint(without_llvm) -> None:
+    variants.start(scalar=True)
+    import mitsuba as mi
+
+    from brdf_suite.reference.scalar import table_bsdf
+
+    paint = build_paint(load_shipped_paint("copper"))
+    bsdf = table_bsdf(paint)
+    rng = np.random.default_rng(2)
+    wi, wo = (spherical(np.arccos(0.3 + 0.7 * rng.random(300)), rng.uniform(0, 6.28, 300)) for _ in "ab")
+    wanted = paint.eval(wi, wo) * wi[:, 2:]
+    found = []
+    for light, view in zip(wi.tolist(), wo.tolist(), strict=True):
+        si = mi.SurfaceInteraction3f()
+        si.wi = mi.Vector3f(*view)
+        found.append(np.array(bsdf.eval(mi.BSDFContext(), si, mi.Vector3f(*light))))
+    error = np.abs(np.array(found) / wanted - 1.0)
+    assert np.quantile(error, 0.99) < 0.002
+    assert np.median(error) < 0.0005
+
+
+def test_what_is_not_isotropic_is_refused_with_what_to_install(without_llvm) -> None:
+    variants.start(scalar=True)
+    from brdf_suite.reference.scalar import working_table
+
+    with pytest.raises(ReferenceUnavailableError, match="libllvm19"):
+        working_table(MODELS["poulin_fournier"].default)
+
+
+def test_the_command_renders_the_same_picture_and_says_how(
+    without_llvm, light, tmp_path: Path, monkeypatch, capsys
+) -> None:
+    from brdf_suite.cli.main import main
+
+    words = [
+        "--renderer",
+        "reference",
+        "--environment",
+        str(light),
+        "--mesh",
+        "sphere",
+        "--background",
+        "grey",
+    ]
+    words += ["--size", f"{SIZE[0]}x{SIZE[1]}", "--spp", "64"]
+    assert main(["render", "copper", "-o", str(tmp_path / "scalar.exr"), *words]) == 0
+    told = capsys.readouterr().out
+    assert "libllvm19" in told
+    assert "table" in told
+    assert "no single flakes" in told
+    monkeypatch.undo()
+    try:
+        variants.start()
+    except ReferenceUnavailableError as error:
+        pytest.skip(str(error))
+    smooth = [*words, "--sparkle", "off"]
+    assert main(["render", "copper", "-o", str(tmp_path / "llvm.exr"), *smooth]) == 0
+    one, two = (read_exr(tmp_path / name).pixels for name in ("scalar.exr", "llvm.exr"))
+    inside = np.abs(one - one[0, 0]).sum(-1) > 1e-6
+    difference = (one - two)[inside]
+    # A z-test of the means: the two are independent estimates of one picture.
+    assert np.all(np.abs(difference.mean(0)) < 4.5 * difference.std(0) / np.sqrt(len(difference)) + 0.002)
