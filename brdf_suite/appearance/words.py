@@ -89,14 +89,19 @@ def hue_word(hue_deg: float, turn: float) -> str:
     return _AXES[next_axis % 4]
 
 
-def named_differences(standard: Lab, sample: Lab) -> tuple[Named, ...]:
+def named_differences(
+    standard: Lab, sample: Lab, weights: Sequence[float] | None = None
+) -> tuple[Named, ...]:
     """Return the words for a sample's L*a*b* (3,) against the standard's, the largest first; empty where none is.
+
+    ``weights`` are S_L, S_C and S_H of the two (:func:`~brdf_suite.appearance.difference.weights_2000`), for whoever
+    works them out for many pairs at once.
 
     >>> [named.text() for named in named_differences((25.0, 4.0, -38.0), (22.0, 4.0, -38.0))]
     ['darker']
     """
     lightness, chroma, hue = difference_parts(standard, sample)
-    s_l, s_c, s_h = (float(value) for value in weights_2000(standard, sample))
+    s_l, s_c, s_h = weights_2000(standard, sample).tolist() if weights is None else weights
     c1, c2 = math.hypot(standard[1], standard[2]), math.hypot(sample[1], sample[2])
     found = [Named("lighter" if lightness > 0.0 else "darker", abs(lightness) / s_l)]
     if min(c1, c2) < GREY_BELOW:

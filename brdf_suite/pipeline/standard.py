@@ -13,6 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
+from brdf_suite.appearance.difference import weights_2000
 from brdf_suite.appearance.flop import flop_index
 from brdf_suite.appearance.geometries import Geometry, GeometrySet
 from brdf_suite.appearance.tolerance import (
@@ -206,15 +207,19 @@ def judge_batch(
     places = [index for index, one in enumerate(found) if one is not None]
     verdicts: dict[int, AngleVerdict] = {}
     values: dict[str, dict[int, float]] = {}
+    words: dict[int, tuple[Named, ...]] = {}
     if places:
         references = np.array([one[0] for one in found if one is not None])
         samples = np.array([batch.measurements[index].lab for index in places])
         angles = [batch.measurements[index].aspecular_deg for index in places]
         verdict = judge(angles, references, samples, tolerances)
         verdicts = dict(zip(places, verdict.angles, strict=True))
+        weights = weights_2000(references, samples).tolist()
+        for row, index in enumerate(places):
+            words[index] = named_differences(references[row], samples[row], weights[row])
         for name in dict.fromkeys((tolerances.difference, *differences)):
             of_all = (
-                [row.difference for row in verdict.angles]
+                [judged.difference for judged in verdict.angles]
                 if name == tolerances.difference
                 else difference_named(name)(references, samples).tolist()
             )
@@ -230,7 +235,7 @@ def judge_batch(
                 one is not None and one[1],
                 {name: of[index] for name, of in values.items() if index in of},
                 verdicts.get(index),
-                () if one is None else named_differences(one[0], measurement.lab),
+                words.get(index, ()),
             )
         )
     flop = _flops(standard, batch)
