@@ -17,6 +17,8 @@ class Caption(QLabel):
 
     def set_forms(self, *forms: str) -> None:
         """Give the text in forms from the longest to the shortest."""
+        if forms == self._forms:
+            return
         self._forms = forms or ("",)
         self.setAccessibleName(self._forms[0])
         self._choose()

@@ -101,8 +101,10 @@ class ColourSlider(QAbstractSlider):
         row = np.ascontiguousarray(rgb, dtype=np.uint8)
         count = len(row)
         self._track = QImage(row.data, count, 1, 3 * count, QImage.Format.Format_RGB888).copy()
-        edges = np.flatnonzero(np.diff(np.concatenate(([True], in_gamut, [True])).astype(np.int8)))
-        self._outside = [(a / count, b / count) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+        self._outside = []
+        if not in_gamut.all():
+            edges = np.flatnonzero(np.diff(np.concatenate(([True], in_gamut, [True])).astype(np.int8)))
+            self._outside = [(a / count, b / count) for a, b in zip(edges[::2], edges[1::2], strict=True)]
         self.update()
 
     def sizeHint(self) -> QSize:

@@ -31,6 +31,8 @@ from brdf_suite.geometry.directions import Floats
 _LOW_U, _HIGH_U = 0.04, 1e4
 # A channel that varies by less than this share of its size is flat, and any bell of height 0 fits it.
 _FLAT = 1e-6
+# Of the search for u: cells of a round, and rounds.
+_CELLS, _ROUNDS = 32, 6
 # Where even the first reading sees less than this share of the bell, its top is a guess, not a measurement.
 _FAINTEST = 0.01
 
@@ -102,8 +104,12 @@ class FlakeRule:
         if np.any(np.diff(x) <= 0.0):
             return None
         tilts = x.tolist()
-        weights = np.ones(len(tilts)) if weight is None else weight
-        channels = [_solve(tilts, channel, weights) for channel in rho.T.tolist()]
+        fitted: list[tuple[float, float, float] | None] = [None] * 3
+        if len(tilts) > 3:
+            fitted = _least_squares(tilts, rho, np.ones(len(tilts)) if weight is None else weight)
+        channels = [
+            _solve(tilts, channel, best) for channel, best in zip(rho.T.tolist(), fitted, strict=True)
+        ]
         solved = [channel for channel in channels if channel is not None]
         if len(solved) < 3:
             return None
@@ -114,13 +120,15 @@ class FlakeRule:
         return cls(ground, height, u, illumination, ior)
 
 
-def _solve(x: list[float], rho: list[float], weight: Floats) -> tuple[float, float, float] | None:
-    """(ρ_d, A, u) of one channel, or None."""
+def _solve(
+    x: list[float], rho: list[float], fitted: tuple[float, float, float] | None
+) -> tuple[float, float, float] | None:
+    """(ρ_d, A, u) of one channel, or None; ``fitted`` is the answer for more than three readings."""
     size = max(abs(value) for value in rho)
     if max(rho) - min(rho) <= _FLAT * size:
         return sum(rho) / len(rho), 0.0, 1.0
     if len(x) > 3:
-        return _least_squares(x, rho, weight)
+        return fitted
     x1, x2, x3 = x
     first, second = rho[0] - rho[1], rho[1] - rho[2]
     if first * second <= 0.0:
@@ -167,29 +175,36 @@ def _root(a: float, b: float, ratio: float) -> float | None:
     return u
 
 
-def _least_squares(x: list[float], rho: list[float], weight: Floats) -> tuple[float, float, float] | None:
-    """The best (ρ_d, A, u) for more than three readings: linear in two of them, a search in the third."""
-    tilts, values = np.array(x), np.array(rho)
+def _least_squares(x: list[float], rho: Floats, weight: Floats) -> list[tuple[float, float, float] | None]:
+    """The best (ρ_d, A, u) of each channel of (n, 3) for n > 3: linear in two of them, a search in the third.
+
+    All channels are searched at once: the time goes into calls, not into numbers.
+    """
+    tilts, values = np.array(x), rho.T
     weight = weight / weight.sum()
-    mean = float(weight @ values)
-
-    def best_line(u: Floats) -> tuple[Floats, Floats, Floats]:
-        bell = np.exp(-np.outer(u, tilts))
-        middle = bell @ weight
-        centred = bell - middle[:, None]
-        height = (centred @ (weight * values)) / np.maximum((centred * centred) @ weight, 1e-300)
-        ground = mean - height * middle
-        error = (ground[:, None] + height[:, None] * bell - values) ** 2 @ weight
-        return error, ground, height
-
-    low, high = math.log(_LOW_U), math.log(_HIGH_U)
+    mean = values @ weight
+    low, high = np.full(3, math.log(_LOW_U)), np.full(3, math.log(_HIGH_U))
+    along = np.linspace(0.0, 1.0, _CELLS + 1)
+    rows = np.arange(3)
     # Each round keeps the two cells about the best of 33: 16 times finer, 2e-8 of the range after six.
-    for _ in range(6):
-        grid = np.linspace(low, high, 33)
-        error, ground, height = best_line(np.exp(grid))
-        k = int(np.argmin(error))
-        low, high = float(grid[max(k - 1, 0)]), float(grid[min(k + 1, 32)])
-    u = math.exp(float(grid[k]))
-    if not 1.5 * _LOW_U < u < 0.67 * _HIGH_U or math.exp(-x[0] * u) < _FAINTEST:
-        return None
-    return float(ground[k]), float(height[k]), u
+    for _ in range(_ROUNDS):
+        grid = low[:, None] + (high - low)[:, None] * along
+        bell = np.exp(-np.exp(grid)[..., None] * tilts)
+        middle = bell @ weight
+        centred = bell - middle[..., None]
+        spread = np.maximum((centred * centred) @ weight, 1e-300)
+        height = np.einsum("cgn,cn->cg", centred, weight * values) / spread
+        ground = mean[:, None] - height * middle
+        missed = ground[..., None] + height[..., None] * bell - values[:, None, :]
+        best = np.argmin((missed * missed) @ weight, axis=1)
+        low, high = grid[rows, np.maximum(best - 1, 0)], grid[rows, np.minimum(best + 1, _CELLS)]
+    found = zip(
+        ground[rows, best].tolist(),
+        height[rows, best].tolist(),
+        np.exp(grid[rows, best]).tolist(),
+        strict=True,
+    )
+    return [
+        (base, top, u) if 1.5 * _LOW_U < u < 0.67 * _HIGH_U and math.exp(-x[0] * u) >= _FAINTEST else None
+        for base, top, u in found
+    ]
