@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -22,7 +23,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from brdf_qt.elided_label import ElidedLabel
 from brdf_qt.icons import icon
+from brdf_qt.translation import tr
 from brdf_suite.errors import FileError, SuiteError
 
 Severity = Literal["info", "warning", "error"]
@@ -60,7 +63,10 @@ def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
 
 
 class _Row(QFrame):
+    """A message, whole or in one line; its arrow, and a click on the line, ask for the whole of it."""
+
     closed = Signal(str)
+    opened = Signal(str)
 
     def __init__(self, message: Message, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -80,11 +86,22 @@ class _Row(QFrame):
         texts = QVBoxLayout()
         texts.setSpacing(2)
         self.what = self._label(message.what, bold=message.severity != "info")
-        texts.addWidget(self.what)
-        for text in (message.where, message.todo):
-            if text:
-                texts.addWidget(self._label(text))
+        self._whole = [self.what, *(self._label(text) for text in (message.where, message.todo) if text)]
+        self._line = ElidedLabel(message.what)
+        self._line.setFont(self.what.font())
+        self._line.setToolTip("\n".join(label.text() for label in self._whole))
+        self._line.hide()
+        for label in (*self._whole, self._line):
+            texts.addWidget(label)
         row.addLayout(texts, 1)
+        self._arrow = QToolButton()
+        self._arrow.setArrowType(Qt.ArrowType.RightArrow)
+        self._arrow.setAutoRaise(True)
+        self._arrow.setToolTip(tr("Show the whole message"))
+        self._arrow.setAccessibleName(tr("Show the whole message"))
+        self._arrow.clicked.connect(lambda: self.opened.emit(self.message.key))
+        self._arrow.hide()
+        row.addWidget(self._arrow, 0, Qt.AlignmentFlag.AlignTop)
         for text, slot in message.actions:
             button = QPushButton(text)
             button.setObjectName(f"message_action_{text}")
@@ -98,6 +115,23 @@ class _Row(QFrame):
             close.setAccessibleName("Close this message")
             close.clicked.connect(lambda: self.closed.emit(self.message.key))
             row.addWidget(close, 0, Qt.AlignmentFlag.AlignTop)
+
+    @property
+    def is_brief(self) -> bool:
+        """Whether it is shown in one line."""
+        return not self._line.isHidden()
+
+    def set_brief(self, brief: bool) -> None:
+        """Show one line of it, or all."""
+        for label in self._whole:
+            label.setVisible(not brief)
+        self._line.setVisible(brief)
+        self._arrow.setVisible(brief)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        super().mouseReleaseEvent(event)
+        if self.is_brief:
+            self.opened.emit(self.message.key)
 
     def _label(self, text: str, *, bold: bool = False) -> QLabel:
         label = QLabel(text)
@@ -120,7 +154,11 @@ class _Row(QFrame):
 
 
 class MessageBar(QWidget):
-    """A stack of messages over the picture; takes no room while there is none."""
+    """A stack of messages over the picture; takes no room while there is none.
+
+    One is shown whole, the newest or the one that was asked for; the others take a line each, so that several of
+    them leave the picture its room.
+    """
 
     most = 4
 
@@ -128,6 +166,7 @@ class MessageBar(QWidget):
         super().__init__(parent)
         self.setObjectName("messages")
         self._rows: dict[str, _Row] = {}
+        self._open = ""
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(8, 8, 8, 0)
         self._box.setSpacing(4)
@@ -147,14 +186,28 @@ class MessageBar(QWidget):
             place = self._box.count()
         row = _Row(message, self)
         row.closed.connect(self.dismiss)
+        row.opened.connect(self.open)
         self._rows[message.key] = row
         self._box.insertWidget(place, row)
+        self.open(message.key)
         self.show()
+
+    def open(self, key: str) -> None:
+        """Show this message whole and the others in a line."""
+        self._open = key
+        for other, row in self._rows.items():
+            row.set_brief(other != key)
+
+    def brief(self) -> tuple[str, ...]:
+        """Return the keys of the messages that are shown in a line."""
+        return tuple(key for key, row in self._rows.items() if row.is_brief)
 
     def dismiss(self, key: str) -> None:
         """Take the message away; nothing where there is none."""
         if key in self._rows:
             self._drop(key)
+            if key == self._open and self._rows:
+                self.open(next(reversed(self._rows)))
         self.setVisible(bool(self._rows))
 
     def shown(self) -> dict[str, Message]:

@@ -19,7 +19,7 @@ from brdf_suite.pipeline.scene import paint_names
 from brdf_suite.progress import Progress
 from brdf_suite.realtime.comparison import ComparedPicture, divider_px
 from brdf_viewer.divider_gesture import DividerGesture
-from brdf_viewer.frozen_paints import freeze, frozen_title
+from brdf_viewer.frozen_paints import freeze, frozen_title, touch
 from brdf_viewer.overlay import Label, Scale
 from brdf_viewer.recent_files import RecentFiles
 from brdf_viewer.source_chooser import Source, title_of
@@ -101,7 +101,13 @@ class CompareControl(QObject):
         if self._stage.fit is None:
             return
         try:
-            key = freeze(self._stage.paint, self._stage.paint_key)
+            second = self._stage.second
+            used = (
+                self._stage.view.compare.paint,
+                None if second is None else second.key,
+                self._stage.paint_key,
+            )
+            key = freeze(self._stage.paint, self._stage.paint_key, used)
         except SuiteError as error:
             self._tell(error)
             return
@@ -170,6 +176,7 @@ class CompareControl(QObject):
         if key not in self._names:
             self._recent.add(key)
             self._list()
+        touch(key)
         self._stage.set_second(key, value)
 
     def _failed(self, error: Exception) -> None:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
+import os
 import re
+from collections.abc import Collection
 from pathlib import Path
 
 from brdf_qt.settings import state_folder
@@ -16,8 +19,10 @@ _HASH = 8
 MOST_KEPT = 32
 
 
-def freeze(paint: AnyPaint | None, key: str) -> str:
+def freeze(paint: AnyPaint | None, key: str, used: Collection[str | None] = ()) -> str:
     """Return what a view calls this paint: a file of its own; ``key`` for a measured file, which nobody edits.
+
+    Of the files that are kept the one that was looked at longest ago goes first, but none of ``used``.
 
     Raises :class:`FileError` where the file cannot be written.
     """
@@ -29,8 +34,18 @@ def freeze(paint: AnyPaint | None, key: str) -> str:
     path = folder / f"{stem}-{hashlib.sha256(text.encode()).hexdigest()[:_HASH]}{PAINT_ENDING}"
     if not path.exists():
         save_paint(paint, path)
-        _forget_oldest(folder)
+        _forget_oldest(folder, {*used, str(path.absolute())})
+    touch(str(path.absolute()))
     return str(path.absolute())
+
+
+def touch(key: str) -> None:
+    """A paint is on show: where it is a frozen one it is young again."""
+    if frozen_title(key) is not None:
+        with contextlib.suppress(
+            OSError
+        ):  # a file that is gone, or of a disk that is read only, is told of elsewhere
+            os.utime(key)
 
 
 def frozen_title(key: str) -> str | None:
@@ -45,7 +60,8 @@ def frozen_title(key: str) -> str | None:
     return f"{path.stem[: -_HASH - 1]} (frozen)"
 
 
-def _forget_oldest(folder: Path) -> None:
+def _forget_oldest(folder: Path, used: Collection[str | None]) -> None:
     files = sorted(folder.glob(f"*{PAINT_ENDING}"), key=lambda file: file.stat().st_mtime, reverse=True)
     for file in files[MOST_KEPT:]:
-        file.unlink(missing_ok=True)
+        if str(file.absolute()) not in used:
+            file.unlink(missing_ok=True)

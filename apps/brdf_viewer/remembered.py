@@ -1,5 +1,5 @@
 """What the Viewer shows when it starts again: the last environment, surface, background, Fresnel and tone curve, the
-speed of the turntable, and how a comparison is shown.
+speed of the turntable, how flakes are drawn, occlusion and ground, and how a comparison is shown.
 
 Camera, exposure and the turn of the light start afresh: a picture that opens too dark or from behind would look
 like a fault.
@@ -22,8 +22,11 @@ _FIELDS = ("environment", "surface", "tone_curve", "background", "environment_la
 
 
 _COMPARE = ("rate_hz", "scale_delta_e", "basis")
-_NUMBERS = ("rate_hz", "scale_delta_e", "turntable_deg_s")
-"""An INI file gives every number back as text."""
+_SPARKLE = ("mode", "light_count", "strength")
+_SURFACE_LOOK = ("occlusion", "ground")
+
+
+_PARTS = {"compare": _COMPARE, "sparkle": _SPARKLE, "surface_look": _SURFACE_LOOK}
 
 
 def remember(store: QSettings, view: View) -> None:
@@ -31,8 +34,9 @@ def remember(store: QSettings, view: View) -> None:
     for name in (*_FIELDS, "turntable_deg_s"):
         store.setValue(f"view/{name}", getattr(view, name))
     store.setValue("view/background_colour", " ".join(f"{value:.6g}" for value in view.background_colour))
-    for name in _COMPARE:
-        store.setValue(f"compare/{name}", getattr(view.compare, name))
+    for group, names in _PARTS.items():
+        for name in names:
+            store.setValue(f"{group}/{name}", getattr(getattr(view, group), name))
 
 
 def recall(store: QSettings) -> View:
@@ -48,7 +52,8 @@ def recall(store: QSettings) -> View:
         except ValueRangeError:
             continue  # an edited settings file, or one of another version
     view = _with(view, store, "view", ("turntable_deg_s", "background_colour"))
-    view = dataclasses.replace(view, compare=_with(view.compare, store, "compare", _COMPARE))
+    for group, parts in _PARTS.items():
+        view = dataclasses.replace(view, **{group: _with(getattr(view, group), store, group, parts)})
     if view.environment in names["environment"]:
         view = dataclasses.replace(
             view, environment_layout=default_view().environment_layout
@@ -62,10 +67,24 @@ def _with(value: T, store: QSettings, group: str, names: tuple[str, ...]) -> T:
         found = store.value(f"{group}/{name}")
         try:
             if found is not None:
-                found = float(found) if name in _NUMBERS else found
-                if name == "background_colour":
-                    found = tuple(float(part) for part in str(found).split())
-                value = dataclasses.replace(value, **{name: found})
+                value = dataclasses.replace(value, **{name: _read(str(found), getattr(value, name))})
         except (ValueError, ValueRangeError):
             continue  # an edited settings file, or one of another version
     return value
+
+
+def _read(text: str, like: object) -> object:
+    """Return what a settings file holds as a value of the kind of ``like``: it gives all back as text.
+
+    >>> _read("false", True), _read("8", 4), _read("0.5 0.5 1", (0.0, 0.0, 0.0)), _read("glints", "off")
+    (False, 8, (0.5, 0.5, 1.0), 'glints')
+    """
+    if isinstance(like, bool):
+        if text.lower() not in ("true", "false"):
+            raise ValueError(text)
+        return text.lower() == "true"
+    if isinstance(like, int | float):
+        return type(like)(text)
+    if isinstance(like, tuple):
+        return tuple(float(part) for part in text.split())
+    return text

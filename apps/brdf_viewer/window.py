@@ -30,6 +30,8 @@ from brdf_viewer.studio.panel import StudioPanel
 
 _BUSY_AFTER_MS = 200
 """Work that is done sooner shows no progress: a strip that flashes up says nothing."""
+_BUSY_EVERY_MS = 60
+"""Work may tell of every hundredth of a second; each time that it is shown is a frame of a slow picture."""
 
 
 class ViewerWindow(SuiteWindow):
@@ -84,8 +86,7 @@ class ViewerWindow(SuiteWindow):
         for action in self.commands.on_picture:
             self.picture.addAction(action)
         self._busy: dict[str, tuple[float, str]] = {}
-        self._busy_shown = ""
-        self._busy_delay = QTimer(self, singleShot=True, interval=_BUSY_AFTER_MS, timeout=self._show_busy)
+        self._busy_delay = QTimer(self, singleShot=True, timeout=self._show_busy)
         for name in ("frame", "renderer", "lobes", "fit", "exposure", "environment", "palette"):
             self.status.cell(name, elastic=name in ("renderer", "fit", "environment", "palette"))
         for name in ("readout", "link"):
@@ -104,32 +105,21 @@ class ViewerWindow(SuiteWindow):
         return (colour.redF(), colour.greenF(), colour.blueF())
 
     def set_busy(self, kind: str, fraction: float, what: str) -> None:
-        """Show how far the work of a kind is, once it has taken a moment."""
+        """Show how far the work of a kind is, once there has been work for a moment."""
         self._busy[kind] = (fraction, what)
-        if self._busy_shown:
-            self._show_busy()
-        elif not self._busy_delay.isActive():
-            self._busy_delay.start()
+        if not self._busy_delay.isActive():
+            self._busy_delay.start(_BUSY_EVERY_MS if self.progress.jobs else _BUSY_AFTER_MS)
 
     def set_idle(self, kind: str) -> None:
         """The work of a kind has ended."""
         self._busy.pop(kind, None)
-        if self._busy_shown == kind:
-            self._busy_shown = ""
-            self.progress.finish()
+        self.progress.end_job(kind)
         if not self._busy:
             self._busy_delay.stop()
-        elif not self._busy_shown and not self._busy_delay.isActive():
-            self._show_busy()
 
     def _show_busy(self) -> None:
-        if self._busy_shown not in self._busy:
-            self._busy_shown = next(iter(self._busy), "")
-            if not self._busy_shown:
-                return
-            kind = self._busy_shown
-            self.progress.begin(self._busy[kind][1], lambda: self.busy_cancelled.emit(kind))
-        self.progress.set(*self._busy[self._busy_shown])
+        for kind, (fraction, what) in self._busy.items():
+            self.progress.set_job(kind, fraction, what, lambda kind=kind: self.busy_cancelled.emit(kind))
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):

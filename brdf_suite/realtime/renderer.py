@@ -203,9 +203,15 @@ class Renderer(OffscreenPictures):
             self.context.scissor = None
 
     def draw_backdrop(
-        self, view: View, target: LightTarget, size: Size, region: Region | None = None
+        self,
+        view: View,
+        target: LightTarget,
+        size: Size,
+        region: Region | None = None,
+        *,
+        grounded: bool = True,
     ) -> moderngl.Texture:
-        """Draw what is seen past the surface, with the ground's shadow, and leave ``target`` bound.
+        """Draw what is seen past the surface, ``grounded`` with the shadow there, and leave ``target`` bound.
 
         Return its exposed light, one sample a pixel and without any object, for another's light to be laid over.
         """
@@ -221,7 +227,8 @@ class Renderer(OffscreenPictures):
         self._environment.bind()
         framebuffer.clear(depth=1.0)
         self._draw_background(view, camera, size, (0, 0))
-        self._draw_ground(view, camera, crop(size, (0, 0), size))
+        if grounded:
+            self._draw_ground(view, camera, crop(size, (0, 0), size))
         return light
 
     def count_in(self, light: moderngl.Texture, view: View, size: Size, display: Display) -> Unshowable:

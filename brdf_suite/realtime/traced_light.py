@@ -1,9 +1,9 @@
 """A picture that another renderer traced, shown as if it had been drawn: same background, same finish.
 
-The traced picture is the object's light alone. What is seen past it, and the ground's shadow there, are drawn as in
-every frame; exposure, tone curve, marks and the screen's colours are those of the finishing pass. A traced pixel is
-one mean value, so a highlight's edge is taken through the curve once a pixel, where a drawn frame does it for each
-sample.
+The traced picture is the object's light alone. What is seen past it is drawn as in every frame, with the ground's
+shadow there, be it the traced one or, where the tracer has none, that of every frame; exposure, tone curve, marks and
+the screen's colours are those of the finishing pass. A traced pixel is one mean value, so a highlight's edge is taken
+through the curve once a pixel, where a drawn frame does it for each sample.
 """
 
 from __future__ import annotations
@@ -37,6 +37,7 @@ class TracedLight:
         self._light = LightTarget(self._objects)
         self._read = PictureTarget(self._objects)
         self._texture: moderngl.Texture | None = None
+        self._left: moderngl.Texture | None = None
         self._program: tuple[moderngl.Program, moderngl.VertexArray] | None = None
 
     @property
@@ -48,7 +49,9 @@ class TracedLight:
         """Show this picture from the next frame on, or none.
 
         ``pixels`` is (h, w, 4), top row first: radiance of the working space before exposure, multiplied by the
-        object's share of the pixel, and that share. A picture of the same size is written over the old one.
+        object's share of the pixel, and that share. (h, w, 7) has after them the darkness of the ground, which the
+        tracer has found itself: the share of the background's light that is missing beside the object. A picture of
+        the same size is written over the old one.
 
         Raises
         ------
@@ -60,8 +63,8 @@ class TracedLight:
         if pixels is None:
             self._drop()
             return
-        if pixels.ndim != 3 or pixels.shape[2] != 4:
-            raise ValueRangeError("pixels", f"shape {pixels.shape}, not (h, w, 4)")
+        if pixels.ndim != 3 or pixels.shape[2] not in (4, 7):
+            raise ValueRangeError("pixels", f"shape {pixels.shape}, not (h, w, 4) or (h, w, 7)")
         height, width = pixels.shape[:2]
         if self.size != (width, height):
             self._drop()
@@ -73,7 +76,23 @@ class TracedLight:
             self._texture = self._objects.texture((width, height), "f4")
         assert self._texture is not None
         with graphics_errors(self._context, "uploading the traced picture"):
-            self._texture.write(np.ascontiguousarray(pixels[::-1], np.float32).tobytes())
+            self._texture.write(np.ascontiguousarray(pixels[::-1, :, :4], np.float32).tobytes())
+        self._objects.counters.texture_uploads += 1
+        self._set_left(pixels)
+
+    def _set_left(self, pixels: NDArray[np.float32]) -> None:
+        """Bring what is left of the background's light in each pixel, where the picture tells it for each channel."""
+        if pixels.shape[2] == 4:
+            if self._left is not None:
+                self._objects.release(self._left)
+                self._left = None
+            return
+        if self._left is None:
+            self._left = self._objects.texture((pixels.shape[1], pixels.shape[0]), "f2")
+        left = np.ones((*pixels.shape[:2], 4), np.float16)
+        left[..., :3] = np.clip(1.0 - pixels[..., 3:4] - pixels[..., 4:], 0.0, 1.0)
+        with graphics_errors(self._context, "uploading the shadow on the ground"):
+            self._left.write(left[::-1].tobytes())
         self._objects.counters.texture_uploads += 1
 
     def render(
@@ -110,14 +129,22 @@ class TracedLight:
         if self._texture is None or self.size != size:
             raise AssertionError("a traced picture is drawn in its own size")
         with graphics_errors(self._context, "drawing the traced picture"):
-            light = self._renderer.draw_backdrop(view, self._light, size, region)
+            light = self._renderer.draw_backdrop(view, self._light, size, region, grounded=self._left is None)
             program, screen = self._screen()
             self._context.enable_only(moderngl.BLEND)
-            # The colours are weighted already; coverage adds up as the colours do.
-            self._context.blend_func = (moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA)
+            if self._left is None:
+                # The colours are weighted already; coverage adds up as the colours do.
+                self._context.blend_func = (moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA)
+            else:
+                self._context.blend_func = (moderngl.ZERO, moderngl.SRC_COLOR)
+                assign(program, {"traced": _TRACED_UNIT, "exposure": 1.0})
+                self._left.use(_TRACED_UNIT)
+                screen.render(moderngl.TRIANGLES, vertices=3)
+                self._context.blend_func = (moderngl.ONE, moderngl.ONE)
             assign(program, {"traced": _TRACED_UNIT, "exposure": 2.0**view.exposure_ev})
             self._texture.use(_TRACED_UNIT)
             screen.render(moderngl.TRIANGLES, vertices=3)
+            self._context.blend_func = (moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA)
             self._context.disable(moderngl.BLEND)
             self._context.scissor = None
         return light
@@ -129,6 +156,7 @@ class TracedLight:
         return self._program
 
     def _drop(self) -> None:
-        if self._texture is not None:
-            self._objects.release(self._texture)
-            self._texture = None
+        for texture in (self._texture, self._left):
+            if texture is not None:
+                self._objects.release(texture)
+        self._texture = self._left = None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from dataclasses import replace
 
 import pytest
 from brdf_qt import theme
@@ -87,6 +88,27 @@ def test_a_message_replaces_the_one_with_its_key_and_goes(window):
     assert [m.what for m in window.messages.shown().values()] == ["two"]
     window.messages.dismiss("k")
     assert not window.messages.isVisible()
+
+
+def test_several_messages_leave_the_picture_its_room(window, qtbot):
+    where, todo = (
+        "/a/folder/with/a/long/name/and/a/file.brdfpaint",
+        "Choose another file; or do without. " * 4,
+    )
+    one = Message("0", "What happened is told in a sentence that is long. " * 3, where, todo, "error")
+    window.resize(720, 520)
+    window.messages.show_message(one)
+    alone = window.messages.sizeHint().height()
+    for key in ("1", "2", "3"):
+        window.messages.show_message(replace(one, key=key))
+    assert window.messages.brief() == ("0", "1", "2")
+    assert window.messages.sizeHint().height() < alone + 3 * 48
+    row = window.messages.findChild(object, "message_1")
+    qtbot.mouseClick(row, Qt.MouseButton.LeftButton)
+    assert window.messages.brief() == ("0", "2", "3")
+    window.messages.dismiss("1")
+    assert window.messages.brief() == ("0", "2")
+    assert list(window.messages.shown()) == ["0", "2", "3"]
 
 
 def test_an_action_of_a_message_runs_and_the_message_goes(window, qtbot):

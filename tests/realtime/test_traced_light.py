@@ -102,6 +102,20 @@ def test_a_picture_that_is_written_over_makes_no_object(stand) -> None:
         stand.traced.set_picture(dark[..., :3])
 
 
+def test_the_traced_shadow_on_the_ground_darkens_the_background_alone(stand) -> None:
+    without = stand.traced.pixel(VIEW, SIZE, (2, 3))
+    inside = stand.traced.pixel(VIEW, SIZE, (30, 20))
+    darkness = np.zeros((SIZE[1], SIZE[0], 3), np.float32)
+    darkness[3, 2] = (0.5, 0.25, 0.0)
+    stand.traced.set_picture(np.concatenate([stand.light, darkness], axis=-1))
+    found = stand.traced.pixel(VIEW, SIZE, (2, 3))
+    np.testing.assert_allclose(found[:3], without[:3] * (0.5, 0.75, 1.0), rtol=5e-3)
+    assert found[3] == 0.0
+    np.testing.assert_allclose(stand.traced.pixel(VIEW, SIZE, (30, 20)), inside, rtol=2e-3)
+    stand.traced.set_picture(stand.light)
+    np.testing.assert_allclose(stand.traced.pixel(VIEW, SIZE, (2, 3)), without, rtol=2e-3)
+
+
 def test_it_is_compared_with_what_is_drawn(stand) -> None:
     comparison = Comparison(stand.renderer, {})
     comparison.traced = stand.traced

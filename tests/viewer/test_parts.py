@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+import os
+from pathlib import Path
 
 import pytest
+from brdf_viewer import frozen_paints
 from brdf_viewer.camera_presets import PRESETS, look_from, signed_deg
 from brdf_viewer.file_kinds import kind_of
+from brdf_viewer.frozen_paints import freeze, touch
 from brdf_viewer.paint_patches import PaintPatches, Patch
 from brdf_viewer.paint_source import DESIGNER, PaintSource
 from brdf_viewer.recent_files import MOST, RecentFiles
@@ -192,3 +196,16 @@ def test_patches_name_the_light_where_there_are_two(qtbot) -> None:
     assert not patches.grab().isNull()
     patches.set_patches(one)
     assert patches.minimumHeight() == height
+
+
+def test_a_frozen_paint_on_show_is_kept_however_old_it_is(qapp, monkeypatch) -> None:
+    monkeypatch.setattr(frozen_paints, "MOST_KEPT", 2)
+    keys = []
+    for number in range(5):
+        paint = solid_paint(f"red {number}", (50.0, 10.0 * number, 0.0))
+        keys.append(freeze(paint, "", used=keys[:1]))
+        os.utime(keys[-1], (1e9 + number, 1e9 + number))
+    assert [Path(key).exists() for key in keys] == [True, False, False, True, True]
+    touch(keys[3])  # it is looked at again, and so the fourth goes before it
+    freeze(solid_paint("green", (50.0, -10.0, 0.0)), "", used=keys[:1])
+    assert [Path(key).exists() for key in keys] == [True, False, False, True, False]

@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 
 from brdf_suite.documents.store import load_view, save_view
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Compare, LightColour
+from brdf_suite.documents.view_settings import Compare, LightColour, Sparkle, SurfaceLook
 
 
 class Answers:
@@ -142,12 +142,20 @@ def test_speed_and_comparison_are_remembered_and_bad_values_left_out(qapp, tmp_p
     file = str(tmp_path / "viewer.ini")
     store = QSettings(file, QSettings.Format.IniFormat)
     compare = Compare("swipe", "solid_red", 0.3, 4.0, 2.5, "picture")
-    remember(store, replace(View(), turntable_deg_s=-60.0, compare=compare))
+    sparkle, look = Sparkle("texture", 3, 2.5), SurfaceLook(occlusion=False, ground=True)
+    remember(
+        store, replace(View(), turntable_deg_s=-60.0, compare=compare, sparkle=sparkle, surface_look=look)
+    )
     store.sync()
     again = recall(QSettings(file, QSettings.Format.IniFormat))
+    assert (again.sparkle, again.surface_look) == (sparkle, look)
     assert again.turntable_deg_s == -60.0
     assert again.compare == Compare(rate_hz=4.0, scale_delta_e=2.5, basis="picture")
     store.setValue("view/turntable_deg_s", "fast")
     store.setValue("compare/rate_hz", 1e9)
+    store.setValue("sparkle/light_count", "many")
+    store.setValue("surface_look/ground", "perhaps")
+    assert recall(store).sparkle == replace(sparkle, light_count=Sparkle().light_count)
+    assert recall(store).surface_look == replace(look, ground=False)
     assert recall(store).turntable_deg_s == View().turntable_deg_s
     assert recall(store).compare.rate_hz == Compare().rate_hz

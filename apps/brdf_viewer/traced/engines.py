@@ -20,9 +20,8 @@ from brdf_viewer.traced.request import TraceRequest
 from brdf_viewer.traced.scene_files import read_environment_file, read_surface_file
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.raytraced import RaytracedImage, RaytracedSession
-
     from brdf_suite.lighting.environment import Environment
+    from brdf_suite.pipeline.raytraced import RaytracedImage, RaytracedSession
     from brdf_suite.pipeline.reference_live import LiveReference
     from brdf_suite.surface.mesh import Mesh
 
@@ -32,8 +31,9 @@ class Frame:
     """A picture so far.
 
     ``pixels`` (h, w, 4) float32: the object's radiance of the working space before exposure, weighted by its
-    coverage, and that coverage. ``samples`` a pixel, of ``of`` (0: without end). ``noise``: the standard error of the
-    luminance as a share of it, median over the object; None where it is not estimated. ``seconds`` were spent.
+    coverage, and that coverage; (h, w, 7) with the darkness of the ground after them. ``samples`` a pixel, of ``of``
+    (0: without end). ``noise``: the standard error of the luminance as a share of it, median over the object; None
+    where it is not estimated. ``seconds`` were spent.
     """
 
     pixels: NDArray[np.float32]
@@ -168,19 +168,29 @@ class RaytracedJob:
     def __init__(self, session: RaytracedSession) -> None:
         self._session = session
         self._newest: RaytracedImage | None = None
-        self.title = session.renderer
-        self.notices = tuple(session.notices)
+        self.title = session.scene.renderer
+        self.notices = session.scene.notices
 
     def frames(self) -> Iterator[Frame]:
         """Yield ever better pictures until the preset's samples are there."""
+        grounded = self._session.scene.view.surface_look.ground
         for image in self._session.passes():
             self._newest = image
-            pixels = _with_coverage(image.radiance, image.coverage)
+            pixels = _with_coverage(image.sums.radiance, image.coverage)
+            if grounded:
+                pixels = np.concatenate([pixels, image.sums.darkness.astype(np.float32)], axis=-1)
             yield Frame(pixels, image.samples, image.of, None, image.seconds)
 
     def save(self, path: Path, view: View) -> None:
-        """Write radiance and coverage; its lights and samples are few and fixed, so it has no variance to tell."""
-        raise NotImplementedError
+        """Write radiance, and what it adds up from: lights and samples are a preset's, so no variance is known."""
+        from brdf_suite.pipeline.raytraced import RaytracedImage
+        from brdf_suite.reference.raytraced.sums_file import write_sums
+
+        if self._newest is None:
+            raise SuiteError("There is no picture yet.")
+        scene = self._newest.scene
+        shown = replace(scene, view=replace(view, camera=scene.view.camera))
+        write_sums(path, self._newest.sums, RaytracedImage(shown, self._newest.sums).whole(), scene.key)
 
 
 def _with_coverage(radiance: NDArray[Any], coverage: NDArray[Any]) -> NDArray[np.float32]:

@@ -35,7 +35,7 @@ class SlotWriter:
         return bool(self._free)
 
     def put(self, pixels: NDArray[Any]) -> int:
-        """Write (h, w, 4) into a free slot and return its number; OSError where the disk is full."""
+        """Write (h, w, channels) into a free slot and return its number; OSError where the disk is full."""
         slot = self._free[0]
         np.ascontiguousarray(pixels, np.float32).tofile(slot_file(self._folder, slot))
         self._free.pop(0)
@@ -48,7 +48,7 @@ class SlotWriter:
 
 
 def take(folder: Path, slot: int, size: tuple[int, int]) -> Pixels:
-    """Return the picture (h, w, 4) of a slot; ValueError where the file is another size's. The window's side."""
+    """Return the picture (h, w, channels) of a slot; ValueError where the file is another size's. The window's side."""
     width, height = size
     found = np.fromfile(slot_file(folder, slot), np.float32)
-    return found.reshape(height, width, 4)
+    return found.reshape(height, width, -1)

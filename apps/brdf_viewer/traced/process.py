@@ -26,7 +26,8 @@ _END_MS = 5000
 class TracedPicture:
     """A picture of one generation.
 
-    ``pixels`` (h, w, 4): radiance of the working space, weighted by the object's coverage, and that coverage.
+    ``pixels`` (h, w, 4): radiance of the working space, weighted by the object's coverage, and that coverage;
+    (h, w, 7): with the darkness of the ground after them.
     ``samples`` a pixel, of ``of`` (0: without end); ``noise`` is a share of the luminance, None where unknown;
     ``seconds`` were spent on it. ``done``: it is as good as it was asked to become.
     """
