@@ -1,0 +1,94 @@
+"""``judge`` and ``design`` as a user calls them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from brdf_suite.cli.main import main
+from brdf_suite.documents.store import load_paint, save_paint
+from brdf_suite.pipeline.scene import load_shipped_paint
+
+
+@pytest.fixture
+def asked(capsys):
+    """Run the command; its status, what it printed, and its complaint."""
+
+    def ask(*words: object) -> tuple[int, str, str]:
+        status = main([str(word) for word in words])
+        told = capsys.readouterr()
+        return status, told.out, told.err
+
+    return ask
+
+
+@pytest.fixture
+def batch(tmp_path: Path) -> Path:
+    """Blue, three units darker at the flop."""
+    path = tmp_path / "batch.brdfpaint"
+    save_paint(load_shipped_paint("blue").with_lab(110.0, (6.0, 8.0, -28.0)), path)
+    return path
+
+
+def test_judge_tells_differences_verdict_and_words(asked, batch: Path) -> None:
+    status, out, _err = asked("judge", "blue", batch, "blue", "--tolerance", "1", "--tolerance", "110=L2")
+    assert status == 1
+    assert "Blue against Blue: FAIL" in out
+    assert "FAIL (ΔL ≤ 2)" in out
+    assert "in words: darker at 110°; slightly more flop" in out
+    assert "Blue against Blue: pass" in out
+    answer = json.loads(asked("judge", "blue", batch, "--difference", "cmc21", "--json")[1])
+    row = answer["batches"][0]["angles"][2]
+    assert row["verdict"]["lightness"] == pytest.approx(-3.0)
+    assert row["words"] == ["darker"]
+    assert set(row) >= {"delta_e_2000", "delta_e_cmc21", "delta_e_cam02ucs"}
+    assert answer["batches"][0]["passes"] is None
+
+
+def test_judge_against_a_measured_standard_and_what_it_refuses(asked, shared_data: Path, batch: Path) -> None:
+    measured = shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf"
+    status, out, _err = asked("judge", measured, batch)
+    assert status == 0
+    assert "15°*" in out
+    assert "not judged" in out
+    for words, told in (
+        (("judge", "blue", batch, "--name", "red"), "no standard called 'red'"),
+        (("judge", "blue", batch, "--tolerance", "33=1"), "nothing is read there"),
+        (("judge", "blue", "no_such_paint"), "no_such_paint"),
+    ):
+        status, _out, err = asked(*words)
+        assert status == 1
+        assert told in err
+        assert len(err.splitlines()) == 1
+
+
+def test_a_design_from_a_measurement(asked, tmp_path: Path) -> None:
+    target = tmp_path / "start.brdfpaint"
+    status, out, _err = asked("design", "start", "table1_blue", "-o", target)
+    assert status == 0
+    assert "angles that were not read: mean 0.67" in out
+    paint = load_paint(target)
+    assert paint.lab_at(45.0) == pytest.approx((17.31, 5.42, -34.83), abs=0.01)
+    answer = json.loads(asked("design", "start", "table1_blue", "--geometry", "five", "--json")[1])
+    assert len(answer["paint"]["measurements"]) == 5
+    assert answer["gloss_used"] is True
+    assert answer["held_out"]
+
+
+def test_a_step_and_a_mixture(asked, tmp_path: Path) -> None:
+    target = tmp_path / "darker.brdfpaint"
+    assert asked("design", "step", "blue", "darker", "--step", "3", "-o", target)[0] == 0
+    assert load_paint(target).lab_at(110.0) == (6.0, 8.0, -28.0)
+    status, _out, err = asked("design", "step", "blue", "darker", "--step", "12")
+    assert status == 1
+    assert "darker than black" in err
+    assert asked("design", "between", "blue", "red", "--share", "0.25", "-o", target)[0] == 0
+    assert load_paint(target).name == "Blue 25 % Red"
+    status, _out, err = asked("design", "between", "blue", "red", "--share", "3")
+    assert status == 1
+    assert "share" in err
+    status, _out, err = asked("design", "between", "blue", "red", "-o", tmp_path / "mix.json")
+    assert status == 1
+    assert ".brdfpaint" in err
