@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from brdf_suite.fitting.lobes.basis import LobeBasis
+from brdf_suite.pipeline.seen_weights import SeenWeights
 from brdf_suite.realtime.look_up_table import RAMP_COSINES
 from brdf_suite.realtime.values import WeightsOverAngle
 
@@ -56,6 +57,20 @@ class PaintAngles:
 
         layers = layered(fit.reflectance)
         return None if layers is None else FitOverAngle(self, layers, tuple(fit.weights.exponents.tolist()))
+
+    def by_view(self, fit: PaintFit | AnyFit) -> SeenWeights | None:
+        """Return what the renderer asks for weights at every angle of the view; None where Fresnel's gains serve.
+
+        They serve designed paints. Scattered samples say too little of other angles than their own.
+        """
+        # Models that no start needs; and what they are is asked here, not by who edits.
+        from brdf_suite.reflectance.paint_reflectance import PaintReflectance
+        from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+
+        if isinstance(fit.reflectance, PaintReflectance | ScatteredSamples):
+            return None
+        exponents = tuple(fit.weights.exponents.tolist())
+        return SeenWeights(fit.reflectance, exponents, None if self._changed is None else self.tell)
 
     def close(self) -> None:
         """End the solvers; nobody is called any more."""

@@ -74,7 +74,8 @@ class SceneRenderer:
         ``material`` is the one that is given it: the surface's paint, or the one that it is compared with. Its fit at
         several incidences is made when a view first asks for it.
         """
-        self._renderer.set_material(material, material_weights(fit.weights, self._angles.of(fit)))
+        weights = material_weights(fit.weights, self._angles.of(fit), self._angles.by_view(fit))
+        self._renderer.set_material(material, weights)
         self._renderer.set_flakes(material, fit.flakes)
         self._renderer.relief.set_own_peel(material, fit.orange_peel)
 
@@ -175,8 +176,13 @@ def gl_renderer_name() -> str:
         context.release()
 
 
-def material_weights(weights: LobeWeights, over_angle: OverAngle | None = None) -> MaterialWeights:
-    """Return fitted weights as the renderer takes them; ``over_angle`` is asked for those at several incidences."""
+def material_weights(
+    weights: LobeWeights, over_angle: OverAngle | None = None, by_view: OverAngle | None = None
+) -> MaterialWeights:
+    """Return fitted weights as the renderer takes them.
+
+    ``over_angle`` is asked for those at several incidences, ``by_view`` for those at every angle of the view.
+    """
     return MaterialWeights(
         exponents=tuple(weights.exponents.tolist()),
         kd=weights.kd,
@@ -186,6 +192,7 @@ def material_weights(weights: LobeWeights, over_angle: OverAngle | None = None) 
         ior=weights.ior,
         coat="dielectric" if weights.base_under_coat else "facets",
         over_angle=over_angle,
+        by_view=by_view,
     )
 
 

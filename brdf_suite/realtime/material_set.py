@@ -78,9 +78,7 @@ class MaterialSet:
                 self._objects.ramp((RAMP_NODES, MAX_ROWS)),
             )
         written = self._written[known]
-        table = None
-        if modes.fresnel == "multi_angle" and weights.over_angle is not None:
-            table = weights.over_angle.weights()
+        table = _table(weights, modes)
         wanted = (weights, table, modes, ladder)
         if written.made_for != wanted:
             self._write(known, written, *wanted)
@@ -108,6 +106,16 @@ class MaterialSet:
         written.look_ups = LookUps.enough_for(ramp.base + ramp.coat, len(ramp.sharp))
         written.made_for = (weights, over_angle, modes, ladder)
         self._objects.counters.buffer_writes += 1
+
+
+def _table(weights: MaterialWeights, modes: Modes) -> WeightsOverAngle | None:
+    """The weights over the angle that take the place of the single fit in these modes; None: it holds."""
+    table = None
+    if weights.by_view is not None and modes.look_up == "shifted" and modes.fresnel != "off":
+        table = weights.by_view.weights()
+    if table is None and weights.over_angle is not None and modes.fresnel == "multi_angle":
+        table = weights.over_angle.weights()
+    return table
 
 
 def _list(exponents: tuple[float, ...]) -> str:

@@ -202,6 +202,10 @@ class MaterialWeights:
         weights hold at every angle.
     over_angle
         Who has weights of this material fitted at several incidences, for the same lobes; None: nobody.
+    by_view
+        Who has weights for the shifted look-ups fitted to all that each angle of the view gathers, for the same lobes.
+        Where there are, they take the place of the single fit and of its gains, and of ``over_angle``, whenever
+        look-ups are shifted and Fresnel is not off.
     """
 
     exponents: tuple[float, ...]
@@ -212,6 +216,7 @@ class MaterialWeights:
     ior: float = 1.5
     coat: Coat = "dielectric"
     over_angle: OverAngle | None = None
+    by_view: OverAngle | None = None
 
     def __post_init__(self) -> None:
         exponents = checked_exponents(self.exponents)

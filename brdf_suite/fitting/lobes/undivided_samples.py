@@ -194,7 +194,7 @@ def rows_of_reflectance(
     """
     notices: list[str] = []
     turns = 1
-    if _anisotropic(reflectance):
+    if differs_with_azimuth(reflectance):
         turns = TURNS
         notices.append(
             "It differs with the surface's azimuth; the lobes, which do not, show the mean over it."
@@ -328,7 +328,7 @@ def _turned(wi: Floats, wo: Floats, label: Places, turns: int) -> tuple[Floats, 
     )
 
 
-def _anisotropic(reflectance: Reflectance) -> bool:
+def differs_with_azimuth(reflectance: Reflectance) -> bool:
     """Whether turning the surface changes the values of a few pairs by more than a thousandth."""
     lights = illumination(np.array([35.0, 35.0, 60.0]))
     views = np.stack(

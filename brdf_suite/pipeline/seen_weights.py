@@ -1,0 +1,195 @@
+"""Weights for every angle of the view, fitted to all the light that a picture gathers there.
+
+A designed paint is fitted in the plane of incidence at 45°, and Fresnel's equations take it to other angles. That is
+not enough for what is wide and does not look the same from everywhere: a facet lobe of Cook and Torrance is narrower
+across the plane than in it, by the cosine, so that a round lobe fitted in the plane sends 1.4 times too much to a view
+along the normal and a third at grazing (docs/shading.md has the figures); and measured data follow no equation at all.
+
+So here the target at a view is T(ω) = f_r·(N·ω) over the whole half sphere, the columns are the look-ups themselves, as
+the renderer's table has them, and the measure is the error in typical light (``lighting/mirror_harmonics.py``). In the
+end all weights of an angle are scaled such that constant light comes back as it should. Of the lobes at most six broad and four sharp ones are kept, what the renderer has written-out programs for.
+"""
+
+from __future__ import annotations
+
+import logging
+import threading
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.chained import Group, chained_weights
+from brdf_suite.fitting.lobes.checks import checked_targets
+from brdf_suite.realtime.ladder import BROADEST_SHARP
+from brdf_suite.realtime.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
+from brdf_suite.realtime.values import WeightsOverAngle
+from brdf_suite.reflectance.protocol import Reflectance
+
+Floats = NDArray[np.float64]
+
+PLACES: tuple[int, ...] = tuple(range(0, RAMP_NODES, 3))
+"""The nodes of the ramp at which weights are fitted; between them they are mixed."""
+
+MOST_BROAD, MOST_SHARP = 6, 4
+_LOWEST_COSINE = 1e-3
+#: Turns of the surface over which what differs with its azimuth is averaged.
+_TURNS = 8
+_log = logging.getLogger(__name__)
+
+
+class _Column(NamedTuple):
+    """A look-up: of KD at N (``target`` None), of KDD or of KG of a lobe."""
+
+    target: Target | None
+    lobe: int
+
+
+def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> WeightsOverAngle:
+    """Return weights on lobes of ``exponents`` (m,) for the renderer's shifted look-ups, at its 64 cosines N·V.
+
+    Raises
+    ------
+    FittingError
+        A value is negative or not finite; the message says where.
+    """
+    # With scipy's Legendre functions; no paint that is edited needs them.
+    from brdf_suite.fitting.lobes.undivided_samples import differs_with_azimuth
+    from brdf_suite.lighting.mirror_harmonics import mirror_harmonics
+
+    sphere = mirror_harmonics()
+    columns = tuple(_columns(exponents))
+    turns = _TURNS if differs_with_azimuth(reflectance) else 1
+    squares, products, targets, means = [], [], [], []
+    for place in PLACES:
+        cosine = max(float(RAMP_COSINES[place]), _LOWEST_COSINE)
+        wanted = sphere.analyse(_gathered(reflectance, sphere.lights(cosine), cosine, turns))
+        turned, sharpness, amplitude = _look_ups(columns, exponents, place, cosine)
+        system = sphere.lobes(turned, sharpness) * amplitude
+        # What is dark at its angle counts as much as what is bright at another.
+        brightness = max(float((wanted**2).sum(axis=0).mean()), 1e-300)
+        squares.append(system.T @ system / brightness)
+        products.append(system.T @ wanted / brightness)
+        targets.append((wanted**2).sum(axis=0) / brightness)
+        means.append((system[0], wanted[0]))
+    broad = [k for k, c in enumerate(columns) if c.target and exponents[c.lobe] <= BROADEST_SHARP]
+    sharp = [k for k, c in enumerate(columns) if c.target and exponents[c.lobe] > BROADEST_SHARP]
+    found = chained_weights(
+        np.array(squares),
+        np.array(products),
+        np.array(targets),
+        (Group(broad, MOST_BROAD), Group(sharp, MOST_SHARP)),
+    )
+    for weights, (of_columns, mean) in zip(found, means, strict=True):
+        weights *= mean / np.maximum(of_columns @ weights, 1e-300)
+    return _on_the_ramp(found, columns, len(exponents))
+
+
+def _columns(exponents: tuple[float, ...]) -> Iterator[_Column]:
+    yield _Column(None, 0)
+    for lobe, exponent in enumerate(exponents):
+        if exponent <= BROADEST_SHARP:
+            yield _Column("plain", lobe)
+        # Sharp lobes are looked up at R, with or without the cosine alike.
+        yield _Column("gloss", lobe)
+
+
+def _look_ups(
+    columns: tuple[_Column, ...], exponents: tuple[float, ...], place: int, cosine: float
+) -> tuple[Floats, Floats, Floats]:
+    """Return how far each look-up is turned from R to N (k,), its exponent (k,) and amplitude (k,)."""
+    table = look_up_table()
+    theta = float(np.arccos(cosine))
+    rows = []
+    for column in columns:
+        if column.target is None:
+            rows.append((theta, 1.0, np.pi))
+            continue
+        exponent = exponents[column.lobe]
+        found = table.find(column.target, exponent)
+        turned = 0.0
+        if exponent <= BROADEST_SHARP:
+            towards = float(found.toward_normal @ np.array([1.0, cosine, cosine * cosine]))
+            turned = theta - float(np.arctan2(np.sin(theta), cosine + towards))
+        rows.append((turned, float(found.exponent[place]), float(found.amplitude[place])))
+    turned, sharpness, amplitude = np.array(rows).T
+    return turned, sharpness, amplitude
+
+
+def _gathered(reflectance: Reflectance, lights: Floats, cosine: float, turns: int) -> Floats:
+    """Return f_r·(N·ω) (rings, azimuths, 3) for the view at -x."""
+    view = np.array([-np.sqrt(1.0 - cosine * cosine), 0.0, cosine])
+    above = lights[..., 2] > 0.0
+    wi = lights[above]
+    total = np.zeros((len(wi), 3))
+    for turn in range(turns):
+        angle = 2.0 * np.pi * turn / turns
+        about = np.array(
+            [[np.cos(angle), np.sin(angle), 0.0], [-np.sin(angle), np.cos(angle), 0.0], [0.0, 0.0, 1.0]]
+        )
+        # Every other turn from the other side of the plane: the mean is even about it.
+        mirrored = wi * ([1.0, -1.0, 1.0] if turn % 2 else [1.0, 1.0, 1.0])
+        total += checked_targets(
+            "The reflectance",
+            reflectance.eval(mirrored @ about, view @ about),
+            wi.shape,
+            lambda _: f"with the view at {np.degrees(np.arccos(cosine)):.4g}° from the normal",
+        )
+    values = np.zeros(lights.shape)
+    values[above] = total / turns * wi[:, 2:]
+    return values
+
+
+def _on_the_ramp(found: Floats, columns: tuple[_Column, ...], lobes: int) -> WeightsOverAngle:
+    at = np.sqrt(RAMP_COSINES)
+    nodes = at[list(PLACES)]
+    lower = np.clip(np.searchsorted(nodes, at, side="right") - 1, 0, len(nodes) - 2)
+    share = ((at - nodes[lower]) / (nodes[lower + 1] - nodes[lower]))[:, None, None]
+    mixed = (1.0 - share) * found[lower] + share * found[lower + 1]
+    kd = mixed[:, 0]
+    kdd, kg = np.zeros((RAMP_NODES, lobes, 3)), np.zeros((RAMP_NODES, lobes, 3))
+    for k, column in enumerate(columns):
+        if column.target is not None:
+            (kg if column.target == "gloss" else kdd)[:, column.lobe] = mixed[:, k]
+    return WeightsOverAngle(kd, kdd, kg)
+
+
+class SeenWeights:
+    """The weights of one reflectance, found when first asked for; see ``values.OverAngle``.
+
+    ``changed``: where given, they are found on a thread, it is called (on that thread) when they are there, and until
+    then there are none. Where they cannot be found, the log says why and there are none.
+    """
+
+    def __init__(
+        self,
+        reflectance: Reflectance,
+        exponents: tuple[float, ...],
+        changed: Callable[[], None] | None = None,
+    ) -> None:
+        self._reflectance = reflectance
+        self._exponents = exponents
+        self._changed = changed
+        self._begun = False
+        self._found: WeightsOverAngle | None = None
+
+    def weights(self) -> WeightsOverAngle | None:
+        """Return the weights, the same object from the first time on; None: not yet, or never."""
+        if not self._begun:
+            self._begun = True
+            if self._changed is None:
+                self._find()
+            else:
+                threading.Thread(target=self._find, name="weights by the view", daemon=True).start()
+        return self._found
+
+    def _find(self) -> None:
+        try:
+            self._found = seen_weights(self._reflectance, self._exponents)
+        except FittingError as error:
+            _log.warning("The picture shows the fit of one incidence. %s", error)
+            return
+        if self._changed is not None:
+            self._changed()
