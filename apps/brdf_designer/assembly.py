@@ -11,13 +11,15 @@ from brdf_qt.dialogs import Dialogs, QtDialogs
 from brdf_qt.document_files import DocumentFiles, DocumentFormat
 from brdf_qt.document_store import DocumentStore
 from brdf_qt.link import LiveLink
-from brdf_qt.message_bar import Message
+from brdf_qt.message_bar import Message, message_of
+from brdf_qt.translation import tr
 from PySide6.QtCore import QCoreApplication, QProcess, QTimer
 from PySide6.QtGui import QCloseEvent
 
 from brdf_designer.controller import Controller
 from brdf_designer.desk import Desk
 from brdf_designer.desk_part import Closable, Unhurried
+from brdf_designer.measured_control import MeasuredControl
 from brdf_designer.recovery_offer import RecoveryOffer
 from brdf_designer.sections import build_sections
 from brdf_designer.tabs import Documents
@@ -31,6 +33,7 @@ from brdf_suite.documents.store import (
     paint_to_json,
     save_paint,
 )
+from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.paint import PaintFitter
 from brdf_suite.resources import resource, resource_names
 
@@ -59,6 +62,31 @@ def paint_format() -> DocumentFormat[Paint]:
         from_json=paint_from_json,
         name_of=lambda paint: paint.name,
     )
+
+
+def is_table_1_name(name: str) -> bool:
+    """Whether it names a measured paint of Table 1, and no file."""
+    # Deferred: only a name that is no shipped one comes here.
+    from brdf_suite.reflectance.models.table_1 import TABLE_1
+
+    return name in TABLE_1 and not Path(name).exists()
+
+
+def is_known(name_or_path: str, tell: Callable[[SuiteError], None]) -> bool:
+    """Whether there is such a file; where there is none, ``tell`` hears of it, with the names that there are."""
+    from brdf_suite.pipeline.scene import find_any_paint
+
+    try:
+        there = Path(name_or_path).exists()
+    except OSError:
+        there = False
+    if there:
+        return True
+    try:
+        find_any_paint(name_or_path)
+    except SuiteError as error:
+        tell(error)
+    return False
 
 
 class Designer:
@@ -108,11 +136,13 @@ class Designer:
         self.recovery_offer.show()
 
     def open(self, name_or_path: str) -> None:
-        """Open a file, or a shipped paint by its name."""
+        """Open a file, or a shipped paint by its name; one of Table 1 is measured, and a design started from it."""
         # As the command has it: a shipped name is that paint, also where a file is called the same.
         if name_or_path in resource_names("paints", PAINT_ENDING):
             self.controller.open_shipped(lambda: shipped_paint(name_or_path))
-        else:
+        elif is_table_1_name(name_or_path):
+            next(part for part in self.sections if isinstance(part, MeasuredControl)).open(name_or_path)
+        elif is_known(name_or_path, self._tell_unknown):
             self.documents.open(Path(name_or_path))
 
     def close(self) -> None:
@@ -154,6 +184,10 @@ class Designer:
         app = QCoreApplication.instance()
         if app is not None:
             app.aboutToQuit.connect(self.close)
+
+    def _tell_unknown(self, error: SuiteError) -> None:
+        todo = tr("The paint that was open is unchanged.")
+        self.window.show_message(message_of(error, "open", todo=todo))
 
     def _may_close(self, question: QCloseEvent) -> None:
         if self.documents.may_close_all():

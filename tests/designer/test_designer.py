@@ -219,6 +219,17 @@ def test_a_shipped_name_is_that_paint_as_for_the_command(designer, tmp_path, mon
     assert designer.store.value.name == "Copper"
 
 
+def test_a_measured_paint_of_table_1_is_measured_and_a_design_starts_from_it(designer, qtbot):
+    designer.open("table1_blue")
+    qtbot.waitUntil(lambda: "table1_blue" in designer.store.value.source)
+    assert not designer.store.is_clean
+    assert designer.store.path is None
+    designer.open("table1_blau")
+    told = designer.window.messages.shown()["open"].what
+    assert "copper" in told
+    assert "table1_blue" in told
+
+
 def test_a_name_typed_is_one_step(designer):
     line = designer.window.texts.name
     line.setFocus()
