@@ -184,6 +184,8 @@ class PatchRow(QWidget):
             cell[0].show_given(colour)
             _set_bold(cell[3], is_large(error))
             tip = large if is_large(error) else tr(_FIT_TIP)
+            if colour is not None:
+                tip = f"{lab_text(colour.lab)}\n{tip}"
             if cell[3].toolTip() != tip:
                 cell[3].setToolTip(tip)
             if delta_e is None:

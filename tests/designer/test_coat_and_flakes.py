@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import pytest
+from brdf_designer.desk_state import GivenColour
+from brdf_designer.quantity_plot import QuantityPlot
+from brdf_qt.colour_slider import ColourSlider
+from brdf_qt.number_field import NumberField
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QComboBox
 
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.pipeline.paint import PaintFitter
@@ -143,3 +148,38 @@ def test_colours_that_no_lobes_give_are_told_and_the_nearest_offered(designer, q
     designer.controller.undo()
     designer.controller.undo()
     assert designer.store.value == asked
+
+
+def test_every_control_says_what_it_is_and_what_its_term_means(designer) -> None:
+    window = designer.window
+    for button in window.plot.buttons:
+        assert button.accessibleName()
+    checked = 0
+    for part in (window.editors, window.coat, window.flakes, window.model, window.plot):
+        for kind in (QAbstractButton, QComboBox, NumberField, ColourSlider, QuantityPlot):
+            for control in part.findChildren(kind):
+                if control.objectName().startswith("qt_") or isinstance(control.parent(), NumberField):
+                    continue
+                name = control.accessibleName() or getattr(control, "text", lambda: "")()
+                assert name, control
+                assert control.toolTip(), name
+                checked += 1
+    assert checked > 45
+    tips = " ".join(field.toolTip() for field in window.coat.findChildren(NumberField))
+    for term in ("µm", "DOI", "Beckmann", "D523"):
+        assert term in tips
+    assert "aspecular angle" in window.editors.editors[0]._title.toolTip()
+    assert "travel" in window.editors.flop.fields["lightness"].toolTip().lower()
+
+
+def test_a_time_limit_is_told_at_every_patch(designer) -> None:
+    patches, cells = designer.window.patches, designer.window.patches._cells
+    given = [GivenColour((50.0, 0.0, 0.0), (119, 119, 119), True)] * 3
+    patches.show_differences([0.5, 0.0, 2.0], given, time_limited=True, exact_follows=True)
+    assert all("time-limited" in cell[3].accessibleName() for cell in cells)
+    assert "exact answer follows" in cells[2][3].toolTip()
+    assert "L* 50.0" in cells[0][3].toolTip()
+    assert cells[0][0].given().name() == "#777777"
+    patches.show_differences(None)
+    assert cells[0][0].given() is None
+    assert cells[0][3].text() == "fit: none"
