@@ -151,8 +151,9 @@ def write_sheet(
 
 
 def _subtitle(view: View) -> str:
+    measured = " from what is measured at the first" if view.exposure_mode == "automatic" else ""
     return (
-        f"{Path(view.surface).stem} in {Path(view.environment).stem}, {view.exposure_ev:+g} EV, "
+        f"{Path(view.surface).stem} in {Path(view.environment).stem}, {view.exposure_ev:+g} EV{measured}, "
         f"tone curve {view.tone_curve}; L*a*b* D65, 10°, light at 45°"
     )
 
@@ -197,9 +198,21 @@ class _Layout:
         return round(1.35 * float(self.fonts[kind].size))
 
     @property
+    def head_lines(self) -> list[tuple[str, str, int]]:
+        """Title and subtitle, each on as many lines as it takes: text, kind and height from the top."""
+        width, y = self.width - 2 * _MARGIN, _MARGIN
+        found = []
+        for text, kind in ((self.title, "title"), (self.subtitle, "text")):
+            for line in _wrapped(text, self.fonts[kind], width, _MOST_HEAD_LINES):
+                found.append((line, kind, y))
+                y += self.line(kind)
+        return found
+
+    @property
     def head(self) -> int:
         """Height of title and subtitle."""
-        return _MARGIN + self.line("title") + self.line("text") + _MARGIN
+        _, kind, y = self.head_lines[-1]
+        return y + self.line(kind) + _MARGIN
 
     def height(self, row: str | tuple[SheetItem, ...]) -> int:
         """Return the height of a heading or of a line of cells, with the room below."""
@@ -208,12 +221,17 @@ class _Layout:
         return self.cell[1] + 4 + self.line("name") + 4 * self.line("text") + _MARGIN
 
     @property
+    def width(self) -> int:
+        """Of the whole sheet."""
+        return _MARGIN + self.columns * (self.cell[0] + _MARGIN)
+
+    @property
     def size(self) -> Size:
         """Of the whole sheet."""
-        width = _MARGIN + self.columns * (self.cell[0] + _MARGIN)
-        return width, self.head + sum(self.height(row) for row in self.rows)
+        return self.width, self.head + sum(self.height(row) for row in self.rows)
 
 
+_MOST_HEAD_LINES = 8
 _FIGURES = "flop L*a*b* 0123456789.,-+°: ()"
 
 
@@ -237,10 +255,7 @@ class _Painter:
     def strips(self, progress: Progress | None) -> Iterator[NDArray[np.uint8]]:
         """Yield the head, then a strip for each heading and each line of cells."""
         layout = self._layout
-        yield self._text_strip(
-            layout.head,
-            [(layout.title, "title", _MARGIN), (layout.subtitle, "text", _MARGIN + layout.line("title"))],
-        )
+        yield self._text_strip(layout.head, layout.head_lines)
         paints = sum(len(row) for row in layout.rows if not isinstance(row, str))
         for row in layout.rows:
             if isinstance(row, str):

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import Cancelled, SuiteError
+from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target, picture_metadata, write_picture
@@ -126,7 +127,8 @@ def render_to_file(
     with loaded_scene(view, part(progress, 0.0, 0.8)) as loaded:
         loaded.scene.set_paint_fit(fit)
         start = perf_counter()
-        shown = loaded.composed(view, size)
+        # The picture's words tell the exposure that was measured, where it is automatic.
+        shown = metered(loaded.scene.renderer, loaded.composed(view, size), size)
         write_picture(
             loaded.scene.renderer,
             shown,

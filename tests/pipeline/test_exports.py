@@ -71,6 +71,21 @@ def test_png_of_16_bits_in_display_p3_says_what_it_is(tmp_path: Path) -> None:
     assert view.camera.distance is not None
 
 
+def test_an_automatic_exposure_is_told_as_it_was_measured(tmp_path: Path) -> None:
+    view = replace(VIEW, exposure_mode="automatic", exposure_ev=0.0)
+    render_to_file("blue", view, SIZE, tmp_path / "a.png", PictureSettings(samples=1))
+    with Image.open(tmp_path / "a.png") as image:
+        told = view_from_json(json.loads(image.info["View"]))
+        words = image.info["Description"]
+        codes = np.asarray(image)
+    assert told.exposure_mode == "locked"
+    assert abs(told.exposure_ev) > 0.1
+    assert f"{told.exposure_ev:+g} EV" in words
+    render_to_file("blue", told, SIZE, tmp_path / "b.png", PictureSettings(samples=1))
+    with Image.open(tmp_path / "b.png") as image:
+        assert (np.asarray(image) == codes).all()
+
+
 def test_exr_is_radiance_whatever_the_exposure(tmp_path: Path) -> None:
     """Its pixels through our tone curve are the PNG's."""
     pictures = {}
@@ -277,6 +292,17 @@ def test_a_sheet_of_a_palette(tmp_path: Path) -> None:
     coloured = codes[..., 2] - codes[..., 0] > 40
     bright = codes.min(axis=-1) > 180
     assert np.flatnonzero(bright.any(axis=1)).min() + 60 < np.flatnonzero(coloured.any(axis=1)).min()
+
+
+def test_the_head_of_a_narrow_sheet_takes_the_lines_that_it_needs(tmp_path: Path) -> None:
+    source, path = tmp_path / "a.brdfpalette", tmp_path / "sheet.png"
+    long = "What our customers asked for in the summer of this year and of the one before"
+    save_palette(Palette(long, (Swatch(WHITE),)), source)
+    narrow = write_sheet(source, VIEW, (80, 60), path, 1)
+    with Image.open(path) as image:
+        rows = np.flatnonzero((np.asarray(image)[: narrow.height - 120] == 0).all(axis=2).any(axis=1))
+    # Of the title and of what is told of the light there are more lines than two; gaps part them.
+    assert 1 + np.count_nonzero(np.diff(rows) > 1) >= 6
 
 
 def test_a_sheet_of_a_folder_tells_of_what_cannot_be_read(tmp_path: Path) -> None:
