@@ -52,7 +52,7 @@ _MODES = {
 
 class ColourHead(QWidget):
     """Emits ``set_chosen(name)``, ``angle_added(degrees)``, ``space_chosen(lab | lch)`` and ``mode_chosen(one | all |
-    flop)``; space and mode are remembered.
+    flop)``. The space is remembered; a program begins with one angle, so that no first edit moves more than it says.
     """
 
     set_chosen = Signal(str)
@@ -87,7 +87,7 @@ class ColourHead(QWidget):
         form.add_row(tr("Angles"), self.sets, tr(_SETS_TIP))
         form.add_row(tr("Further"), row)
         self.spaces = _Choice(_SPACES, "designer/space", tr("Colours in"))
-        self.modes = _Choice(_MODES, "designer/edit_mode", tr("An edit moves"))
+        self.modes = _Choice(_MODES, None, tr("An edit moves"))
         form.add_row(tr("In"), self.spaces)
         form.add_row(tr("Edit"), self.modes)
         self.spaces.chosen.connect(self.space_chosen)
@@ -115,7 +115,12 @@ class ColourHead(QWidget):
         name = self.sets.itemData(row)
         # "Own angles" says what is, and cannot be asked for: angles are added and removed one by one.
         self.show_set(self._set)
-        if name is not None and name != self._set:
+        if name is not None:
+            self.choose_set(name)
+
+    def choose_set(self, name: str) -> None:
+        """Ask for a set, as the list does."""
+        if name != self._set:
             self.set_chosen.emit(name)
 
 
@@ -124,7 +129,7 @@ class _Choice(QWidget):
 
     chosen = Signal(str)
 
-    def __init__(self, choices: dict[str, tuple[str, str]], key: str, name: str) -> None:
+    def __init__(self, choices: dict[str, tuple[str, str]], key: str | None, name: str) -> None:
         super().__init__()
         self._key = key
         self.setAccessibleName(name)
@@ -142,12 +147,14 @@ class _Choice(QWidget):
             row.addWidget(button)
             self.buttons[choice] = button
         row.addStretch(1)
-        kept = str(settings().value(key, next(iter(choices))))
-        self.value = kept if kept in choices else next(iter(choices))
+        first = next(iter(choices))
+        kept = str(settings().value(key, first)) if key else first
+        self.value = kept if kept in choices else first
         self.buttons[self.value].setChecked(True)
 
     def _choose(self, choice: str) -> None:
         if choice != self.value:
             self.value = choice
-            settings().setValue(self._key, choice)
+            if self._key:
+                settings().setValue(self._key, choice)
             self.chosen.emit(choice)

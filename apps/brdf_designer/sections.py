@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from brdf_designer.coat_control import CoatControl
+from brdf_designer.colour_commands import ColourCommands
 from brdf_designer.colour_offer import NearestOffer
 from brdf_designer.desk import Desk
 from brdf_designer.history import HistoryControl
@@ -16,6 +17,7 @@ from brdf_designer.variations_control import VariationsControl
 from brdf_designer.window import DesignerWindow
 
 PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (
+    ColourCommands,
     CoatControl,
     NearestOffer,
     PreviewControl,

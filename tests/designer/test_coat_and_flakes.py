@@ -6,6 +6,7 @@ import pytest
 from brdf_designer.desk_state import GivenColour
 from brdf_designer.quantity_plot import QuantityPlot
 from brdf_qt.colour_slider import ColourSlider
+from brdf_qt.command_palette import commands
 from brdf_qt.number_field import NumberField
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -183,3 +184,17 @@ def test_a_time_limit_is_told_at_every_patch(designer) -> None:
     patches.show_differences(None)
     assert cells[0][0].given() is None
     assert cells[0][3].text() == "fit: none"
+
+
+def test_the_choices_over_the_colours_are_commands_too(designer) -> None:
+    found = dict(commands(designer.window))
+    head = designer.window.editors.head
+    modes, spaces = head.modes.value, head.spaces.value
+    found["Paint ▸ Edit All Angles Together"].trigger()
+    found["Paint ▸ Colours in LCh"].trigger()
+    assert (head.modes.value, head.spaces.value) == ("all", "lch") != (modes, spaces)
+    assert head.modes.buttons["all"].isChecked()
+    assert designer.window.editors.editors[0].space == "lch"
+    found["Paint ▸ Angles: 5 (15 to 110°)"].trigger()
+    assert len(designer.store.value.measurements) == 5
+    assert designer.window.editors.editors[4].fields[2].suffix() == " °"
