@@ -113,7 +113,7 @@ def test_where_nothing_can_be_written_the_error_says_so(
     known: ExportFormat, subjects: dict[str, Subject], tmp_path: Path
 ) -> None:
     for path in (tmp_path / "no folder" / f"paint{known.ending}", tmp_path):
-        with pytest.raises(FileError, match="cannot be written|names no format"):
+        with pytest.raises(FileError, match=r"cannot be written|names no format"):
             known.write([subjects[known.name]], path, None)
 
 

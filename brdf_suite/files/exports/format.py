@@ -5,15 +5,14 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
-from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.paint import Gloss, Paint
 from brdf_suite.documents.store import AnyPaint
-from brdf_suite.errors import ValueRangeError
+from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.build import build_paint
-from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Reflectance
 
 PathLike = str | os.PathLike[str]
@@ -65,14 +64,22 @@ class Subject:
         return self.whole is not None
 
     @cached_property
-    def layers(self) -> PaintReflectance:
-        """The base under its clearcoat that has these readings; :class:`UnreachableError` where there is none."""
-        return build_paint(self.paint)
+    def modelled(self) -> Paint:
+        """The paint that renderers' models are fitted to: the readings, under a coat that there can be.
+
+        What virtual instruments read need not be a coat over a base: then the gloss at 20° alone counts.
+        """
+        if self.computed:
+            try:
+                build_paint(self.paint)
+            except UnreachableError:
+                return replace(self.paint, gloss=Gloss(self.paint.gloss.gu_20))
+        return self.paint
 
     @property
     def reflectance(self) -> Reflectance:
         """All that is known of how it reflects; :class:`UnreachableError` where no paint has these readings."""
-        return self.layers if self.whole is None else self.whole
+        return build_paint(self.paint) if self.whole is None else self.whole
 
 
 @dataclass(frozen=True)

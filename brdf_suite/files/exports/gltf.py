@@ -31,7 +31,7 @@ _RADIUS_M = 0.1
 
 def losses(subject: Subject) -> tuple[str, ...]:
     """Return what a viewer of glTF does not show of a paint; it is fitted for this."""
-    found = fit_gltf(subject.paint)
+    found = fit_gltf(subject.modelled)
     told = [
         *model_loss(subject),
         told_differences(subject.paint, found.differences, "glTF's clearcoat (one colour for every angle)"),
@@ -49,7 +49,7 @@ def losses(subject: Subject) -> tuple[str, ...]:
 def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write one paint on a sphere; :class:`FileError` where the disk refuses, :class:`UnreachableError` of a paint."""
     (subject,) = subjects
-    model = fit_gltf(subject.paint)
+    model = fit_gltf(subject.modelled)
     vertices, triangles = _sphere()
     data = vertices.tobytes() + triangles.tobytes()
     half, bound = vertices.nbytes, (_RADIUS_M * np.ones(3)).tolist()

@@ -142,6 +142,17 @@ def imported(value: object, path: PathLike) -> Imported:
     return Imported(tuple(_paint(item, path) for item in items))
 
 
+def imported_text(text: bytes, path: PathLike) -> Imported:
+    """Return the paints of a JSON text that was found in another file; errors as :func:`read`."""
+    try:
+        value: object = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise FileError(
+            path, f"holds data that are damaged ({type(error).__name__})", "the paint in it"
+        ) from error
+    return imported(value, path)
+
+
 def _paint(item: FieldReader, path: PathLike) -> AnyPaint:
     original = item.take_or("original", None)
     chosen = item.take("paint") if original is None else original

@@ -21,7 +21,7 @@ _NOT_A_NAME = re.compile(r"[^A-Za-z0-9_]+")
 
 def losses(subject: Subject) -> tuple[str, ...]:
     """Return what the car paint of LuxCore cannot hold of a paint; it is fitted for this."""
-    found = fit_carpaint(subject.paint)
+    found = fit_carpaint(subject.modelled)
     told = [
         *model_loss(subject),
         told_differences(subject.paint, found.differences, "LuxCore's car paint (two lobes under a coat)"),
@@ -43,7 +43,7 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
             number += 1
             name = f"{base}_{number}"
         names.add(name)
-        blocks.append(_block(subject, name, fit_carpaint(subject.paint)))
+        blocks.append(_block(subject, name, fit_carpaint(subject.modelled)))
     write_atomically(path, "\n".join(blocks).encode("utf-8"))
     return ()
 

@@ -22,7 +22,7 @@ from brdf_suite.progress import Progress
 
 def losses(subject: Subject) -> tuple[str, ...]:
     """Return what an OpenPBR surface cannot hold of a paint; it is fitted for this."""
-    found = fit_openpbr(subject.paint)
+    found = fit_openpbr(subject.modelled)
     told = [
         *model_loss(subject),
         told_differences(subject.paint, found.differences, "OpenPBR (one colour for every angle)"),
@@ -46,7 +46,7 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
             number += 1
             name = f"{base}_{number}"
         names.add(name)
-        blocks.append(_block(subject, name, fit_openpbr(subject.paint)))
+        blocks.append(_block(subject, name, fit_openpbr(subject.modelled)))
     text = (
         '<?xml version="1.0"?>\n<materialx version="1.39" colorspace="lin_rec709">\n'
         f"{''.join(blocks)}</materialx>\n"
