@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import dataclasses
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from brdf_qt.dialogs import Answer, Overwrite
+from brdf_qt.settings import state_folder
 from brdf_viewer.export_job import FORMATS, ExportSettings
 from brdf_viewer.studio.panel import lamp_line
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QCoreApplication, QPoint, QPointF, Qt
 from PySide6.QtGui import QKeySequence, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
 from brdf_suite.documents.light_store import load_light, save_light
 from brdf_suite.documents.studio import Backdrop, Lamp, Sky, Studio
@@ -341,3 +345,39 @@ def test_only_the_newest_of_many_edits_is_drawn_last(edited) -> None:
     settle(edited)
     drawn = edited.stage.environment.value.environment.radiance
     assert np.array_equal(drawn, draw_light(value(edited)).radiance)
+
+
+def test_unsaved_work_of_a_killed_run_is_offered_and_taken(start, script, qtbot) -> None:
+    """A process dies with a changed studio; the window that comes after it gives it back."""
+    code = (
+        "import os\n"
+        "from PySide6.QtCore import QCoreApplication\n"
+        "from brdf_qt.document_store import DocumentStore\n"
+        "from brdf_qt.recovery import Recovery\n"
+        "from brdf_viewer.studio.document import FORMAT\n"
+        "app = QCoreApplication([])\n"
+        f"QCoreApplication.setApplicationName({QCoreApplication.applicationName()!r})\n"
+        "store = DocumentStore(FORMAT.new())\n"
+        "recovery = Recovery(store, FORMAT, print)\n"
+        "store.replace(FORMAT.from_json(FORMAT.to_json(FORMAT.new()) | {'name': 'Lost and found'}, 'x'), None,"
+        " clean=False)\n"
+        "assert recovery.write()\n"
+        "os.kill(os.getpid(), 9)\n"
+    )
+    died = subprocess.run([sys.executable, "-c", code], check=False, capture_output=True)
+    assert died.returncode == -signal.SIGKILL, died.stderr
+    viewer = start(dialogs=script, size=(900, 640))
+    assert "Lost and found" in viewer.messages()["recovery"]
+    assert viewer.window.studio_dock.isHidden()
+    viewer.window.findChild(QWidget, "message_action_Recover").click()
+    assert viewer.messages() == {}
+    assert viewer.window.studio_dock.isVisible()
+    assert value(viewer).name == "Lost and found"
+    assert not viewer.controller.studio.store.is_clean
+    script.answer = Answer.CANCEL
+    assert not viewer.controller.studio.may_close()  # it is asked about like any unsaved work
+    script.answer = Answer.DISCARD
+    folder = state_folder("autosave")
+    assert len(list(folder.glob("*.recovery.json"))) == 1
+    viewer.close()
+    assert list(folder.glob("*.recovery.json")) == []

@@ -9,6 +9,7 @@ from pathlib import Path
 from brdf_qt.dialogs import Dialogs
 from brdf_qt.document_store import DocumentStore
 from brdf_qt.message_bar import Message, message_of
+from brdf_qt.recovery import Recovered, Recovery
 from PySide6.QtCore import QObject
 
 from brdf_suite.documents.light_store import STUDIO_ENDING, LightDocument
@@ -19,11 +20,12 @@ from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_viewer.scene_control import SceneControl
 from brdf_viewer.stage import Prop, Stage
 from brdf_viewer.studio import edits
-from brdf_viewer.studio.document import StudioFiles
+from brdf_viewer.studio.document import FORMAT, StudioFiles
 from brdf_viewer.studio.fields import Edits
 from brdf_viewer.studio.lamp_form import changed_lamp
 from brdf_viewer.studio.live_light import LiveLight
 from brdf_viewer.studio.places import point_at, polar
+from brdf_viewer.studio.recovery_offer import offer_recovered
 from brdf_viewer.studio.surroundings_form import changed_surroundings
 from brdf_viewer.studio.templates import TEMPLATES
 from brdf_viewer.window import ViewerWindow
@@ -50,6 +52,7 @@ class StudioControl(QObject):
         self._panel = window.studio
         self.store: DocumentStore[LightDocument] = DocumentStore(TEMPLATES["empty"][1], self)
         self.files = StudioFiles(self.store, dialogs, self)
+        self.recovery: Recovery[LightDocument] = Recovery(self.store, FORMAT, self._tell, self)
         self._open = False
         self._index = 0
         self._shown: PreparedEnvironment | None = None
@@ -65,6 +68,7 @@ class StudioControl(QObject):
         self._connect_panel()
         self._add_commands()
         self._contents_changed()
+        offer_recovered(self.recovery, window.messages, self._recover)
 
     def new(self, template: str) -> bool:
         """Begin a studio from a template, after asking about unsaved changes of the present one."""
@@ -111,8 +115,23 @@ class StudioControl(QObject):
         return not self._open or self.files.may_discard()
 
     def close(self) -> None:
-        """End the threads."""
+        """End the threads; what was unsaved has been asked about."""
         self._live.close()
+        self.recovery.close(keep=False)
+
+    def _recover(self, item: Recovered[LightDocument]) -> bool:
+        """Open what an earlier run left; False where the user keeps the present studio."""
+        if self._open and not self.files.may_discard():
+            return False
+        self._open = False  # until it is there: what is replaced is not drawn
+        self.recovery.take(item)
+        self._opened()
+        self._live.show(self.store.value)
+        self._show()
+        return True
+
+    def _tell(self, error: BaseException) -> None:
+        self._window.messages.show_message(message_of(error, "autosave"))
 
     def _take(self, light: LightDocument) -> bool:
         if self._open and not self.files.may_discard():
