@@ -137,11 +137,15 @@ class Strata:
     def _order(self) -> tuple[npt.NDArray[np.intp], Floats, Floats]:
         at = self.labels.ravel()
         count = int(at.max()) + 1
-        luminous = np.asarray(np.bincount(at, self.cells.luminous.ravel(), count), np.float64)
-        moments = self.cells.moments.reshape(-1, 3)
+        cells = self.cells
+        luminous = np.asarray(np.bincount(at, cells.luminous.ravel(), count), np.float64)
+        # Weighed by radiance once more: a sun in its piece of sky is as small as the sun, which has most of the light.
+        peaks = (cells.luminous / cells.areas()).ravel()
+        moments = cells.moments.reshape(-1, 3) * peaks[:, None]
         towards = np.stack([np.bincount(at, moments[:, k], count) for k in range(3)], axis=1)
         # Of directions about a mean, 1 - |mean| is the variance along one axis.
-        length = np.linalg.norm(towards, axis=1) / np.maximum(luminous, 1e-300)
+        weight = np.bincount(at, cells.luminous.ravel() * peaks, count)
+        length = np.linalg.norm(towards, axis=1) / np.maximum(weight, 1e-300)
         spreads = np.sqrt(np.clip(1.0 - length, 0.0, 1.0))
         return np.argsort(-luminous, kind="stable"), luminous, np.asarray(spreads, np.float64)
 
