@@ -43,7 +43,7 @@ def load_standards(
         found = handed
     elif is_measured_file(path):
         item = load_measurable(path)
-        found = (_of_reflectance(item.name, str(path), item.reflectance, item.notices),)
+        found = (_of_reflectance(item.name, "", item.reflectance, item.notices),)
     else:
         paint = find_any_paint(name_or_path)
         found = (_of_paint(paint, path.name if path.suffix else ""),)

@@ -56,6 +56,17 @@ def test_a_cook_torrance_paint_is_read_with_its_gloss() -> None:
     assert any("only the 20° reading" in notice for notice in start.notices)
 
 
+def test_the_rule_that_is_nearer_to_the_original_is_taken() -> None:
+    """A silver of Cook-Torrance lobes has no bell of flakes, and the flake rule misses its five readings."""
+    start = load_start("table1_polaris_silver", geometry_set("five"))
+    assert start.paint.interpolation == "monotone"
+    assert any("the monotone rule is used" in notice for notice in start.notices)
+    assert start.mean_delta_e < 5.0
+    assert not any("does not pass through" in notice for notice in start.notices)
+    # One that is a bell keeps the usual rule.
+    assert load_start("blue", geometry_set("five")).paint.interpolation == "flake"
+
+
 def test_matter_without_a_mirror_lobe_gets_the_dullest_coat_and_is_told() -> None:
     start = measured_start(Measurable("chalk.bin", Diffuser(0.5)))
     assert start.paint.name == "chalk"
