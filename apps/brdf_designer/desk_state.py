@@ -60,8 +60,8 @@ class Curves:
 
     ``gamma_deg`` (k,) with ``model`` and ``fitted`` L*a*b* (k, 3); ``ceiling`` the largest L* of the base alone;
     ``between_delta_e`` the largest ΔE00 between the two over the measured range, also between the readings;
-    ``measured_deg`` the nearest and farthest reading; ``strip_rgb`` (s, 3) and ``strip_in_gamut`` (s,) evenly
-    between them.
+    ``measured_deg`` the nearest and farthest reading; ``strip_rgb`` (s, 3) and ``strip_in_gamut`` (s,) of the model
+    evenly between them, ``strip_given_rgb`` (s, 3) of the lobes.
     """
 
     gamma_deg: Floats
@@ -73,6 +73,7 @@ class Curves:
     marks_deg: tuple[float, ...]
     strip_rgb: Rgb
     strip_in_gamut: Flags
+    strip_given_rgb: Rgb
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,7 +181,7 @@ def _curves(fit: PaintFit) -> Curves:
     model, lobes, under = working_to_lab(np.stack((rho[:count], fitted[:count], base[:count])))
     inside_deg = (gamma[:count] >= first) & (gamma[:count] <= last)
     between = delta_e_2000(model[inside_deg], lobes[inside_deg])
-    codes, inside = working_to_codes(rho[count:])
+    codes, inside = working_to_codes(np.stack((rho[count:], fitted[count:])))
     return Curves(
         gamma_deg=gamma[:count],
         model=model,
@@ -189,6 +190,7 @@ def _curves(fit: PaintFit) -> Curves:
         between_delta_e=float(between.max()),
         measured_deg=(first, last),
         marks_deg=tuple(sorted(this_side)),
-        strip_rgb=codes,
-        strip_in_gamut=inside,
+        strip_rgb=codes[0],
+        strip_in_gamut=inside[0],
+        strip_given_rgb=codes[1],
     )

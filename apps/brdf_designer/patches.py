@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QGridLayout, QSizePolicy, QVBoxLayout, QWidget
 
 from brdf_designer.caption import Caption
 from brdf_designer.desk_state import AngleColour, Colours, Curves, GivenColour
+from brdf_designer.display import Rgb
 from brdf_designer.standard_patch import StandardPatch
 
 OUTSIDE_TIP = (
@@ -21,7 +22,12 @@ CORNER = 14.0
 GIVEN_SHARE, GIVEN_MOST = 0.3, 64.0
 """How much of a field shows what the fit gives, and at most how many pixels of its height."""
 _FIT_TIP = mark("Colour difference CIEDE2000 between what is asked and what the fitted lobes give.")
-_FRESH = ("Flop: the model's colour over the aspecular angle", "Flop over the aspecular angle")
+_FRESH = (
+    mark("Flop over the aspecular angle: what is asked above, what the fitted lobes give below"),
+    mark("Flop: asked above, fitted lobes below"),
+    mark("Flop over the aspecular angle"),
+    mark("Flop"),
+)
 
 
 def paint_corner(painter: QPainter, rect: QRectF, size: float = CORNER) -> None:
@@ -248,7 +254,7 @@ class FlopStrip(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.caption = Caption(*_FRESH)
+        self.caption = Caption(*map(tr, _FRESH))
         self._band = _Band()
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
@@ -258,18 +264,18 @@ class FlopStrip(QWidget):
 
     def show_curves(self, curves: Curves) -> None:
         """Show the strip, fresh."""
-        self.caption.set_forms(*_FRESH)
+        self.caption.set_forms(*map(tr, _FRESH))
         self._band.show_curves(curves)
 
     def mark_stale(self) -> None:
         """Say that the strip is of the last paint that could be."""
-        self.caption.set_forms("Flop: of the last paint that can be")
+        self.caption.set_forms(tr("Flop: of the last paint that can be"))
 
 
 class _Band(QWidget):
     def __init__(self) -> None:
         super().__init__()
-        self._image = QImage()
+        self._image, self._given = QImage(), QImage()
         self._range = (15.0, 110.0)
         self._marks: tuple[float, ...] = ()
         self._outside = False
@@ -277,8 +283,7 @@ class _Band(QWidget):
         self.setAccessibleName("Flop strip")
 
     def show_curves(self, curves: Curves) -> None:
-        row = curves.strip_rgb
-        self._image = QImage(row.tobytes(), len(row), 1, 3 * len(row), QImage.Format.Format_RGB888).copy()
+        self._image, self._given = _row(curves.strip_rgb), _row(curves.strip_given_rgb)
         self._range, self._marks = curves.measured_deg, curves.marks_deg
         self._outside = not bool(curves.strip_in_gamut.all())
         self.setToolTip(OUTSIDE_TIP if self._outside else "")
@@ -292,7 +297,10 @@ class _Band(QWidget):
         if self._image.isNull():
             painter.fillRect(band, self.palette().base())
             return
-        painter.drawImage(band, self._image, QRectF(0.5, 0, self._image.width() - 1.0, 1))
+        row = QRectF(0.5, 0, self._image.width() - 1.0, 1)
+        painter.drawImage(band, self._image, row)
+        given = band.adjusted(0, round((1.0 - GIVEN_SHARE) * band.height()), 0, 0)
+        painter.drawImage(given, self._given, row)
         if self._outside:
             paint_corner(painter, band)
         painter.setPen(self.palette().dark().color())
@@ -307,3 +315,9 @@ class _Band(QWidget):
             width = self.fontMetrics().horizontalAdvance(label)
             left = min(max(0.0, x - width / 2), band.width() - width)
             painter.drawText(QPointF(left, self.height() - self.fontMetrics().descent() - 1.0), label)
+
+
+def _row(codes: Rgb) -> QImage:
+    """One line of pixels (n, 3)."""
+    count = len(codes)
+    return QImage(codes.tobytes(), count, 1, 3 * count, QImage.Format.Format_RGB888).copy()

@@ -133,6 +133,10 @@ def test_colours_that_no_lobes_give_are_told_and_the_nearest_offered(designer, q
     given = cells[2][0].given()
     assert given is not None
     assert given != cells[2][0]._rgb, "what the fit gives is seen beside what is asked"
+    strip = window.strip._band.grab().toImage()
+    end, height = strip.width() - 30, strip.height() // 2
+    above, below = (strip.pixelColor(end, y).lightness() for y in (4, height))
+    assert above - below > 40, "the strip shows what the lobes give under what is asked"
     qtbot.waitUntil(lambda: "nearest" in window.messages.shown())
     message = window.messages.shown()["nearest"]
     assert "No sum of the lobes gives the colour asked at" in message.what
