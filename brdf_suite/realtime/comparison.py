@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colorimetry import REC709_TO_WORKING, RELATIVE_TO_WORKING
 from brdf_suite.appearance.difference_scale import STEPS, scale_table
+from brdf_suite.appearance.display_space import SRGB_SPACE
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.context import graphics_errors
@@ -156,8 +157,16 @@ class Comparison:
             light = self._target("light", size, "f2")
             self._draw_picture(light, size, 2.0**view.exposure_ev, (0, 0, *size))
             self._renderer.finish(view, self._texture("light"), target, size, region=region, display=display)
-        else:
+        elif (display or self._renderer.screen).space is SRGB_SPACE:
             self._draw_picture(target, size, 1.0, region)
+        else:
+            # Its colours, and not its codes, are what another screen is to show: through no curve, without marks.
+            light = self._target("light", size, "f2")
+            self._draw_picture(light, size, 1.0, (0, 0, *size), decoded=True)
+            plain = replace(
+                view, exposure_ev=0.0, tone_curve="linear", clipping_marks=False, gamut_marks=False
+            )
+            self._renderer.finish(plain, self._texture("light"), target, size, region=region, display=display)
 
     def _draw_side_by_side(self, view: View, target: moderngl.Framebuffer, size: Size, samples: int) -> None:
         left, right = sides(size)
@@ -224,7 +233,15 @@ class Comparison:
         self._texture(_SECOND).use(1)
         screen.render(moderngl.TRIANGLES, vertices=3)
 
-    def _draw_picture(self, target: moderngl.Framebuffer, size: Size, gain: float, region: Region) -> None:
+    def _draw_picture(
+        self,
+        target: moderngl.Framebuffer,
+        size: Size,
+        gain: float,
+        region: Region,
+        *,
+        decoded: bool = False,
+    ) -> None:
         texture = self._picture_texture
         if texture is None:
             raise AssertionError("a picture is drawn only where there is one")
@@ -232,12 +249,13 @@ class Comparison:
         filtering = moderngl.NEAREST if same else moderngl.LINEAR
         texture.filter = (filtering, filtering)
         texture.repeat_x = texture.repeat_y = False
-        program, screen = self._program("picture.frag.glsl")
+        program, screen = self._program("picture.frag.glsl", decoded=decoded)
         target.use()
         self._context.viewport = (0, 0, *size)
         self._context.scissor = region
         self._context.enable_only(moderngl.NOTHING)
-        assign(program, _placed(size, (0, 0), gain))
+        to_working = {"to_working": tuple(REC709_TO_WORKING.T.ravel().tolist())}
+        assign(program, _placed(size, (0, 0), gain) | to_working)
         texture.use(0)
         screen.render(moderngl.TRIANGLES, vertices=3)
         self._context.scissor = None
@@ -258,11 +276,12 @@ class Comparison:
         return self._targets[name][1]
 
     def _program(
-        self, fragment: str, *, numbers: bool = False
+        self, fragment: str, *, numbers: bool = False, decoded: bool = False
     ) -> tuple[moderngl.Program, moderngl.VertexArray]:
-        key = f"{fragment} {numbers}"
+        key = f"{fragment} {numbers} {decoded}"
         if key not in self._programs:
-            words = {"SCALE_STEPS": str(STEPS)} | ({"AS_NUMBERS": "1"} if numbers else {})
+            asked = {"AS_NUMBERS": numbers, "AS_LIGHT": decoded}
+            words = {"SCALE_STEPS": str(STEPS)} | {word: "1" for word, wanted in asked.items() if wanted}
             program = self._objects.program(compose("screen.vert.glsl"), compose(fragment, words))
             self._programs[key] = (program, self._objects.vertex_array(program))
         return self._programs[key]

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.colorimetry import REC709_TO_WORKING, srgb_decode, working_to_lab
+from brdf_suite.appearance.colorimetry import REC709_TO_WORKING, srgb_decode, srgb_encode, working_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.appearance.difference_scale import scale_colour
 from brdf_suite.documents.view import Camera, View
@@ -146,6 +146,21 @@ def test_a_shown_picture_takes_the_place_of_the_second(stand) -> None:
     np.testing.assert_allclose(
         stand.comparison.differences(comparing("difference", basis="picture"), SIZE), by_paint, atol=1e-4
     )
+
+
+def test_a_shown_picture_has_its_colours_on_any_monitor(stand) -> None:
+    codes = np.zeros((SIZE[1], SIZE[0], 3), np.uint8)
+    codes[:20], codes[20:, :30], codes[20:, 30:] = (255, 0, 0), (90, 160, 40), (128, 128, 128)
+    stand.comparison.set_picture(ComparedPicture(codes, is_light=False))
+    stand.renderer.screen = DISPLAY_P3
+    view = replace(comparing("blink"), exposure_ev=2.0, tone_curve="aces", clipping_marks=True)
+    shown = stand.drawn(view, show_second=True).astype(int)
+    linear = srgb_decode(codes / 255.0) @ REC709_TO_WORKING.T @ DISPLAY_P3.space.from_working.T
+    expected = 255.0 * srgb_encode(np.clip(linear, 0.0, 1.0))
+    assert np.abs(shown - expected).max() < 1.6  # half floats, and the dither
+    assert abs(shown[0, 0, 0] - 255) > 15  # a red of sRGB is not the screen's own
+    side = stand.drawn(replace(view, compare=Compare("side", "b"))).astype(int)
+    assert np.abs(side[14, 40] - expected[0, 0]).max() < 1.6
 
 
 def test_a_picture_of_light_is_exposed_and_shown_as_the_paint_is(stand) -> None:
