@@ -107,7 +107,7 @@ class Designer:
         self._closed = False
         self._join()
         self.sections = build_sections(self.desk, self.window)
-        self.window.restore_layout()
+        self.window.complete()
         self.controller.start()
         self.window.show_recent(self.files.recent())
 

@@ -105,7 +105,7 @@ class PreviewControl(QObject):
     def _add_command(self) -> None:
         self.action = self._window.add_command(
             "view",
-            tr("Small &Picture"),
+            tr("Small Pict&ure"),
             "F7",
             lambda: self.show(self.action.isChecked()),
             "preview",

@@ -10,21 +10,22 @@ from brdf_qt.message_bar import Message
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
 from brdf_qt.translation import tr
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction, QCloseEvent, QColor, QDragEnterEvent, QDropEvent, QKeySequence
-from PySide6.QtWidgets import QColorDialog, QDockWidget, QMenu, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
+from PySide6.QtWidgets import QDockWidget, QMenu, QSplitter, QVBoxLayout, QWidget
 
 from brdf_designer.angle_plot import AnglePlot
 from brdf_designer.coat_section import CoatSection
 from brdf_designer.colour_editors import ColourEditors
 from brdf_designer.desk_state import Colours, FitState, TabState
-from brdf_designer.fields import Key
 from brdf_designer.flakes_section import FlakesSection
 from brdf_designer.paint_sections import ModelSection, TextSection
 from brdf_designer.patches import FlopStrip, PatchRow
 from brdf_designer.status import DeskStatus
 from brdf_designer.tabs_bar import DocumentTabs
-from brdf_suite.appearance.colorimetry import display_to_lab
+from brdf_designer.window_focus import order_focus
+from brdf_designer.window_letters import give_letters
+from brdf_designer.window_pickers import ColourPickers
 
 
 class DesignerWindow(SuiteWindow):
@@ -62,10 +63,14 @@ class DesignerWindow(SuiteWindow):
         super().__init__("Designer")
         self.setAcceptDrops(True)
         self._colours: Colours | None = None
-        self._pickers: dict[int, QColorDialog] = {}
+        self.pickers = ColourPickers(self)
+        self.pickers.started.connect(self.gesture_started)
+        self.pickers.picked.connect(self.edited)
+        self.pickers.finished.connect(self.gesture_finished)
         self.strip, self.patches, self.plot = FlopStrip(), PatchRow(), AnglePlot()
         self.tabs = DocumentTabs()
         self._sections: dict[str, Section] = {}
+        self._below: list[QWidget] = []
         self._build_centre()
         self._build_inspector()
         self.desk_status = DeskStatus(self.status)
@@ -108,6 +113,7 @@ class DesignerWindow(SuiteWindow):
     def add_history(self, strip: QWidget) -> None:
         """Put the strip of states under the desk."""
         self._centre_box.addWidget(strip)
+        self._below.append(strip)
 
     def add_preview(self, preview: QWidget) -> None:
         """Put the picture beside the plot."""
@@ -145,6 +151,20 @@ class DesignerWindow(SuiteWindow):
             self.file_menu.removeAction(action)
             self.file_menu.insertAction(before, action)
         return action
+
+    def complete(self) -> None:
+        """Settle what depends on every part: letters of the menus, order of the focus, size and place of the panels."""
+        top = (
+            self.file_menu,
+            self.edit_menu,
+            self.view_menu,
+            self.paint_menu,
+            self.window_menu,
+            self.help_menu,
+        )
+        give_letters(top)
+        self.order_focus()
+        self.restore_layout()
 
     # What the controller shows.
 
@@ -317,7 +337,7 @@ class DesignerWindow(SuiteWindow):
         )
         self.redo_action.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         self.pick_menu = self.paint_menu.addMenu("&Pick Colour")
-        self.solid_menu = self.paint_menu.addMenu("Make &Solid From")
+        self.solid_menu = self.paint_menu.addMenu("Make S&olid From")
         self._step_actions = [
             self.add_action(self.window_menu, text, lambda by=by: self.tab_step_asked.emit(by), keys)
             for text, by, keys in (
@@ -345,38 +365,15 @@ class DesignerWindow(SuiteWindow):
             pick = self.pick_menu.addAction(f"At {text}…", lambda index=index: self.pick_colour(index))
             pick.setShortcut(QKeySequence(f"Ctrl+{number}") if number < 10 else QKeySequence())
             self.solid_menu.addAction(text, lambda index=index: self.edited.emit(("solid",), index))
+        # Fields have come or gone with the angles.
+        QTimer.singleShot(0, self, self.order_focus)
 
     # The picker, drops and the end.
 
     def pick_colour(self, index: int) -> None:
         """Open the colour picker of a measurement beside the desk; all its changes are one step."""
         assert self._colours is not None
-        if index in self._pickers:
-            self._pickers[index].activateWindow()
-            return
-        colour = next(angle for angle in self._colours.angles if angle.index == index)
-        key: Key = ("colour", index)
-        dialog = QColorDialog(QColor(*colour.rgb), self)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.setWindowTitle(f"Colour at {colour.text}")
-        dialog.setOptions(
-            QColorDialog.ColorDialogOption.NoButtons | QColorDialog.ColorDialogOption.DontUseNativeDialog
-        )
-        self._pickers[index] = dialog
-
-        def picked(code: QColor) -> None:
-            lab = display_to_lab([code.redF(), code.greenF(), code.blueF()])
-            # An sRGB code has a step of about 0.4 units; two decimals keep all of it.
-            self.edited.emit(key, tuple(round(float(value), 2) + 0.0 for value in lab))
-
-        def ended() -> None:
-            self._pickers.pop(index, None)
-            self.gesture_finished.emit()
-
-        self.gesture_started.emit(key)
-        dialog.currentColorChanged.connect(picked)
-        dialog.finished.connect(ended)
-        dialog.show()
+        self.pickers.open(next(angle for angle in self._colours.angles if angle.index == index))
 
     def keep_opened(self) -> None:
         """Take what is shown for what the document had when it was opened: a double click goes back to it."""
@@ -384,10 +381,14 @@ class DesignerWindow(SuiteWindow):
             for field in part.findChildren(NumberField):
                 field.set_default(field.value())
 
+    def order_focus(self) -> None:
+        """Let Tab go through the desk as it is seen: tabs, colours, plots, picture and history, then the inspector."""
+        parts = [self.tabs, self.strip, self.patches, self.lower_split, *self._below]
+        order_focus(self, [*parts, *self.inspector.sections])
+
     def close_pickers(self) -> None:
         """Close every picker: another document has come, and its readings are others."""
-        for dialog in tuple(self._pickers.values()):
-            dialog.close()
+        self.pickers.close()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if len(event.mimeData().urls()) == 1 and event.mimeData().urls()[0].isLocalFile():

@@ -61,6 +61,8 @@ class CommandPalette(QFrame):
         self.query.setAccessibleName(tr("Find a command by name"))
         self.query.setClearButtonEnabled(True)
         self.found = QListWidget()
+        self.found.setAccessibleName(tr("Commands that were found"))
+        self.found.setToolTip(tr("Enter or a click runs the command; the arrow keys choose another"))
         self.found.setUniformItemSizes(True)
         self.found.setSpacing(3)
         self.found.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

@@ -166,7 +166,7 @@ class SuiteWindow(QMainWindow):
         if self._program in TRANSLATED:
             self.view_menu.addMenu(language_menu(self.view_menu))
         self.view_menu.addMenu(self.panels_menu)
-        self.add_action(self.view_menu, mark("Show or Hide &Panels"), self.toggle_panels, "F4")
+        self.add_action(self.view_menu, mark("Show or Hide P&anels"), self.toggle_panels, "F4")
         self.palette_window = CommandPalette(self)
         self.add_action(
             self.help_menu, mark("Find a &Command…"), self.palette_window.open, "Ctrl+K", "magnifying-glass"

@@ -128,14 +128,14 @@ def test_a_point_of_the_plot_is_dragged_as_one_step(designer):
 
 def test_the_picker_is_one_step_and_does_not_stop_the_work(designer, qtbot):
     designer.window.editors.editors[1].swatch.click()
-    dialog = designer.window._pickers[1]
+    dialog = designer.window.pickers.dialogs[1]
     assert not dialog.isModal()
     for name in ("#808080", "#c02020"):
         dialog.setCurrentColor(QColor(name))
     patch = designer.window.patches._cells[1][0]
     assert patch.grab().toImage().pixelColor(30, 30).name() == "#c02020"
     dialog.close()
-    assert designer.window._pickers == {}
+    assert designer.window.pickers.dialogs == {}
     assert [designer.store.stack.text(i) for i in range(designer.store.stack.count())] == [
         "Pick Colour at 45°"
     ]
@@ -143,17 +143,17 @@ def test_the_picker_is_one_step_and_does_not_stop_the_work(designer, qtbot):
 
 def test_the_picker_shows_the_paint_and_changes_nothing_by_opening(designer):
     designer.window.pick_colour(0)
-    shown = designer.window._pickers[0].currentColor()
+    shown = designer.window.pickers.dialogs[0].currentColor()
     patch = designer.window.patches._cells[0][0].grab().toImage().pixelColor(30, 30)
     assert shown == patch
-    designer.window._pickers[0].close()
+    designer.window.pickers.dialogs[0].close()
     assert designer.store.is_clean
 
 
 def test_a_picker_goes_with_its_document(designer):
     designer.window.pick_colour(0)
     designer.documents.new()
-    assert designer.window._pickers == {}
+    assert designer.window.pickers.dialogs == {}
     assert designer.store.is_clean
 
 
