@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -38,9 +39,9 @@ def add_picture(command: argparse.ArgumentParser, *, radiance: bool = True, shee
     command.add_argument(
         "--samples",
         type=int,
-        default=4,
+        default=None,
         metavar="N",
-        help="samples per pixel, where the GPU has them (default: 4)",
+        help="real time: samples per pixel, where the GPU has them (default: 4)",
     )
 
 
@@ -48,4 +49,5 @@ def settings_of(options: argparse.Namespace) -> PictureSettings:
     """Return the settings that the options ask for."""
     from brdf_suite.pipeline.picture_file import PictureSettings
 
-    return PictureSettings(options.bits, options.colour_space, options.samples, options.transparent)
+    picture = PictureSettings(options.bits, options.colour_space, transparent=options.transparent)
+    return picture if options.samples is None else replace(picture, samples=options.samples)

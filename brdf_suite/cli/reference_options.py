@@ -5,17 +5,20 @@ from __future__ import annotations
 import argparse
 import math
 
+from brdf_suite.cli.export_progress import export_progress
 from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.cli.picture_options import settings_of
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 
 RENDERERS = ("realtime", "reference", "raytraced")
 QUALITIES = ("fast", "medium", "high")
 _OF_OTHER = {
-    "realtime": ("spp", "time", "fresh", "quality", "table_split"),
-    "reference": ("bits", "colour_space", "transparent", "follow", "quality", "table_split"),
-    "raytraced": ("bits", "colour_space", "transparent", "follow"),
+    "realtime": ("spp", "time", "fresh", "denoise", "quality", "table_split"),
+    "reference": ("samples", "quality", "table_split"),
+    "raytraced": ("bits", "colour_space", "transparent", "follow", "samples", "denoise"),
 }
+_INSTEAD = {"samples": "; its samples are --spp", "spp": "; its samples are --samples"}
 
 
 def add_reference(command: argparse.ArgumentParser) -> None:
@@ -40,6 +43,11 @@ def add_reference(command: argparse.ArgumentParser) -> None:
         default=None,
         metavar="S",
         help="reference and raytraced: seconds to trace at most",
+    )
+    command.add_argument(
+        "--denoise",
+        action="store_true",
+        help="reference: take the noise out with OptiX, on an NVIDIA graphics card; an EXR keeps the noisy light too",
     )
     add_raytraced(command)
 
@@ -67,9 +75,12 @@ def add_raytraced(command: argparse.ArgumentParser) -> None:
 
 def check_renderer(options: argparse.Namespace) -> None:
     """Raise :class:`SuiteError` where an option is for the other renderer: left out silently, it would mislead."""
-    given = [f"--{name.replace('_', '-')}" for name in _OF_OTHER[options.renderer] if getattr(options, name)]
+    of_other = _OF_OTHER[options.renderer]
+    given = [f"--{name.replace('_', '-')}" for name in of_other if getattr(options, name, None)]
     if given:
-        raise SuiteError(f"With --renderer {options.renderer} there is no {given[0]}; leave it out.")
+        name = given[0]
+        instead = _INSTEAD.get(name[2:], "")
+        raise SuiteError(f"With --renderer {options.renderer} there is no {name}; leave it out{instead}.")
 
 
 def run_reference(options: argparse.Namespace, view: View) -> int:
@@ -78,12 +89,14 @@ def run_reference(options: argparse.Namespace, view: View) -> int:
 
     from brdf_suite.pipeline.reference import render_reference
 
-    with progress_bar("path tracing", quiet=options.json) as progress:
+    with export_progress("path tracing", options) as progress:
         picture = render_reference(
             options.paint,
             view,
             options.size,
             options.output,
+            settings=settings_of(options),
+            denoise=options.denoise,
             samples=options.spp,
             seconds=options.time,
             fresh=options.fresh,

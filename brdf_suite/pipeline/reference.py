@@ -10,8 +10,8 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
-from brdf_suite.errors import FileError
-from brdf_suite.pipeline.picture_file import check_target
+from brdf_suite.pipeline.picture_file import PictureSettings, check_target
+from brdf_suite.pipeline.reference_file import check_settings, write_reference
 from brdf_suite.pipeline.reference_scene import ReferenceScene, Size, prepare_reference
 from brdf_suite.progress import Progress, part, report
 
@@ -49,6 +49,8 @@ def render_reference(
     samples: int | None = None,
     seconds: float | None = None,
     fresh: bool = False,
+    settings: PictureSettings | None = None,
+    denoise: bool = False,
     progress: Progress | None = None,
 ) -> ReferencePicture:
     """Path-trace a picture and write it as PNG (as a screen shows it) or EXR (radiance with its variance).
@@ -60,13 +62,19 @@ def render_reference(
     ----------
     samples, seconds
         The budget per pixel and in time, whichever is spent first; 256 samples where neither is given.
+    settings
+        Bits, colours and transparency of the file, as of a drawn picture.
+    denoise
+        Take the noise out, where there is an NVIDIA graphics card; an EXR keeps the noisy light beside.
     """
     from brdf_suite.reference.estimate_file import read_estimate, write_estimate
     from brdf_suite.reference.passes import trace
 
-    if path.suffix.lower() not in (".png", ".exr"):
-        raise FileError(path, "pictures are written as PNG or EXR; give a name that ends in .png or .exr")
+    settings = settings or PictureSettings()
+    check_settings(path, settings)
     check_target(path)
+    if denoise:
+        _check_denoiser()
     scene = prepare_reference(paint, view, size, progress=part(progress, 0.0, 0.05))
     state = path.with_name(path.name + ".part.exr")
     begun = None if fresh or not state.exists() else read_estimate(state, scene.key)
@@ -99,7 +107,7 @@ def render_reference(
         if newest:  # cancelled, or out of memory: what is there is not lost
             write_estimate(state, newest[0], scene.whole(newest[0]), scene.key)
         raise
-    _write(path, scene, estimate)
+    write_reference(path, scene, estimate, settings, denoise=denoise)
     state.unlink(missing_ok=True)
     report(progress, 1.0, "written")
     return ReferencePicture(
@@ -125,18 +133,10 @@ def refined(scene: ReferenceScene, estimate: Estimate | None = None) -> Iterator
     return refine(scene.traced, estimate)
 
 
-def _write(path: Path, scene: ReferenceScene, estimate: Estimate) -> None:
-    from brdf_suite.files.images import write_png
-    from brdf_suite.reference.estimate_file import write_estimate
+def _check_denoiser() -> None:
+    """Before the work, not after it."""
+    from brdf_suite.reference.denoise import check_denoiser
+    from brdf_suite.reference.variant import start
 
-    told = {
-        "Software": "BRDF Suite",
-        "Title": scene.name,
-        "Description": f"{scene.name} on {scene.surface} in {scene.environment}, path-traced with {estimate.samples} "
-        f"samples a pixel, {scene.exposed_view(estimate).exposure_ev:+g} EV, "
-        f"tone curve {scene.view.tone_curve}",
-    }
-    if path.suffix.lower() == ".exr":
-        write_estimate(path, estimate, scene.whole(estimate), scene.key, {"comments": told["Description"]})
-    else:
-        write_png(path, scene.codes(estimate), told)
+    start(scalar=True)
+    check_denoiser()

@@ -14,10 +14,9 @@ from brdf_suite.cli.main import main
     [
         ("realtime", ["--spp", "4"]),
         ("realtime", ["--fresh"]),
-        ("reference", ["--bits", "16"]),
-        ("reference", ["--colour-space", "display-p3"]),
-        ("reference", ["--transparent"]),
-        ("reference", ["--follow"]),
+        ("reference", ["--samples", "8"]),
+        ("reference", ["--quality", "fast"]),
+        ("raytraced", ["--transparent"]),
     ],
 )
 def test_an_option_of_the_other_renderer_is_refused(
