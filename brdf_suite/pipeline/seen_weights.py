@@ -7,7 +7,8 @@ along the normal and a third at grazing (docs/shading.md has the figures); and m
 
 So here the target at a view is T(ω) = f_r·(N·ω) over the whole half sphere, the columns are the look-ups themselves, as
 the renderer's table has them, and the measure is the error in typical light (``lighting/mirror_harmonics.py``). In the
-end all weights of an angle are scaled such that constant light comes back as it should. Of the lobes at most six broad and four sharp ones are kept, what the renderer has written-out programs for.
+end all weights of an angle are scaled such that constant light comes back as it should. Of the lobes at most six broad
+and four sharp ones are kept, what the renderer has written-out programs for.
 """
 
 from __future__ import annotations
