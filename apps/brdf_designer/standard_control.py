@@ -21,12 +21,14 @@ from brdf_designer.standard_words import say
 from brdf_designer.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.scene import paint_names
 from brdf_suite.pipeline.standard import BatchReport, Standard, judge_batch, paint_like, standard_of
 from brdf_suite.progress import Progress
 
 KEY = "standard"
 _BATCHES = "standard batches"
 MOST_BATCHES = 200
+_TAB, _SHIPPED = "tab ", "shipped "
 
 
 @dataclass(frozen=True)
@@ -69,6 +71,8 @@ class StandardControl(QObject):
         section = self.section
         section.take_asked.connect(self.take_present)
         section.load_asked.connect(self.ask_standard)
+        section.known_wanted.connect(self._show_known)
+        section.known_asked.connect(self.load_known)
         section.swap_asked.connect(self.swap)
         section.remove_asked.connect(self.remove)
         section.chosen.connect(self.choose)
@@ -107,6 +111,21 @@ class StandardControl(QObject):
     def load(self, name_or_path: str | Path) -> None:
         """Load the standards in a file, or a shipped paint, beside the desk."""
         self._read(KEY, name_or_path, lambda found: self.set_standards(found))
+
+    def load_known(self, key: str) -> None:
+        """Take an open tab's paint as it is now, or a shipped one, by its key in the menu of Load."""
+        if key.startswith(_SHIPPED):
+            self.load(key.removeprefix(_SHIPPED))
+            return
+        found = [one for one in self._desk.documents.row if f"{_TAB}{one.key}" == key]
+        if found:
+            self.set_standards([standard_of(found[0].store.value, found[0].title)])
+
+    def _show_known(self) -> None:
+        documents = self._desk.documents
+        tabs = [(f"{_TAB}{one.key}", one.title) for one in documents.row if one is not documents.front]
+        shipped = [(f"{_SHIPPED}{name}", name.replace("_", " ").capitalize()) for name in paint_names()]
+        self.section.show_known(tabs, shipped)
 
     def set_standards(self, standards: Sequence[Standard], chosen: int = 0) -> None:
         """Give the document in front these standards to choose from."""

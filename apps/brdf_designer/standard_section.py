@@ -8,12 +8,13 @@ from brdf_qt.form import Form
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
 from brdf_qt.translation import mark, tr
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QHBoxLayout,
     QLabel,
+    QMenu,
     QPushButton,
     QSizePolicy,
     QVBoxLayout,
@@ -42,13 +43,16 @@ _EMPTY = mark(
 class StandardSection(QWidget):
     """The body of the section.
 
-    Intents: ``take_asked``, ``load_asked``, ``swap_asked``, ``remove_asked``, ``chosen(index)`` among the standards
+    Intents: ``take_asked``, ``load_asked``, ``known_wanted`` and ``known_asked(key)`` for the
+    entries of :meth:`show_known`, ``swap_asked``, ``remove_asked``, ``chosen(index)`` among the standards
     of a file, ``formula_chosen(name)``, ``limit_edited(angle | None, part, value | None)``, ``ellipsoid_chosen(on)``,
     ``add_batches_asked``, ``clear_batches_asked``, ``batch_opened(index)``, ``refused(text)``.
     """
 
     take_asked = Signal()
     load_asked = Signal()
+    known_asked = Signal(str)
+    known_wanted = Signal()
     swap_asked = Signal()
     remove_asked = Signal()
     chosen = Signal(int)
@@ -67,8 +71,13 @@ class StandardSection(QWidget):
         box.setSpacing(8)
         self.take = _button(tr("This State"), tr("Take the present state as the standard"), self.take_asked)
         self.load = _button(
-            tr("Load…"), tr("Load a standard: a paint, a palette, CxF3 or a measured BRDF"), self.load_asked
+            tr("Load"),
+            tr("An open tab, a shipped paint, or a file: paint, palette, CxF3, measured BRDF"),
+            None,
         )
+        self.load_menu = QMenu(self.load)
+        self.load_menu.aboutToShow.connect(self.known_wanted)
+        self.load.setMenu(self.load_menu)
         self.swap = _button(
             tr("Swap"), tr("Edit the standard, and judge it against what is edited now"), self.swap_asked
         )
@@ -103,6 +112,19 @@ class StandardSection(QWidget):
         _set_text(self.notices, "\n".join(state.notices))
         self.notices.setVisible(bool(state.notices))
         self.results.show_rows(state.title, state.rows)
+
+    def show_known(self, tabs: Sequence[tuple[str, str]], shipped: Sequence[tuple[str, str]]) -> None:
+        """Fill the menu of the Load button: a file, (key, title) of the open tabs and of the shipped paints."""
+        menu = self.load_menu
+        menu.clear()
+        menu.addAction(tr("From a &File…"), self.load_asked.emit)
+        if tabs:
+            menu.addSection(tr("Open tabs"))
+        for key, title in tabs:
+            menu.addAction(title.replace("&", "&&"), lambda key=key: self.known_asked.emit(key))
+        inside = menu.addMenu(tr("&Shipped Paint"))
+        for key, title in shipped:
+            inside.addAction(title, lambda key=key: self.known_asked.emit(key))
 
     def show_choices(self, names: Sequence[str], chosen: int) -> None:
         """Show the standards of the file that was loaded; a chooser only where there are several."""
@@ -214,13 +236,14 @@ class StandardSection(QWidget):
         return section
 
 
-def _button(text: str, tip: str, signal: object) -> QPushButton:
+def _button(text: str, tip: str, signal: SignalInstance | None) -> QPushButton:
     button = QPushButton(text)
     button.setToolTip(tip)
     button.setAccessibleDescription(tip)
     button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
     button.setMinimumWidth(48)
-    button.clicked.connect(lambda _=False: signal.emit())
+    if signal is not None:
+        button.clicked.connect(lambda _=False: signal.emit())
     return button
 
 

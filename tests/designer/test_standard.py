@@ -39,6 +39,14 @@ def darker_at_flop(designer, by: float) -> None:
     designer.desk.edit(paint.with_lab(110.0, (lightness - by, a, b)), "Darken")
 
 
+def entry(control, text: str) -> QAction:
+    """An entry of the menu of Load, which is filled as it opens."""
+    menu = control.section.load.menu()
+    menu.aboutToShow.emit()
+    inside = next(action.menu() for action in menu.actions() if action.menu())
+    return next(action for action in (*menu.actions(), *inside.actions()) if action.text() == text)
+
+
 def column(table, number: int) -> list[str]:
     return [table.item(row, number).text() for row in range(table.rowCount())]
 
@@ -134,13 +142,23 @@ def test_each_tab_keeps_its_own_standard(designer, control) -> None:
     assert designer.window.patches._cells[0][0].standard() is not None
 
 
+def test_an_open_tab_and_a_shipped_paint_are_standards(designer, control, qtbot) -> None:
+    darker_at_flop(designer, 3.0)
+    designer.desk.open_paint(load_shipped_paint("blue"), clean=True)
+    entry(control, designer.documents.row[0].title).trigger()
+    assert control.standard.paint is designer.documents.row[0].store.value
+    assert control.section.sentence.text() == "lighter at 110°; slightly less flop"
+    entry(control, "Red").trigger()
+    qtbot.waitUntil(lambda: control.standard.name == "Red")
+
+
 def test_a_palette_is_loaded_and_one_of_its_paints_chosen(
     designer, control, dialogs, qtbot, tmp_path
 ) -> None:
     path = tmp_path / "season.brdfpalette"
     save_palette(Palette("Season", tuple(Swatch(load_shipped_paint(n)) for n in ("red", "blue"))), path)
     dialogs.path = path
-    click(control.section.load)
+    entry(control, "From a &File…").trigger()
     qtbot.waitUntil(lambda: control.standard is not None)
     choices = control.section.choices
     assert choices.count() == 2
