@@ -10,6 +10,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
+from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target
 from brdf_suite.pipeline.reference_file import check_settings, write_reference
 from brdf_suite.pipeline.reference_scene import ReferenceScene, Size, prepare_reference
@@ -75,7 +76,10 @@ def render_reference(
     check_target(path)
     if denoise:
         _check_denoiser()
-    scene = prepare_reference(paint, view, size, progress=part(progress, 0.0, 0.05))
+    try:
+        scene = prepare_reference(paint, view, size, progress=part(progress, 0.0, 0.05))
+    except MemoryError as error:
+        raise _too_large(size) from error
     state = path.with_name(path.name + ".part.exr")
     begun = None if fresh or not state.exists() else read_estimate(state, scene.key)
     if samples is None and seconds is None:
@@ -103,9 +107,11 @@ def render_reference(
             progress=part(progress, 0.05, 0.98),
             kept=kept,
         )
-    except BaseException:
+    except BaseException as error:
         if newest:  # cancelled, or out of memory: what is there is not lost
             write_estimate(state, newest[0], scene.whole(newest[0]), scene.key)
+        if isinstance(error, MemoryError):
+            raise _too_large(size) from error
         raise
     write_reference(path, scene, estimate, settings, denoise=denoise)
     state.unlink(missing_ok=True)
@@ -131,6 +137,12 @@ def refined(scene: ReferenceScene, estimate: Estimate | None = None) -> Iterator
     from brdf_suite.reference.passes import refine
 
     return refine(scene.traced, estimate)
+
+
+def _too_large(size: Size) -> ReferenceUnavailableError:
+    return ReferenceUnavailableError(
+        f"There is not enough memory to trace {size[0]} × {size[1]} pixels; make the picture smaller."
+    )
 
 
 def _check_denoiser() -> None:

@@ -21,6 +21,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.exposure import ev_of, exposed
+from brdf_suite.pipeline.reference_energy import energy_notices
 from brdf_suite.pipeline.reference_optics import (
     Dress,
     load_dress,
@@ -192,6 +193,7 @@ def build_reference(
     mesh = _with_chosen_materials(mesh, view)
     worn = TracedPaint(name, reflectance) if paint is None else replace(paint, reflectance=reflectance)
     dress = load_dress(view) if dress is None else dress
+    energy = _energy(worn, dress)
     if variant.is_scalar:
         optics = scalar_optics(worn, dress, view, variant.instead)
     else:
@@ -217,7 +219,14 @@ def build_reference(
         environment=environment.name,
         surface=mesh.name,
         renderer=variant.title,
-        notices=(*notices, *optics.notices, *environment.notes, *mesh.notes, *_left_out(view)),
+        notices=(
+            *notices,
+            *energy,
+            *optics.notices,
+            *environment.notes,
+            *mesh.notes,
+            *_left_out(view, worn, dress),
+        ),
         eye=eye,
         light=radiance,
     )
@@ -238,9 +247,27 @@ def _stock_terms(mesh: Mesh, view: View, variant: Variant) -> dict[str, Any]:
     return {name: make(weights, view) for name, weights in stock.items() if name in used}
 
 
-def _left_out(view: View) -> tuple[str, ...]:
-    """Sentences about what the view asks for and the path tracer does not draw."""
+def _energy(paint: TracedPaint, dress: Dress) -> tuple[str, ...]:
+    """Sentences about paints that send back more light than they get; fitted weights are what they are."""
+    told: tuple[str, ...] = ()
+    for worn in (paint, dress.second):
+        if worn is not None and not isinstance(worn.reflectance, MaterialWeights):
+            told += energy_notices(worn.reflectance, worn.name)
+    return told
+
+
+def _left_out(view: View, paint: TracedPaint, dress: Dress) -> tuple[str, ...]:
+    """Sentences about what the view asks for and the path tracer draws otherwise, or not."""
     told = []
+    worn = [item for item in (paint, dress.second) if item is not None]
+    if view.sparkle.mode == "texture" and any(item.flakes is not None for item in worn):
+        told.append("The reference shows single flakes as converging glints, not as the flake texture.")
+    if view.fresnel == "off" and any(not isinstance(item.reflectance, MaterialWeights) for item in worn):
+        told.append(
+            "The reference shows the paint with its own reflection towards grazing: Fresnel is part of it."
+        )
+    if not view.surface_look.occlusion:
+        told.append("The reference always shows the shadows of the surface on itself.")
     if view.background == "blurred":
         told.append("The reference shows the environment behind the object as it is, not blurred.")
     if view.surface_look.ground:

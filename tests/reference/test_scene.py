@@ -7,6 +7,7 @@ import pytest
 
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, LightColour, PartMaterial, SurfaceLook
+from brdf_suite.errors import UnreachableError
 from brdf_suite.files.images import write_exr
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.lighting.environment import Environment
@@ -235,6 +236,41 @@ def test_what_is_not_drawn_is_told(sphere) -> None:
     told = " ".join(scene(Lambertian(0.5), even(), sphere, **view).notices)
     for word in ("blurred", "ground"):
         assert word in told
+
+
+class Glowing:
+    """Sends back three times the light that it gets."""
+
+    def __init__(self, value: float) -> None:
+        self.value = value
+
+    def eval(self, wi, wo):
+        wi, wo = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
+        above = (wi[..., 2:] > 0.0) & (wo[..., 2:] > 0.0)
+        return np.where(above, self.value / np.pi, 0.0) * np.array([0.1, 1.0, 0.2])
+
+
+def test_a_paint_that_reflects_more_than_it_gets_is_told_and_traced(sphere) -> None:
+    made = scene(Glowing(3.0), even(), sphere)
+    (told,) = (notice for notice in made.notices if "sends back" in notice)
+    assert "300 % of the green light" in told
+    found = traced(made, 8)
+    assert found.radiance[found.coverage == 1.0][:, 1].mean() == pytest.approx(3.0, rel=0.02)
+    assert not any("sends back" in notice for notice in scene(Lambertian(0.9), even(), sphere).notices)
+
+
+def test_a_paint_without_numbers_is_refused(sphere) -> None:
+    for value in (np.nan, -1.0):
+        with pytest.raises(UnreachableError, match="brdf-suite check"):
+            scene(Glowing(value), even(), sphere)
+
+
+def test_what_is_drawn_otherwise_is_told(sphere) -> None:
+    view = View(surface="sphere", fresnel="off", surface_look=SurfaceLook(occlusion=False))
+    told = " ".join(build_reference("t", Lambertian(0.5), view, SIZE, even(), sphere).notices)
+    assert "Fresnel" in told
+    assert "always shows the shadows" in told
+    assert not scene(Lambertian(0.5), even(), sphere).notices
 
 
 def test_a_paint_with_spectra_is_traced_in_the_lamp(shared_data) -> None:
