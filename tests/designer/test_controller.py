@@ -13,8 +13,6 @@ from brdf_designer.status import DeskStatus
 from brdf_designer.tabs import Documents
 from brdf_qt.link_messages import BadMessageError, encode
 from brdf_qt.status_line import StatusLine
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 from brdf_suite.documents.store import paint_from_json
 from brdf_suite.fitting.lobes.solver import Outcome
@@ -180,37 +178,4 @@ def test_the_optimum_of_a_paint_that_is_no_longer_shown_stays_away(qapp, dialogs
     assert desk.view.show_fit.call_count == 1
     desk.view.mark_fit_stale.assert_called_once()
     hurried.close()
-    desk.close()
-
-
-NUMBERS = st.floats(0, 120, allow_nan=False).map(lambda x: round(x, 2))
-EDITS = st.one_of(
-    st.tuples(st.tuples(st.just("lab"), st.integers(0, 2), st.integers(0, 2)), NUMBERS),
-    st.tuples(st.just(("gloss", "gu_20")), NUMBERS),
-    st.tuples(st.just(("gloss", "gu_60")), st.none() | NUMBERS),
-    st.tuples(st.just(("flakes", "density_per_mm2")), NUMBERS),
-    st.tuples(st.just(("flakes",)), st.none()),
-    st.tuples(st.just(("interpolation",)), st.sampled_from(["flake", "monotone", "polynomial"])),
-    st.tuples(st.just(("name",)), st.text("ab ", max_size=3)),
-    st.tuples(st.just(("solid",)), st.integers(0, 2)),
-)
-
-
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(edits=st.lists(st.tuples(EDITS, st.booleans()), max_size=12))
-def test_any_edits_and_as_many_undos_give_the_identical_paint(qapp, fitter, dialogs, edits):
-    desk = Parts(fitter, dialogs)
-    before = desk.store.value
-    for (key, value), in_gesture in edits:
-        if in_gesture:
-            desk.controller.begin_gesture(key)
-        desk.controller.edit(key, value)
-    after, steps = desk.store.value, desk.store.stack.count()
-    for _ in range(steps):
-        desk.controller.undo()
-    assert desk.store.value == before
-    assert desk.store.is_clean
-    for _ in range(steps):
-        desk.controller.redo()
-    assert desk.store.value == after
     desk.close()
