@@ -3,10 +3,28 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 
 from brdf_suite.cli.output import print_json, progress_bar, size
 from brdf_suite.cli.reference_options import samples
+from brdf_suite.progress import part
+
+FORM_NAMES = (
+    "default",
+    "paper look-up",
+    "Fresnel off",
+    "weights over the angle",
+    "5 lobes",
+    "7 lobes",
+    "11 lobes",
+    "maps of half the edge",
+    "maps of a quarter",
+    "monotone rule",
+    "polynomial rule",
+    "near-specular × 0.7",
+)
+"""Of ``pipeline.agreement_forms.FORMS``, which the start of the command must not import; a test holds them together."""
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -32,7 +50,20 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="default: all shipped environments",
     )
     command.add_argument(
-        "--mesh", default="sphere", metavar="FILE|NAME", help="the surface (default: sphere)"
+        "--mesh",
+        nargs="+",
+        default=["sphere"],
+        metavar="FILE|NAME",
+        help="the surfaces, each told apart (default: sphere); all but the first in the shipped environments alone, "
+        "where one is among those given",
+    )
+    command.add_argument(
+        "--forms",
+        nargs="+",
+        choices=FORM_NAMES,
+        metavar="FORM",
+        default=None,
+        help=f"ways to draw, of {', '.join(FORM_NAMES)} (default: all; of further surfaces {FORM_NAMES[0]} alone)",
     )
     command.add_argument(
         "--size", type=size, default=(128, 128), metavar="WxH", help="pixels (default: 128x128)"
@@ -66,46 +97,61 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Compare; print a table or a JSON object, and write the page."""
-    from brdf_suite.pipeline.agreement import Order, compare, summary
-    from brdf_suite.pipeline.agreement_page import check_page, write_page
+    from brdf_suite.pipeline.agreement import DEFAULT_FORM, FORMS, Case, Order, compare, summary
+    from brdf_suite.pipeline.agreement_page import check_page, groups, write_page
     from brdf_suite.pipeline.scene import environment_names, paint_names
 
     if options.output is not None:
         check_page(options.output)
-    order = Order(
+    given = options.environments or environment_names()
+    first = Order(
         paints=options.paints or paint_names(),
-        environments=options.environments or environment_names(),
+        environments=given,
         size=options.size,
         samples=options.spp,
+        forms=options.forms or tuple(FORMS),
         lobes=options.lobes,
-        surface=options.mesh,
+        surface=options.mesh[0],
         keep=options.keep,
     )
+    shipped = [name for name in given if name in environment_names()]
+    further = replace(
+        first, environments=shipped or given, forms=options.forms or (DEFAULT_FORM,), lobes=False
+    )
+    orders = [first, *(replace(further, surface=mesh) for mesh in options.mesh[1:])]
+    cases: list[Case] = []
     with progress_bar("comparing", quiet=options.json) as progress:
-        cases = list(compare(order, progress))
+        for number, order in enumerate(orders):
+            step = part(progress, number / len(orders), (number + 1) / len(orders))
+            cases += compare(order, step)
     if options.output is not None:
-        write_page(options.output, cases, order)
+        write_page(options.output, cases, first)
     if options.json:
         print_json(
             {
-                "summary": {form: summary(cases, form) for form in cases[0].errors},
+                "summary": {
+                    title: {form: summary(group, form) for form in group[0].errors}
+                    for title, group in groups(cases)
+                },
                 "cases": [case.to_json() for case in cases],
             }
         )
         return 0
     print(f"{'paint':24} {'environment':18} {'ΔE00':>6} {'99 %':>6} {'FLIP':>6} {'noise':>6}")
     for case in cases:
-        e = case.errors[order.forms[0]]
+        e = case.errors[first.forms[0]]
         print(
             f"{case.paint[:24]:24} {case.environment[:18]:18} {e.mean:6.2f} {e.p99:6.2f} {e.flip:6.3f} "
             f"{case.noise.mean:6.2f}"
         )
-    for form in cases[0].errors:
-        s = summary(cases, form)
-        print(
-            f"{form}: mean ΔE00 {s['de00_mean']:.2f}, worst paint {s['de00_worst']:.2f}, "
-            f"99th percentile {s['de00_p99']:.2f}, FLIP {s['flip']:.3f}"
-        )
+    for title, group in groups(cases):
+        print(title)
+        for form in group[0].errors:
+            s = summary(group, form)
+            print(
+                f"  {form}: mean ΔE00 {s['de00_mean']:.2f}, worst paint {s['de00_worst']:.2f}, "
+                f"99th percentile {s['de00_p99']:.2f}, FLIP {s['flip']:.3f}"
+            )
     if options.output is not None:
         print(f"{options.output}: written")
     return 0

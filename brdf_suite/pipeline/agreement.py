@@ -7,7 +7,8 @@ object is 0.18, ΔE00 and FLIP (67 pixels per degree) after the same tone curve.
 - the fit: the fitted lobes, path-traced, against the paint itself;
 - the look-up: the real-time picture against the fitted lobes, path-traced.
 
-What the path tracer's own noise would give between two of its pictures stands beside them.
+What the path tracer's own noise would give between two of its pictures stands beside them. A surface that shadows
+itself is a case of its own: what baked occlusion misses of shadows and reflections is then part of the error.
 """
 
 from __future__ import annotations
@@ -15,23 +16,22 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import display_to_lab, srgb_encode
-from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.colorimetry import srgb_encode
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
-from brdf_suite.errors import ReferenceUnavailableError
-from brdf_suite.pipeline.any_fit import AnyFit, fit_any
+from brdf_suite.pipeline.agreement_errors import Errors, Pixels, delta_e_of, errors_of, flip_of
+from brdf_suite.pipeline.agreement_forms import DEFAULT_FORM, FORMS, basis_of, coarser, fit_for
+from brdf_suite.pipeline.any_fit import AnyFit
 from brdf_suite.pipeline.exposure import ev_of
 from brdf_suite.pipeline.picture import OffscreenScene, material_weights
 from brdf_suite.pipeline.reference_scene import ReferenceScene, build_reference
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
-from brdf_suite.pipeline.surface import load_shaped
+from brdf_suite.pipeline.surface import baked_where_wanted, load_shaped
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.realtime.tone_curves import display_light
 from brdf_suite.surface.mesh import Mesh
@@ -39,44 +39,37 @@ from brdf_suite.surface.mesh import Mesh
 if TYPE_CHECKING:
     from brdf_suite.reference.passes import Estimate
 
-Pixels = NDArray[np.float64]
-
-DEFAULT_FORM = "default"
-FORMS: Mapping[str, Mapping[str, Any]] = MappingProxyType(
-    {
-        DEFAULT_FORM: MappingProxyType({}),
-        "paper look-up": MappingProxyType({"look_up": "paper"}),
-        "Fresnel off": MappingProxyType({"fresnel": "off"}),
-        "weights over the angle": MappingProxyType({"fresnel": "multi_angle"}),
-    }
-)
-"""Ways in which the real-time picture is drawn, by name, as changes of the view."""
+__all__ = [
+    "DEFAULT_FORM",
+    "FORMS",
+    "LOBES",
+    "Case",
+    "Errors",
+    "Order",
+    "Pixels",
+    "compare",
+    "errors_of",
+    "flip_of",
+    "summary",
+]
 
 LOBES = "the fitted lobes, traced"
-PIXELS_PER_DEGREE = 67.0
 _WHOLE = 0.999
-
-
-@dataclass(frozen=True)
-class Errors:
-    """ΔE00 over the object's pixels: mean and 99th percentile; and the mean FLIP of them."""
-
-    mean: float
-    p99: float
-    flip: float
 
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """One paint in one environment.
+    """One paint in one environment on one surface.
 
     ``errors``: of each form against the paint itself; ``look_up``: of each form against the fitted lobes, where they
     were traced. ``noise`` is what the path tracer's noise gives. ``pictures``: encoded sRGB (h, w, 3), by form, and
-    ``reference``; ``differences``: ΔE00 (h, w) of the default form.
+    ``reference``; ``differences``: ΔE00 (h, w) of the default form. ``designed``: by readings, not measured whole.
     """
 
     paint: str
     environment: str
+    surface: str
+    designed: bool
     errors: Mapping[str, Errors]
     look_up: Mapping[str, Errors]
     noise: Errors
@@ -93,6 +86,7 @@ class Case:
         return {
             "paint": self.paint,
             "environment": self.environment,
+            "surface": self.surface,
             "exposure_ev": self.exposure_ev,
             "errors": {form: plain(errors) for form, errors in self.errors.items()},
             "look_up": {form: plain(errors) for form, errors in self.look_up.items()},
@@ -114,6 +108,19 @@ class Order:
     keep: Path | None = None
 
 
+@dataclass(frozen=True, eq=False)
+class _Truth:
+    """A paint, path-traced: the light of the whole picture (h, w, 3) and what is known of it."""
+
+    fit: AnyFit
+    scene: ReferenceScene
+    whole: Pixels
+    spread: Pixels
+    inside: NDArray[np.bool_]
+    view: View
+    name: str
+
+
 def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
     """Yield the cases of an order, one environment after the other.
 
@@ -131,110 +138,146 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
         order.keep.mkdir(parents=True, exist_ok=True)
     view = _plain(order)
     mesh = load_shaped(order.surface, view.surface_look)
-    fits = {paint: fit_any(paint, errors=False) for paint in order.paints}
-    done, whole = 0, max(1, len(order.paints) * len(order.environments))
+    fits = {
+        form: {paint: fit_for(FORMS[form], paint) for paint in order.paints}
+        for form in dict.fromkeys((DEFAULT_FORM, *order.forms))
+    }
+    count = max(1, len(order.environments))
     with OffscreenScene((1, 1)) as scene:
-        scene.set_surface(mesh)
-        for environment in order.environments:
-            prepared = load_environment(environment)
-            scene.set_environment(prepared)
-            for paint in order.paints:
-                step = part(progress, done / whole, (done + 1) / whole)
-                yield _compare(order, scene, paint, fits[paint], prepared, mesh, step)
-                done += 1
+        scene.set_surface(
+            mesh, baked_where_wanted(mesh, view.surface_look) if order.surface != "sphere" else None
+        )
+        for number, environment in enumerate(order.environments):
+            step = part(progress, number / count, (number + 1) / count)
+            yield from _compare(order, scene, environment, fits, mesh, step)
     report(progress, 1.0, "done")
 
 
 def _compare(
     order: Order,
     scene: OffscreenScene,
-    paint: str,
+    environment: str,
+    fits: Mapping[str, Mapping[str, AnyFit | None]],
+    mesh: Mesh,
+    progress: Progress | None,
+) -> Iterator[Case]:
+    prepared = load_environment(environment)
+    truths: dict[str, _Truth] = {}
+    share = 0.5 if order.lobes else 0.9
+    for number, paint in enumerate(order.paints):
+        fit = fits[DEFAULT_FORM][paint]
+        assert fit is not None  # what is not drawn otherwise is drawn as it is
+        step = part(progress, share * number / len(order.paints), share * (number + 1) / len(order.paints))
+        truths[paint] = _truth(order, fit, paint, prepared, mesh, step)
+    drawn = _drawn(order, scene, environment, prepared, fits, truths)
+    for number, (paint, truth) in enumerate(truths.items()):
+        step = part(progress, share + (1.0 - share) * number / len(order.paints), 1.0)
+        yield _case(order, truth, prepared, mesh, drawn[paint], step)
+
+
+def _truth(
+    order: Order,
     fit: AnyFit,
+    paint: str,
     prepared: PreparedEnvironment,
     mesh: Mesh,
     progress: Progress | None,
-) -> Case:
-    view = _plain(order)
-    truth = build_reference(fit.name, fit.reflectance, view, order.size, prepared.environment, mesh)
-    kept_as = f"{Path(paint).stem}__{Path(prepared.name).stem}"
-    traced = _traced(order, truth, kept_as, progress)
-    seen = np.concatenate((traced.radiance, traced.coverage[..., None]), axis=-1)
-    ev = ev_of(seen) or 0.0
-    view = replace(truth.view, exposure_ev=ev)
-    inside = traced.coverage >= _WHOLE
-    whole = truth.whole(traced)
+) -> _Truth:
+    traced = build_reference(fit.name, fit.reflectance, _plain(order), order.size, prepared.environment, mesh)
+    name = f"{Path(paint).stem}__{Path(prepared.name).stem}"
+    if order.surface != "sphere":
+        name += f"__{Path(order.surface).stem}"
+    found = _traced(order, traced, name, progress)
+    seen = np.concatenate((found.radiance, found.coverage[..., None]), axis=-1)
+    return _Truth(
+        fit,
+        traced,
+        traced.whole(found),
+        np.sqrt(np.where(np.isfinite(found.variance), found.variance, 0.0)),
+        found.coverage >= _WHOLE,
+        replace(traced.view, exposure_ev=ev_of(seen) or 0.0),
+        name,
+    )
 
-    scene.set_paint_fit(fit)
-    pictures = {"reference": _shown(whole, view)}
-    light: dict[str, Pixels] = {}
-    for form in order.forms:
-        drawn = scene.renderer.linear_image(replace(view, **FORMS[form]), order.size)
-        light[form] = np.asarray(drawn[..., :3], np.float64)
-        pictures[form] = _shown(light[form], view)
-    errors = {form: errors_of(pictures[form], pictures["reference"], inside) for form in order.forms}
+
+def _drawn(
+    order: Order,
+    scene: OffscreenScene,
+    environment: str,
+    prepared: PreparedEnvironment,
+    fits: Mapping[str, Mapping[str, AnyFit | None]],
+    truths: Mapping[str, _Truth],
+) -> dict[str, dict[str, Pixels]]:
+    """Return the real-time pictures (h, w, 3), encoded sRGB, by paint and form."""
+    drawn: dict[str, dict[str, Pixels]] = {paint: {} for paint in truths}
+    for light in dict.fromkeys(FORMS[form].light for form in order.forms):
+        forms = [form for form in order.forms if FORMS[form].light == light]
+        basis = basis_of(FORMS[forms[0]])
+        maps = prepared if basis is None else load_environment(environment, basis=basis)
+        scene.set_environment(coarser(maps, light[1]))
+        for form in forms:
+            for paint, truth in truths.items():
+                fit = fits[form][paint]
+                if fit is None:
+                    continue
+                scene.set_paint_fit(fit)
+                view = replace(truth.view, **FORMS[form].view)
+                linear = scene.renderer.linear_image(view, order.size)
+                drawn[paint][form] = _shown(np.asarray(linear[..., :3], np.float64), view)
+    return {paint: {form: of[form] for form in order.forms if form in of} for paint, of in drawn.items()}
+
+
+def _case(
+    order: Order,
+    truth: _Truth,
+    prepared: PreparedEnvironment,
+    mesh: Mesh,
+    drawn: Mapping[str, Pixels],
+    progress: Progress | None,
+) -> Case:
+    view, inside = truth.view, truth.inside
+    pictures = {"reference": _shown(truth.whole, view), **drawn}
+    errors = {form: errors_of(picture, pictures["reference"], inside) for form, picture in drawn.items()}
     look_up: dict[str, Errors] = {}
     if order.lobes:
-        weights = material_weights(fit.weights)
-        lobes = build_reference(fit.name, weights, truth.view, order.size, prepared.environment, mesh)
-        found = _traced(order, lobes, f"{kept_as}__lobes", progress)
+        weights = material_weights(truth.fit.weights)
+        lobes = build_reference(
+            truth.fit.name, weights, truth.scene.view, order.size, prepared.environment, mesh
+        )
+        found = _traced(order, lobes, f"{truth.name}__lobes", progress)
         pictures[LOBES] = _shown(lobes.whole(found), view)
         errors[LOBES] = errors_of(pictures[LOBES], pictures["reference"], inside)
-        look_up = {form: errors_of(pictures[form], pictures[LOBES], inside) for form in order.forms}
+        look_up = {form: errors_of(drawn[form], pictures[LOBES], inside) for form in drawn}
     # What noise of this size would do to a picture of the same light.
     rng = np.random.default_rng(1)
-    spread = np.sqrt(np.where(np.isfinite(traced.variance), traced.variance, 0.0))
-    noisy = whole + spread * rng.normal(size=whole.shape[:2])[..., None]
+    noisy = truth.whole + truth.spread * rng.normal(size=truth.whole.shape[:2])[..., None]
     noise = errors_of(_shown(np.maximum(noisy, 0.0), view), pictures["reference"], inside)
     first = order.forms[0]
     return Case(
-        paint=fit.name,
+        paint=truth.fit.name,
         environment=Path(prepared.name).stem,
+        surface=Path(order.surface).stem,
+        designed=truth.fit.kind == "designed",
         errors=errors,
         look_up=look_up,
         noise=noise,
-        exposure_ev=ev,
+        exposure_ev=view.exposure_ev,
         pictures=pictures,
-        differences=np.where(inside, _delta_e(pictures[first], pictures["reference"]), 0.0),
+        differences=np.where(inside, delta_e_of(pictures[first], pictures["reference"]), 0.0),
     )
-
-
-def errors_of(test: Pixels, reference: Pixels, inside: NDArray[np.bool_]) -> Errors:
-    """Return the errors of a picture against another, both encoded sRGB (h, w, 3), where ``inside`` (h, w)."""
-    away = _delta_e(test, reference)[inside]
-    if not len(away):
-        return Errors(0.0, 0.0, 0.0)
-    flip = flip_of(reference, test)[inside]
-    return Errors(float(away.mean()), float(np.quantile(away, 0.99)), float(flip.mean()))
-
-
-def flip_of(reference: Pixels, test: Pixels) -> Pixels:
-    """Return the FLIP error (h, w), 0 to 1, of encoded sRGB pictures (h, w, 3) seen at 67 pixels per degree.
-
-    Andersson et al., "FLIP: A Difference Evaluator for Alternating Images", 2020, by its authors' own program.
-    """
-    try:
-        from flip_evaluator import evaluate
-    except ImportError as error:
-        raise ReferenceUnavailableError(
-            "The comparison needs FLIP, which is not installed: pip install 'brdf-suite[reference]'."
-        ) from error
-    planes = [np.ascontiguousarray(np.clip(image, 0.0, 1.0), np.float32) for image in (reference, test)]
-    found, _, _ = evaluate(
-        *planes, "LDR", applyMagma=False, computeMeanError=False, parameters={"ppd": PIXELS_PER_DEGREE}
-    )
-    return np.asarray(found, np.float64).reshape(reference.shape[:2])
 
 
 def summary(cases: Sequence[Case], form: str = DEFAULT_FORM) -> dict[str, float]:
     """Return mean ΔE00, the worst paint's mean, the mean of the 99th percentiles, and mean FLIP of a form."""
     by_paint: dict[str, list[float]] = {}
-    for case in cases:
+    drawn = [case for case in cases if form in case.errors]
+    for case in drawn:
         by_paint.setdefault(case.paint, []).append(case.errors[form].mean)
     return {
-        "de00_mean": float(np.mean([case.errors[form].mean for case in cases])),
+        "de00_mean": float(np.mean([case.errors[form].mean for case in drawn])),
         "de00_worst": float(max(np.mean(values) for values in by_paint.values())),
-        "de00_p99": float(np.mean([case.errors[form].p99 for case in cases])),
-        "flip": float(np.mean([case.errors[form].flip for case in cases])),
+        "de00_p99": float(np.mean([case.errors[form].p99 for case in drawn])),
+        "flip": float(np.mean([case.errors[form].flip for case in drawn])),
     }
 
 
@@ -269,7 +312,3 @@ def _file_name(name: str) -> str:
 
 def _shown(radiance: Pixels, view: View) -> Pixels:
     return srgb_encode(display_light(radiance, view.exposure_ev, view.tone_curve))
-
-
-def _delta_e(first: Pixels, second: Pixels) -> Pixels:
-    return delta_e_2000(display_to_lab(first), display_to_lab(second))

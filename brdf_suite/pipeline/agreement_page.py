@@ -1,4 +1,4 @@
-"""The page of the agreement: figures by effect and by paint, and a sheet of pictures beside it."""
+"""The page of the agreement: figures by effect and by paint, and sheets of pictures beside it."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError
 from brdf_suite.pipeline.agreement import Case, Order, Pixels, summary
+from brdf_suite.pipeline.agreement_forms import DEFAULT_FORM, FORMS
 from brdf_suite.pipeline.scene import environment_names
 
-SHEET = "agreement.png"
 MOST_ROWS = 6
-"""Of the sheet: the worst case of an environment, and the best, until there are so many."""
+"""Of a sheet: the worst case of an environment, and the middle one, until there are so many."""
 SCALE_DELTA_E = 10.0
 _GAP = 4
 
@@ -30,15 +30,43 @@ def check_page(path: Path) -> None:
 
 
 def write_page(path: Path, cases: Sequence[Case], order: Order) -> None:
-    """Write the page and, in ``images/`` beside it, its sheet of pictures."""
+    """Write the page and, in ``images/`` beside it, a sheet of pictures for each of its parts."""
     from brdf_suite.documents.atomic import write_atomically
     from brdf_suite.files.images import write_png
 
     images = path.absolute().parent / "images"
     images.mkdir(exist_ok=True)
-    shown = chosen(cases)
-    write_png(images / SHEET, sheet(shown), {"Software": "BRDF Suite", "Title": "Agreement of the renderers"})
-    write_atomically(path, page(cases, shown, order).encode())
+    for title, group in groups(cases):
+        picture = sheet(chosen(group))
+        write_png(
+            images / sheet_name(title),
+            picture,
+            {"Software": "BRDF Suite", "Title": "Agreement of the renderers"},
+        )
+    write_atomically(path, page(cases, order).encode())
+
+
+def groups(cases: Sequence[Case]) -> list[tuple[str, list[Case]]]:
+    """Return the page's parts: each surface, designed paints and others apart, by their headings."""
+    found: dict[tuple[str, bool], list[Case]] = {}
+    for case in cases:
+        found.setdefault((case.surface, case.designed), []).append(case)
+
+    def title(surface: str, *, designed: bool) -> str:
+        paints = "Designed paints" if designed else "Cook-Torrance and measured paints"
+        return f"{paints} on the {surface.replace('_', ' ')}"
+
+    return [(title(surface, designed=designed), group) for (surface, designed), group in found.items()]
+
+
+def sheet_name(title: str) -> str:
+    """Return the file name of the sheet under a heading.
+
+    >>> sheet_name("Designed paints on the sphere")
+    'agreement_designed_sphere.png'
+    """
+    words = title.lower().split(" paints on the ")
+    return "agreement_" + "_".join(word.split()[0] for word in words) + ".png"
 
 
 def chosen(cases: Sequence[Case]) -> list[Case]:
@@ -52,7 +80,7 @@ def chosen(cases: Sequence[Case]) -> list[Case]:
         by_environment.setdefault(case.environment, []).append(case)
     found: list[Case] = []
     for group in by_environment.values():
-        ordered = sorted(group, key=lambda case: _first(case))
+        ordered = sorted(group, key=_first)
         found += [ordered[-1]] + ([ordered[len(ordered) // 2]] if len(ordered) > 1 else [])
     return found[:MOST_ROWS]
 
@@ -76,71 +104,109 @@ def sheet(cases: Sequence[Case]) -> Bytes:
     return np.asarray(np.rint(255.0 * np.clip(_beside(padded, axis=1), 0.0, 1.0)), np.uint8)
 
 
-def page(cases: Sequence[Case], shown: Sequence[Case], order: Order) -> str:
+def page(cases: Sequence[Case], order: Order) -> str:
     """Return the page as Markdown."""
-    environments = list(dict.fromkeys(case.environment for case in cases))
-    paints = list(dict.fromkeys(case.paint for case in cases))
     lines = [
         "# Agreement of the two renderers",
         "",
-        f"{len(paints)} paints in {len(environments)} environments ({', '.join(environments)}) on the "
-        f"{Path(order.surface).stem}, {order.size[0]}×{order.size[1]} pixels, path-traced with {order.samples} samples "
-        "a pixel. Object pixels only, coat and Fresnel on, exposure such that the object's median luminance is 0.18, "
+        f"Paints in environments, {order.size[0]}×{order.size[1]} pixels, path-traced with {order.samples} samples a "
+        "pixel. Object pixels only, coat and Fresnel on, exposure such that the object's median luminance is 0.18, "
         "ΔE00 and FLIP (67 pixels per degree) after the same tone curve. How it is measured, and what each error "
-        "means: [reference.md](reference.md).",
+        "means: [reference.md](reference.md). The path tracer's noise is part of every figure.",
         "",
-        "## By effect",
-        "",
-        "Each row is one way to draw the picture, against the paint itself, path-traced.",
-        "",
-        "| form | mean ΔE00 | worst paint's mean | 99th percentile | FLIP |",
-        "|---|---|---|---|---|",
     ]
-    for form in cases[0].errors:
-        s = summary(cases, form)
-        lines.append(
-            f"| {form} | {s['de00_mean']:.2f} | {s['de00_worst']:.2f} | {s['de00_p99']:.2f} | {s['flip']:.3f} |"
-        )
-    noise = float(np.mean([case.noise.mean for case in cases]))
-    lines += ["", f"Noise of the path tracer alone would give a mean ΔE00 of {noise:.2f}.", ""]
-    if cases[0].look_up:
+    for title, group in groups(cases):
+        lines += _part(title, group)
+    return "\n".join(lines)
+
+
+def _part(title: str, cases: Sequence[Case]) -> list[str]:
+    environments = list(dict.fromkeys(case.environment for case in cases))
+    paints = list(dict.fromkeys(case.paint for case in cases))
+    lines = [
+        f"## {title}",
+        "",
+        f"{len(paints)} paints in {len(environments)} environments ({', '.join(environments)}).",
+        "",
+    ]
+    if cases[0].surface != "sphere":
         lines += [
-            "Against the fitted lobes, traced, which is what the look-ups in prefiltered maps cost:",
+            "It shadows and mirrors itself: the real-time picture has baked occlusion for that, the path tracer all "
+            "paths.",
             "",
         ]
-        lines += ["| form | mean ΔE00 | 99th percentile | FLIP |", "|---|---|---|---|"]
-        for form in cases[0].look_up:
-            rows = [case.look_up[form] for case in cases]
-            mean, p99, flip = (
-                np.mean([getattr(row, name) for row in rows]) for name in ("mean", "p99", "flip")
-            )
-            lines.append(f"| {form} | {mean:.2f} | {p99:.2f} | {flip:.3f} |")
-        lines.append("")
-    lines += ["## Pictures", "", f"![Real time, path-traced, difference](images/{SHEET})", ""]
+    forms = list(dict.fromkeys(form for case in cases for form in case.errors))
+    lines += _by_effect(cases, forms)
+    noise = float(np.mean([case.noise.mean for case in cases]))
+    lines += ["", f"Noise of the path tracer alone would give a mean ΔE00 of {noise:.2f}.", ""]
+    lines += _against_lobes(cases)
+    shown = chosen(cases)
     names = "; ".join(f"{case.paint} in {case.environment} ({_first(case):.2f})" for case in shown)
     lines += [
+        f"![Real time, path-traced, difference](images/{sheet_name(title)})",
+        "",
         f"From the top, the left half first, with their mean ΔE00: {names}. Left to right: real time, path-traced, "
         f"ΔE00 with white at {SCALE_DELTA_E:g}.",
         "",
-        "## By paint and environment",
-        "",
-        "Mean ΔE00 / 99th percentile / FLIP of the default form.",
+        "Mean ΔE00 / 99th percentile / FLIP of the default form:",
         "",
         "| paint | " + " | ".join(environments) + " |",
         "|---|" + "---|" * len(environments),
     ]
-    found = {(case.paint, case.environment): case.errors[order.forms[0]] for case in cases}
+    found = {(case.paint, case.environment): next(iter(case.errors.values())) for case in cases}
     for paint in paints:
         cells = []
         for environment in environments:
             e = found.get((paint, environment))
             cells.append("" if e is None else f"{e.mean:.2f} / {e.p99:.1f} / {e.flip:.3f}")
         lines.append(f"| {paint} | " + " | ".join(cells) + " |")
-    return "\n".join([*lines, ""])
+    return [*lines, ""]
+
+
+def _by_effect(cases: Sequence[Case], forms: Sequence[str]) -> list[str]:
+    lines = [
+        "Each row is one way to draw the picture, against the paint itself, path-traced.",
+        "",
+        "| effect | form | mean ΔE00 | worst paint's mean | 99th percentile | FLIP |",
+        "|---|---|---|---|---|---|",
+    ]
+    for form in forms:
+        s = summary(cases, form)
+        effect = FORMS[form].effect if form in FORMS else "the fit alone"
+        lines.append(
+            f"| {effect} | {form} | {s['de00_mean']:.2f} | {s['de00_worst']:.2f} | {s['de00_p99']:.2f} | "
+            f"{s['flip']:.3f} |"
+        )
+    if any(form in FORMS and FORMS[form].paint for form in forms):
+        lines += [
+            "",
+            "Below 15° no instrument reads: these rows draw the paint by another rule than it was traced by. They "
+            "tell how much the rule decides, and are no errors.",
+        ]
+    return lines
+
+
+def _against_lobes(cases: Sequence[Case]) -> list[str]:
+    if not cases[0].look_up:
+        return []
+    lines = [
+        "Against the fitted lobes, traced, which is what the look-ups in prefiltered maps cost:",
+        "",
+        "| form | mean ΔE00 | 99th percentile | FLIP |",
+        "|---|---|---|---|",
+    ]
+    for form in cases[0].look_up:
+        if FORMS[form].effect not in ("–", "look-up", "Fresnel", "resolution"):
+            continue  # other lobes than those that were traced
+        rows = [case.look_up[form] for case in cases if form in case.look_up]
+        mean, p99, flip = (np.mean([getattr(row, name) for row in rows]) for name in ("mean", "p99", "flip"))
+        lines.append(f"| {form} | {mean:.2f} | {p99:.2f} | {flip:.3f} |")
+    return [*lines, ""]
 
 
 def _first(case: Case) -> float:
-    return next(iter(case.errors.values())).mean
+    form = DEFAULT_FORM if DEFAULT_FORM in case.errors else next(iter(case.errors))
+    return case.errors[form].mean
 
 
 def _beside(pictures: Sequence[Pixels], axis: int) -> Pixels:

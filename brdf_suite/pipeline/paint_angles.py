@@ -13,6 +13,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -50,6 +51,7 @@ class PaintAngles:
         self._fitters: dict[_Key, AngleFitter] = {}
         self._begun: set[_Key] = set()
         self._lock = threading.Lock()
+        self._seen: WeakKeyDictionary[PaintFit | AnyFit, SeenWeights] = WeakKeyDictionary()
 
     def of(self, fit: PaintFit | AnyFit) -> FitOverAngle | None:
         """Return what the renderer asks for the weights of ``fit``; None where nothing divides it into layers."""
@@ -69,8 +71,12 @@ class PaintAngles:
 
         if isinstance(fit.reflectance, PaintReflectance | ScatteredSamples):
             return None
-        exponents = tuple(fit.weights.exponents.tolist())
-        return SeenWeights(fit.reflectance, exponents, None if self._changed is None else self.tell)
+        # One fit is shown again and again: as another material, after another paint, in another light.
+        if fit not in self._seen:
+            exponents = tuple(fit.weights.exponents.tolist())
+            told = None if self._changed is None else self.tell
+            self._seen[fit] = SeenWeights(fit.reflectance, exponents, told)
+        return self._seen[fit]
 
     def close(self) -> None:
         """End the solvers; nobody is called any more."""

@@ -10,7 +10,7 @@ import pytest
 
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import FittingError
-from brdf_suite.pipeline.any_fit import fit_any, fit_reflectance
+from brdf_suite.pipeline.any_fit import fit_any
 from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.seen_weights import SeenWeights, seen_weights
@@ -126,12 +126,3 @@ def test_what_cannot_be_fitted_is_refused_and_told(caplog: pytest.LogCaptureFixt
     with caplog.at_level(logging.WARNING):
         assert SeenWeights(Sheen(sign=-1.0), exponents).weights() is None
     assert "one incidence" in caplog.text
-
-
-def test_a_measured_reflectance_has_them_too() -> None:
-    fit = fit_reflectance("sheen", Sheen())
-    angles = PaintAngles(time_limit_s=1.0)
-    given = angles.by_view(fit)
-    assert given is not None
-    assert given.weights() is not None
-    angles.close()

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import builtins
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from brdf_suite.cli.agreement import FORM_NAMES
 from brdf_suite.cli.main import main
 from brdf_suite.errors import FileError, ReferenceUnavailableError
 from brdf_suite.files.images import write_exr
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline import agreement
 from brdf_suite.pipeline.agreement import DEFAULT_FORM, LOBES, Order, compare, errors_of, flip_of, summary
-from brdf_suite.pipeline.agreement_page import check_page, write_page
+from brdf_suite.pipeline.agreement_page import check_page, groups, write_page
 
 SIZE = (32, 28)
 
@@ -62,18 +64,25 @@ def test_without_flip_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("variant")
 def test_a_comparison_is_kept_and_becomes_a_page(tmp_path: Path, light: Path, monkeypatch, capsys) -> None:
     pytest.importorskip("flip_evaluator", reason="the extra brdf-suite[reference] is not installed")
+    from brdf_suite.reference import passes
+
     keep = tmp_path / "kept"
-    order = Order(["copper"], [str(light)], SIZE, 64, (DEFAULT_FORM, "Fresnel off"), lobes=True, keep=keep)
+    forms = (DEFAULT_FORM, "Fresnel off", "5 lobes", "maps of a quarter", "near-specular × 0.7")
+    order = Order(["copper"], [str(light)], SIZE, 64, forms, lobes=True, keep=keep)
     (case,) = compare(order)
     assert (case.paint, case.environment) == ("Copper", "soft")
     assert case.errors[DEFAULT_FORM].mean < 2.0
     assert case.errors["Fresnel off"].mean > case.errors[DEFAULT_FORM].mean + 0.3
     assert case.errors[LOBES].mean < 3.0
-    assert set(case.look_up) == {DEFAULT_FORM, "Fresnel off"}
+    assert set(case.look_up) == set(forms)
+    plain = case.pictures[DEFAULT_FORM]
+    for form in forms[1:]:
+        assert np.abs(case.pictures[form] - plain).max() > 1e-4, form
     assert 0.0 < case.noise.mean < 2.0
     assert summary([case])["de00_worst"] == pytest.approx(case.errors[DEFAULT_FORM].mean)
     assert len(list(keep.glob("*.exr"))) == 2
     # What is kept is not traced again, and the figures are the same.
+    traced = passes.trace_pass
     monkeypatch.setattr("brdf_suite.reference.passes.trace_pass", None)
     (again,) = compare(order)
     assert again.errors[DEFAULT_FORM].mean == pytest.approx(case.errors[DEFAULT_FORM].mean, abs=1e-3)
@@ -81,20 +90,41 @@ def test_a_comparison_is_kept_and_becomes_a_page(tmp_path: Path, light: Path, mo
     text = (tmp_path / "page.md").read_text()
     assert f"{again.errors[DEFAULT_FORM].mean:.2f}" in text
     assert "| Copper |" in text
-    assert (tmp_path / "images" / "agreement.png").stat().st_size > 1000
+    assert "| number of lobes | 5 lobes |" in text
+    assert (tmp_path / "images" / "agreement_designed_sphere.png").stat().st_size > 1000
+    # Another surface is told apart, and so is a paint that is not designed.
+    titles = [title for title, _ in groups([again, replace(again, designed=False)])]
+    assert titles == ["Designed paints on the sphere", "Cook-Torrance and measured paints on the sphere"]
+    roof = tmp_path / "roof.obj"
+    roof.write_text("v -1 0 1\nv 1 0 1\nv 0 1 0\nv 0 0 -1\nf 1 2 3\nf 2 4 3\nf 4 1 3\n")
+    monkeypatch.setattr("brdf_suite.reference.passes.trace_pass", traced)
     words = [
         "agreement",
         "--paints",
         "copper",
+        "--mesh",
+        "sphere",
+        str(roof),
+        "--forms",
+        DEFAULT_FORM,
+        "Fresnel off",
         "--environments",
         str(light),
         "--size",
         f"{SIZE[0]}x{SIZE[1]}",
     ]
-    assert main([*words, "--spp", "64", "--keep", str(keep), "--lobes", "--json"]) == 0
+    assert main([*words, "--spp", "64", "--keep", str(keep), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["cases"][0]["paint"] == "Copper"
-    assert set(found["summary"]) == {*agreement.FORMS, LOBES}
+    assert set(found["summary"]) == {
+        "Designed paints on the sphere",
+        "Designed paints on the roof",
+    }
+    assert set(found["summary"]["Designed paints on the sphere"]) == {DEFAULT_FORM, "Fresnel off"}
+
+
+def test_the_command_knows_the_forms_that_there_are() -> None:
+    assert tuple(agreement.FORMS) == FORM_NAMES
 
 
 def test_a_page_that_cannot_be_is_refused_before_the_work(tmp_path: Path) -> None:
