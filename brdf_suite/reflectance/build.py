@@ -60,11 +60,14 @@ class _Readings:
 
 
 class DarkerThanCoatError(UnreachableError):
-    """A colour darker than its clearcoat alone; ``measurement`` (light, aspecular angle), degrees, and ``share`` ρ."""
+    """A colour darker than its clearcoat alone.
 
-    def __init__(self, message: str, measurement: tuple[float, float], share: float) -> None:
-        self.measurement, self.share = measurement, share
-        super().__init__(message)
+    ``measurement`` (light and aspecular angle, degrees) and ``share`` (the coat's ρ there) are for a search. Made of
+    the message alone, as every error of the suite, it can be told again under a name, or by another process.
+    """
+
+    measurement: tuple[float, float] = (math.nan, math.nan)
+    share: float = math.nan
 
 
 def gloss_of_coat(paint: Paint, ior: float, roughness: float) -> Gloss:
@@ -236,14 +239,15 @@ def _refuse_negative(readings: _Readings, coat: CoatLobe) -> None:
         return
     index, channel = np.unravel_index(int(np.argmin(left)), left.shape)
     where = float(readings.aspecular_deg[index])
-    raise DarkerThanCoatError(
+    error = DarkerThanCoatError(
         f"At {where:g}° the clearcoat of this gloss alone reflects "
         f"{share[index, 0]:.4f} (reflectance factor), more than the {readings.rho[index, channel]:.4f} that "
         f"the colour has in the {_CHANNELS[channel]} channel, so the base would be negative. Raise the gloss "
-        "or the lightness.",
-        (readings.illumination_deg, where),
-        float(share[index, 0]),
+        "or the lightness."
     )
+    error.measurement = (readings.illumination_deg, where)
+    error.share = float(share[index, 0])
+    raise error
 
 
 def _share_beyond(readings: _Readings, ior: float) -> Floats:
