@@ -113,6 +113,8 @@ class InterpolationSection(QWidget):
         self.number = NumberField(
             tr("Share of the other paint"), "%", 100.0 * LEAST_SHARE, 100.0 * MOST_SHARE, 1.0, 1, 0.0
         )
+        for share in (self.slider, self.number):
+            share.setToolTip(tr("Where the mixture lies: 0 % is this paint, 100 % the other one"))
         self.number.edited.connect(lambda value: self._edited(value / 100.0))
         self.number.gesture_started.connect(self.gesture_started)
         self.number.gesture_finished.connect(self.gesture_finished)

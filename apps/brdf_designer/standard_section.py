@@ -158,6 +158,9 @@ class StandardSection(QWidget):
         box.setSpacing(8)
         self.choices = QComboBox()
         self.choices.setAccessibleName(tr("Standard"))
+        self.choices.setToolTip(
+            tr("The paint against which the one in front is judged; the file has several")
+        )
         self.choices.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.choices.activated.connect(self.chosen)
         self.choices.hide()
@@ -167,6 +170,9 @@ class StandardSection(QWidget):
         _embolden(self.verdict)
         self.sentence.setAccessibleName(tr("Differences in words"))
         self.results = ResultTable()
+        self.results.setToolTip(
+            tr("Batch minus standard at each aspecular angle, and whether it is within the tolerance there")
+        )
         self.notices = _wrapped("")
         for widget in (self.choices, self.name, self.origin, self.verdict, self.sentence, self.more):
             box.addWidget(widget)
@@ -186,6 +192,8 @@ class StandardSection(QWidget):
         form.add_row(tr("Difference"), self.formula, tr("The formula of ΔE, and of its tolerances"))
         self.lightness = NumberField(tr("Weight l of the lightness"), "", 0.1, 10.0, 0.1, 2, 2.0)
         self.chroma = NumberField(tr("Weight c of the chroma"), "", 0.1, 10.0, 0.1, 2, 1.0)
+        for field in (self.lightness, self.chroma):
+            field.setToolTip(tr("CMC(l:c) divides the difference of lightness by l and that of chroma by c"))
         self.weights = QWidget()
         row = QHBoxLayout(self.weights)
         row.setContentsMargins(0, 0, 0, 0)
@@ -208,6 +216,9 @@ class StandardSection(QWidget):
     def _tolerance_section(self) -> Section:
         section = Section(tr("Tolerances"), "standard_tolerances", is_open=False)
         self.tolerances = ToleranceTable()
+        self.tolerances.setToolTip(
+            tr("What may differ at each aspecular angle, in units of the formula above")
+        )
         self.tolerances.limit_edited.connect(self.limit_edited)
         self.tolerances.refused.connect(self.refused)
         self.ellipsoid = QCheckBox(tr("ΔL*, ΔC*, ΔH* as one ellipsoid"))
@@ -222,6 +233,7 @@ class StandardSection(QWidget):
     def _batch_section(self) -> Section:
         section = Section(tr("Batches"), "standard_batches", is_open=False)
         self.batches = BatchTable()
+        self.batches.setToolTip(tr("Paints against this standard; Return or a double click opens one"))
         self.batches.opened.connect(self.batch_opened)
         section.add(self.batches)
         add = _button(tr("Add…"), tr("Judge further paints against this standard"), self.add_batches_asked)

@@ -93,6 +93,7 @@ class VariationsSection(QWidget):
         grid.setSpacing(2)
         self.present = PictureButton("variation_present")
         self.present.setText(tr("present"))
+        self.present.setToolTip(tr("The paint as it is now, among its neighbours"))
         self.present.setEnabled(False)
         grid.addWidget(self.present, 1, 1)
         self.buttons: dict[Direction, PictureButton] = {}
