@@ -8,6 +8,7 @@ from brdf_designer.coat_control import CoatControl
 from brdf_designer.colour_commands import ColourCommands
 from brdf_designer.colour_offer import NearestOffer
 from brdf_designer.desk import Desk
+from brdf_designer.handover_control import HandoverControl
 from brdf_designer.history import HistoryControl
 from brdf_designer.interpolation_control import InterpolationControl
 from brdf_designer.measured_control import MeasuredControl
@@ -26,6 +27,7 @@ PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (
     VariationsControl,
     InterpolationControl,
     MeasuredControl,
+    HandoverControl,
 )
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 

@@ -19,6 +19,7 @@ from brdf_designer.standard_settings import ToleranceSettings, load, save
 from brdf_designer.standard_state import state_of, verdict_word
 from brdf_designer.standard_words import say
 from brdf_designer.window import DesignerWindow
+from brdf_suite.appearance.tolerance import Tolerances
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.scene import paint_names
@@ -96,6 +97,11 @@ class StandardControl(QObject):
     def standard(self) -> Standard | None:
         """The standard of the document in front."""
         return self._of_front.standard
+
+    @property
+    def tolerances(self) -> Tolerances:
+        """The user's formula and tolerances, as the core takes them."""
+        return self._settings.tolerances()
 
     def take_present(self) -> None:
         """Take the paint as it is now as the standard."""

@@ -6,10 +6,12 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.cli.export_progress import add_export, export_progress
+from brdf_suite.cli.output import print_json
+from brdf_suite.cli.tolerances import add_tolerances, tolerances_of
 
 if TYPE_CHECKING:
-    from brdf_suite.files.exports import ExportFormat
+    from brdf_suite.files.exports import ExportFormat, Subject
 
 _NAMES = ("cxf", "csv", "json", "luxcore", "openpbr", "gltf", "rgl", "html", "pdf")
 
@@ -48,33 +50,37 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--view", type=Path, default=None, metavar="FILE", help="in reports: the .brdfview of the picture"
     )
     command.add_argument("--no-pictures", action="store_true", help="in reports: leave the pictures out")
-    command.add_argument("--json", action="store_true", help="print what was done as one JSON object")
+    add_tolerances(command)
+    add_export(command)
     command.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Write or tell, and print lines or a JSON object."""
+    from brdf_suite.appearance.tolerance import Tolerances
     from brdf_suite.documents.store import load_view
     from brdf_suite.errors import SuiteError
     from brdf_suite.pipeline.handover import export, format_named, format_of, formats, subject_of
     from brdf_suite.pipeline.report import ReportOptions
     from brdf_suite.pipeline.standard_files import load_standards
 
+    subjects = [subject_of(paint) for paint in options.paints]
+    read = [m.aspecular_deg for subject in subjects for m in subject.paint.measurements]
     report = ReportOptions(
         standard=None if options.standard is None else load_standards(options.standard)[0],
+        tolerances=tolerances_of(options, read) or Tolerances({}, None, options.difference),
         view=None if options.view is None else load_view(options.view),
         pictures=not options.no_pictures,
     )
     if options.list_losses:
         wanted = formats(report) if options.format is None else (format_named(options.format, report),)
-        return _list_losses(options, wanted)
+        return _list_losses(options, subjects, wanted)
     if options.output is None:
         raise SuiteError("A file to write is wanted: -o FILE. --list-losses tells what it would lose.")
     known = (
         format_of(options.output, report) if options.format is None else format_named(options.format, report)
     )
-    subjects = [subject_of(paint) for paint in options.paints]
-    with progress_bar("export", quiet=options.json) as progress:
+    with export_progress("export", options) as progress:
         done = export(known, subjects, options.output, progress=progress)
     size = done.path.stat().st_size
     if options.json:
@@ -98,13 +104,14 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _list_losses(options: argparse.Namespace, wanted: tuple[ExportFormat, ...]) -> int:
+def _list_losses(
+    options: argparse.Namespace, subjects: list[Subject], wanted: tuple[ExportFormat, ...]
+) -> int:
     from brdf_suite.errors import UnreachableError
-    from brdf_suite.pipeline.handover import subject_of, told_losses
+    from brdf_suite.pipeline.handover import told_losses
 
     table: dict[str, dict[str, list[str]]] = {}
-    for name in options.paints:
-        subject = subject_of(name)
+    for name, subject in zip(options.paints, subjects, strict=True):
         rows = table[str(name)] = {}
         for known in wanted:
             try:

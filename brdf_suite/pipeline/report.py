@@ -107,7 +107,7 @@ class Report:
         if self.batch is None:
             return ""
         passes = {True: "passes", False: "does not pass", None: "not judged by tolerances"}[self.batch.passes]
-        words = self.batch.sentence() or "no difference to be seen"
+        words = self.batch.sentence()
         return f"Against {self.standard_name}: {words}; {passes}."
 
 
