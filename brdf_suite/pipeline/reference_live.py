@@ -221,4 +221,6 @@ def _structure(loaded: _Loaded, view: View) -> tuple[object, ...]:
         loaded.environment.radiance.shape,
         view.lamps,
         view.surface_look.materials,
+        # The ground's shadow is that of one light.
+        view.surface_look.ground and (view.rotation_deg, view.light_colour, id(loaded.environment)),
     )

@@ -102,6 +102,8 @@ def scalar_optics(paint: TracedPaint, dress: Dress, view: View, instead: str) ->
         told.append(
             "Without LLVM there are no single flakes, no relief and no second paint: the first is shown, smooth."
         )
+    if view.surface_look.ground:
+        told.append("Without LLVM there is no ground and no shadow on it.")
     if isinstance(paint.reflectance, MaterialWeights):
         return Optics(scalar_lobes(paint.reflectance, view), tuple(told))
     return Optics(table_bsdf(paint.reflectance), tuple(told))

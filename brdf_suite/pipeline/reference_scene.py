@@ -38,7 +38,7 @@ from brdf_suite.pipeline.reference_paint import load_reflectance as load_reflect
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, part, report
-from brdf_suite.realtime.backdrop import plain_backdrop
+from brdf_suite.realtime.backdrop import BLUR_EXPONENT, plain_backdrop
 from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.stock_materials import stock_materials
 from brdf_suite.realtime.tone_curves import to_display
@@ -47,6 +47,7 @@ from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.surface.mesh import Mesh
 
 if TYPE_CHECKING:
+    from brdf_suite.reference.ground import Ground
     from brdf_suite.reference.passes import Estimate
     from brdf_suite.reference.scene import Eye, TracedScene
     from brdf_suite.reference.variant import Variant
@@ -55,6 +56,8 @@ Size = tuple[int, int]
 Pixels = NDArray[np.float64]
 
 _PAINT = "paint"
+GROUND_SAMPLES, GROUND_PASS = 256, 32
+"""Directions at each place of the ground, for its shadow behind the object."""
 _LIT_BY = (
     "camera",
     "rotation_deg",
@@ -86,15 +89,30 @@ class ReferenceScene:
     notices: tuple[str, ...]
     eye: Eye
     light: NDArray[np.float32]
+    ground: Ground | None = None
 
     @cached_property
     def behind(self) -> Pixels:
         """What the object leaves free, (h, w, 3): radiance, or the screen's light where it is of one colour."""
-        from brdf_suite.reference.backdrop import environment_behind
+        from brdf_suite.reference.backdrop import backdrop, blurred, sharp
 
-        if self.view.background in ("environment", "blurred"):
-            return environment_behind(self.light, self.view.rotation_deg, self.eye, self.size)
-        return np.broadcast_to(plain_backdrop(self.view), (self.size[1], self.size[0], 3))
+        plain = self.view.background in ("grey", "colour")
+        if self.ground is None and plain:
+            return np.broadcast_to(plain_backdrop(self.view), (self.size[1], self.size[0], 3))
+        look = None
+        if not plain:
+            of_map = self.view.background == "environment"
+            look = sharp(self.light) if of_map else blurred(self.light, BLUR_EXPONENT)
+        share = None
+        ground, place = self.ground, self.eye.place
+        if ground is not None:
+            while ground.samples < GROUND_SAMPLES:
+                ground.trace(self.traced.scene, GROUND_PASS)
+
+            def share(directions: Pixels) -> Pixels:
+                return ground.seen_from(place, directions)
+
+        return backdrop(self.eye, self.size, self.view.rotation_deg, look, plain_backdrop(self.view), share)
 
     def whole(self, estimate: Estimate) -> Pixels:
         """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
@@ -182,6 +200,7 @@ def build_reference(
     place, which takes no building and no compiling, and must not be used after. ``variant`` is the one that was
     started, where it may be the scalar one. Errors as :func:`prepare_reference`.
     """
+    from brdf_suite.reference.ground import Ground
     from brdf_suite.reference.scene import Eye, SurfacePart, build_scene
     from brdf_suite.reference.variant import start
 
@@ -201,9 +220,12 @@ def build_reference(
     terms = {**_stock_terms(mesh, view, variant), _PAINT: optics.term}
     tint = light_matrix(view.light_colour.illuminant, view.light_colour.adapted)
     radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
-    if kept is None:
+    ground = None
+    if view.surface_look.ground and not variant.is_scalar:
+        ground = Ground.under(np.array(bounds.minimum), np.array(bounds.maximum))
+    if kept is None or ground is not None:
         parts = [SurfacePart(p.material, p.positions, p.normals, p.triangles, p.uvs) for p in mesh.parts]
-        traced = build_scene(parts, terms, radiance, eye, view, size)
+        traced = build_scene(parts, terms, radiance, eye, view, size, ground=ground)
     else:
         traced = kept.traced
         for material, term in terms.items():
@@ -229,6 +251,7 @@ def build_reference(
         ),
         eye=eye,
         light=radiance,
+        ground=ground,
     )
 
 
@@ -268,10 +291,6 @@ def _left_out(view: View, paint: TracedPaint, dress: Dress) -> tuple[str, ...]:
         )
     if not view.surface_look.occlusion:
         told.append("The reference always shows the shadows of the surface on itself.")
-    if view.background == "blurred":
-        told.append("The reference shows the environment behind the object as it is, not blurred.")
-    if view.surface_look.ground:
-        told.append("The reference shows no ground and no shadow on it.")
     return tuple(told)
 
 

@@ -22,7 +22,9 @@ from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.lighting.latlong import column_angles, direction, sample
 from brdf_suite.reference.bsdf import make_bsdf
+from brdf_suite.reference.ground import FIRST_SAMPLES, Ground, ground_mesh
 from brdf_suite.reference.place import Viewpoint
+from brdf_suite.reference.relief import texture
 
 DEFAULT_DEPTH = 8
 """Surfaces that a path may meet, and one more for the light: interreflections of a car body fade by a factor each."""
@@ -105,6 +107,7 @@ def build_scene(
     size: tuple[int, int],
     *,
     depth: int = DEFAULT_DEPTH,
+    ground: Ground | None = None,
 ) -> TracedScene:
     """Return the scene: ``parts`` with the terms, or BSDFs, of their materials, in the light of a map (h, w, 3)."""
     described: dict[str, Any] = {
@@ -130,7 +133,14 @@ def build_scene(
         described[f"lamp_{index}"] = _lamp(lamp)
     for index, part in enumerate(parts):
         described[f"part_{index}"] = _mesh(f"part_{index}", part, bsdfs[part.material])
-    return TracedScene(mi.load_dict(described), size, terms, bsdfs)
+    if ground is None:
+        return TracedScene(mi.load_dict(described), size, terms, bsdfs)
+    described["light"] = mi.load_dict(described["light"])
+    described["ground"], emitter = ground_mesh(ground, described["light"])
+    traced = TracedScene(mi.load_dict(described), size, terms, bsdfs)
+    ground.trace(traced.scene, FIRST_SAMPLES)
+    emitter.share = texture(ground.share, repeat=False)
+    return traced
 
 
 def _set_viewpoint(bsdfs: Mapping[str, Any], eye: Eye, size: tuple[int, int]) -> None:

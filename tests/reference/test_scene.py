@@ -213,11 +213,6 @@ def test_a_scene_is_told_by_what_its_light_depends_on(sphere) -> None:
     assert len({first.key, *(other.key for other in others)}) == 4
 
 
-def test_what_is_left_out_is_told(sphere) -> None:
-    made = scene(Lambertian(0.5), even(), sphere, background="blurred")
-    assert any("not blurred" in notice for notice in made.notices)
-
-
 def test_parts_are_of_the_material_that_the_view_gives_them(sphere) -> None:
     """Chrome instead of a black paint, and another scene to whoever keeps estimates."""
     look = SurfaceLook(materials=(PartMaterial(sphere.parts[0].name, "chrome"),))
@@ -226,16 +221,6 @@ def test_parts_are_of_the_material_that_the_view_gives_them(sphere) -> None:
     assert made.key != black.key
     found = traced(made, 8)
     assert found.radiance[found.coverage > 0.999].mean() > 0.3
-
-
-def test_what_is_not_drawn_is_told(sphere) -> None:
-    view = {
-        "surface_look": SurfaceLook(ground=True),
-        "background": "blurred",
-    }
-    told = " ".join(scene(Lambertian(0.5), even(), sphere, **view).notices)
-    for word in ("blurred", "ground"):
-        assert word in told
 
 
 class Glowing:
