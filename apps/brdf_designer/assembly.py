@@ -204,5 +204,7 @@ class Designer:
         started, _ = QProcess.startDetached(sys.executable, ["-m", "brdf_viewer"])
         if not started:
             self.window.show_message(
-                Message("viewer", "Viewer could not be started.", todo="Start it by hand: brdf-viewer.")
+                Message(
+                    "viewer", tr("Viewer could not be started."), todo=tr("Start it by hand: brdf-viewer.")
+                )
             )

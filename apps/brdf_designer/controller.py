@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from brdf_qt.message_bar import Message, message_of
+from brdf_qt.translation import tr
 from PySide6.QtCore import QObject
 
 from brdf_designer.desk import Desk
@@ -81,7 +82,9 @@ class Controller(QObject):
         try:
             after = edited(paint, key, value)
         except SuiteError as error:
-            self._view.show_message(message_of(error, "edit", todo="The paint keeps its last valid value."))
+            self._view.show_message(
+                message_of(error, "edit", todo=tr("The paint keeps its last valid value."))
+            )
             self._refused = True
             return
         self._accepted()
@@ -161,7 +164,9 @@ def _refusal(error: SuiteError) -> Message:
         return Message(
             "fit",
             str(error),
-            todo="The numbers keep your edit; curve, strip and the other programs show the last paint that can be.",
+            todo=tr(
+                "The numbers keep your edit; curve, strip and the other programs show the last paint that can be."
+            ),
             severity="warning",
             closable=False,
         )

@@ -13,6 +13,7 @@ from typing import Any, Protocol
 from brdf_qt.exact_fit import ExactFit
 from brdf_qt.link_messages import BadMessageError
 from brdf_qt.message_bar import Message
+from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from brdf_designer.desk_idle import IdleWork
@@ -258,7 +259,9 @@ class Desk(QObject):
         try:
             self._publish("paint", paint_to_json(self._reachable))
         except BadMessageError as error:
-            what = f"The paint cannot be told to the other programs: {error}."
-            self.show_message(Message("link", what, todo="They keep the paint before.", severity="warning"))
+            what = tr("The paint cannot be told to the other programs: {reason}.").format(reason=error)
+            self.show_message(
+                Message("link", what, todo=tr("They keep the paint before."), severity="warning")
+            )
         else:
             self.dismiss_message("link")

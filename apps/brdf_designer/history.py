@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from brdf_qt.settings import settings
 from brdf_qt.translation import tr
-from PySide6.QtCore import QObject, QPoint
+from PySide6.QtCore import QEvent, QObject, QPoint
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QMenu
 
 from brdf_designer.desk import Desk
@@ -14,6 +15,8 @@ from brdf_designer.window import DesignerWindow
 
 _OWNER = "history"
 _SHOWN = "history/shown"
+LOW_WINDOW = 760
+"""Below this height of the window, pixels, the strip gives way to the plots."""
 
 
 class HistoryControl(QObject):
@@ -41,6 +44,7 @@ class HistoryControl(QObject):
         desk.history_changed.connect(self._later)
         desk.gesture_ended.connect(self._later)
         self._pictures.ready.connect(lambda _key, _picture: self.strip.redraw())
+        window.installEventFilter(self)
         self._later()
 
     @property
@@ -49,6 +53,12 @@ class HistoryControl(QObject):
         states = self.strip.states.states
         drawn = all(self._pictures.is_drawn(state.paint) for state in states)
         return drawn or bool(self._pictures.problem) or not self.strip.isVisible()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Make the strip low in a low window."""
+        if event.type() == QEvent.Type.Resize and isinstance(event, QResizeEvent):
+            self.strip.set_compact(event.size().height() < LOW_WINDOW)
+        return super().eventFilter(watched, event)
 
     def refresh(self) -> None:
         """Show the history as it is now."""

@@ -29,7 +29,7 @@ from PySide6.QtWidgets import (
 
 from brdf_suite.documents.paint import Paint
 
-PICTURE = 48
+PICTURE, SMALL_PICTURE = 48, 32
 _WIDTH, _PAD, _BEHIND_OPACITY = 84, 4, 0.45
 Index = QModelIndex | QPersistentModelIndex
 
@@ -105,7 +105,22 @@ class HistoryModel(QAbstractListModel):
 
 
 class _Painter(QStyledItemDelegate):
-    """Draws a state: picture over its step's name; undone ones are faint, the present one has the accent's frame."""
+    """Draws a state: picture over its step's name; undone ones are faint, the present one has the accent's frame.
+
+    ``compact``: smaller pictures, and the names in the tips alone.
+    """
+
+    compact = False
+
+    @property
+    def size(self) -> int:
+        """Width and height of a picture."""
+        return SMALL_PICTURE if self.compact else PICTURE
+
+    def height(self, option: QStyleOptionViewItem) -> int:
+        """Return the height of a state."""
+        name = 2 if self.compact else option.fontMetrics.height() + 6
+        return self.size + 2 * _PAD + name
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         model = index.model()
@@ -114,14 +129,17 @@ class _Painter(QStyledItemDelegate):
         rect = option.rect.adjusted(1, 1, -1, -1)
         if index.row() > model.present:
             painter.setOpacity(_BEHIND_OPACITY)
-        box = QRect(0, 0, PICTURE, PICTURE)
-        box.moveCenter(QPoint(rect.center().x(), rect.top() + _PAD + PICTURE // 2))
+        box = QRect(0, 0, self.size, self.size)
+        box.moveCenter(QPoint(rect.center().x(), rect.top() + _PAD + self.size // 2))
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         painter.drawImage(box, index.data(Qt.ItemDataRole.DecorationRole))
         painter.setPen(option.palette.color(QPalette.ColorRole.WindowText))
-        below = rect.adjusted(3, PICTURE + 2 * _PAD, -3, -1)
-        text = option.fontMetrics.elidedText(str(index.data()), Qt.TextElideMode.ElideRight, below.width())
-        painter.drawText(below, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop, text)
+        if not self.compact:
+            below = rect.adjusted(3, self.size + 2 * _PAD, -3, -1)
+            text = option.fontMetrics.elidedText(
+                str(index.data()), Qt.TextElideMode.ElideRight, below.width()
+            )
+            painter.drawText(below, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop, text)
         role = QPalette.ColorRole
         painter.setOpacity(1.0)
         if index.row() == model.present:
@@ -133,7 +151,7 @@ class _Painter(QStyledItemDelegate):
         painter.restore()
 
     def sizeHint(self, option: QStyleOptionViewItem, _index: Index) -> QSize:
-        return QSize(_WIDTH, PICTURE + 2 * _PAD + option.fontMetrics.height() + 6)
+        return QSize(self.size + 2 * _PAD + 2 if self.compact else _WIDTH, self.height(option))
 
 
 class HistoryStrip(QListView):
@@ -152,7 +170,8 @@ class HistoryStrip(QListView):
         self.setToolTip(tr("Every state of this paint, the oldest at the left; click one to go back to it."))
         self.states = HistoryModel(picture, self)
         self.setModel(self.states)
-        self.setItemDelegate(_Painter(self))
+        self._painter = _Painter(self)
+        self.setItemDelegate(self._painter)
         self.setFlow(QListView.Flow.LeftToRight)
         self.setWrapping(False)
         self.setUniformItemSizes(True)
@@ -166,8 +185,7 @@ class HistoryStrip(QListView):
         self.clicked.connect(lambda index: self.chosen.emit(index.row()))
         self.activated.connect(lambda index: self.chosen.emit(index.row()))
         self.customContextMenuRequested.connect(self._ask_menu)
-        height = PICTURE + 2 * _PAD + self.fontMetrics().height() + 8
-        self.setFixedHeight(height + self.horizontalScrollBar().sizeHint().height())
+        self._fit_height()
 
     def show_states(self, states: Sequence[HistoryState], present: int) -> None:
         """Show ``states``, and bring the present one into sight."""
@@ -177,6 +195,23 @@ class HistoryStrip(QListView):
             index = self.states.index(present)
             self.setCurrentIndex(index)
             self.scrollTo(index)
+
+    @property
+    def is_compact(self) -> bool:
+        """Whether it is shown at its lowest."""
+        return self._painter.compact
+
+    def set_compact(self, on: bool) -> None:
+        """Take less room: in a low window the colours come first."""
+        if on != self._painter.compact:
+            self._painter.compact = on
+            self._fit_height()
+            self.doItemsLayout()
+
+    def _fit_height(self) -> None:
+        option = QStyleOptionViewItem()
+        self.initViewItemOption(option)
+        self.setFixedHeight(self._painter.height(option) + self.horizontalScrollBar().sizeHint().height())
 
     def redraw(self) -> None:
         """Draw again: a picture has come."""

@@ -9,7 +9,7 @@ from brdf_qt.main_window import Shortcut, SuiteWindow
 from brdf_qt.message_bar import Message
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
-from brdf_qt.translation import tr
+from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMenu, QSplitter, QVBoxLayout, QWidget
@@ -25,7 +25,7 @@ from brdf_designer.status import DeskStatus
 from brdf_designer.tabs_bar import DocumentTabs
 from brdf_designer.window_focus import order_focus
 from brdf_designer.window_letters import give_letters
-from brdf_designer.window_pickers import ColourPickers
+from brdf_designer.window_pickers import ColourPickers, ReadingMenus
 
 
 class DesignerWindow(SuiteWindow):
@@ -177,7 +177,9 @@ class DesignerWindow(SuiteWindow):
             section.show_paint(colours.paint)
         self.plot.show_colours(colours)
         self.desk_status.show_colours(colours)
-        self._show_pick_actions(colours)
+        if self.reading_menus.show_angles(colours.angles):
+            # Fields have come or gone with the angles.
+            QTimer.singleShot(0, self, self.order_focus)
 
     def show_fit(self, state: FitState) -> None:
         """See :class:`brdf_designer.controller.View`."""
@@ -232,14 +234,14 @@ class DesignerWindow(SuiteWindow):
             action.setToolTip(str(path))
             action.triggered.connect(lambda _=False, path=path: self.open_asked.emit(path))
         self.recent_menu.addSeparator()
-        self.recent_menu.addAction("&Clear", self.recent_cleared.emit)
+        self.recent_menu.addAction(tr("&Clear"), self.recent_cleared.emit)
         self.recent_menu.setEnabled(bool(paths))
 
     def show_history(self, undo: str, redo: str, *, can_undo: bool, can_redo: bool) -> None:
         """Show what Undo and Redo would do, by name."""
         for action, word, name, can in (
-            (self.undo_action, "&Undo", undo, can_undo),
-            (self.redo_action, "&Redo", redo, can_redo),
+            (self.undo_action, tr("&Undo"), undo, can_undo),
+            (self.redo_action, tr("&Redo"), redo, can_redo),
         ):
             action.setText(f"{word} {name}".rstrip())
             action.setIconText(word.replace("&", ""))
@@ -265,10 +267,10 @@ class DesignerWindow(SuiteWindow):
         self.lower_split.addWidget(self.plot)
         self.lower_split.setStretchFactor(0, 3)
         split.addWidget(self.lower_split)
-        split.setStretchFactor(0, 3)
-        split.setStretchFactor(1, 2)
+        split.setStretchFactor(0, 1)
+        split.setStretchFactor(1, 1)
         split.setChildrenCollapsible(False)
-        split.setSizes([560, 360])
+        split.setSizes([500, 420])
         split.setObjectName("centre_split")
         centre = QWidget()
         self._centre_box = outer = QVBoxLayout(centre)
@@ -310,63 +312,54 @@ class DesignerWindow(SuiteWindow):
     def _build_menus(self, shipped: Sequence[str]) -> None:
         keys = QKeySequence.StandardKey
         file = self.file_menu
-        new = self.add_action(file, "&New", self.new_asked.emit, keys.New, "file-plus")
-        opened = self.add_action(file, "&Open…", lambda: self.open_asked.emit(None), keys.Open, "folder-open")
-        shipped_menu = file.addMenu("Open S&hipped Paint")
+        new = self.add_action(file, mark("&New"), self.new_asked.emit, keys.New, "file-plus")
+        opened = self.add_action(
+            file, mark("&Open…"), lambda: self.open_asked.emit(None), keys.Open, "folder-open"
+        )
+        shipped_menu = file.addMenu(tr("Open S&hipped Paint"))
         for name in shipped:
             action = shipped_menu.addAction(name.replace("_", " ").capitalize())
             action.triggered.connect(lambda _=False, name=name: self.shipped_asked.emit(name))
-        self.recent_menu: QMenu = file.addMenu("Open &Recent")
+        self.recent_menu: QMenu = file.addMenu(tr("Open &Recent"))
         self.recent_menu.setToolTipsVisible(True)
         file.addSeparator()
-        save = self.add_action(file, "&Save", self.save_asked.emit, keys.Save, "floppy-disk")
-        self.add_action(file, "Save &As…", self.save_as_asked.emit, "Ctrl+Shift+S")
+        save = self.add_action(file, mark("&Save"), self.save_asked.emit, keys.Save, "floppy-disk")
+        self.add_action(file, mark("Save &As…"), self.save_as_asked.emit, "Ctrl+Shift+S")
         file.addSeparator()
-        self.add_action(file, tr("&Close Tab"), self.close_front_asked.emit, "Ctrl+W", "x")
+        self.add_action(file, mark("&Close Tab"), self.close_front_asked.emit, "Ctrl+W", "x")
         self.reopen_action = self.add_action(
-            file, tr("Reopen Closed &Tab"), self.reopen_asked.emit, "Ctrl+Shift+T"
+            file, mark("Reopen Closed &Tab"), self.reopen_asked.emit, "Ctrl+Shift+T"
         )
         self.reopen_action.setEnabled(False)
         self.add_quit()
         self._file_end = file.actions()[-2]
         self.undo_action = self.add_action(
-            self.edit_menu, "&Undo", self.undo_asked.emit, keys.Undo, "arrow-counter-clockwise"
+            self.edit_menu, mark("&Undo"), self.undo_asked.emit, keys.Undo, "arrow-counter-clockwise"
         )
         self.redo_action = self.add_action(
-            self.edit_menu, "&Redo", self.redo_asked.emit, "Ctrl+Shift+Z", "arrow-clockwise"
+            self.edit_menu, mark("&Redo"), self.redo_asked.emit, "Ctrl+Shift+Z", "arrow-clockwise"
         )
         self.redo_action.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
-        self.pick_menu = self.paint_menu.addMenu("&Pick Colour")
-        self.solid_menu = self.paint_menu.addMenu("Make S&olid From")
+        self.reading_menus = ReadingMenus(self.paint_menu, self)
+        self.reading_menus.pick_asked.connect(self.pick_colour)
+        self.reading_menus.solid_asked.connect(lambda index: self.edited.emit(("solid",), index))
         self._step_actions = [
             self.add_action(self.window_menu, text, lambda by=by: self.tab_step_asked.emit(by), keys)
             for text, by, keys in (
-                (tr("&Next Tab"), 1, "Ctrl+Tab"),
-                (tr("&Previous Tab"), -1, "Ctrl+Shift+Tab"),
+                (mark("&Next Tab"), 1, "Ctrl+Tab"),
+                (mark("&Previous Tab"), -1, "Ctrl+Shift+Tab"),
             )
         ]
         for step, second in zip(self._step_actions, ("Ctrl+PgDown", "Ctrl+PgUp"), strict=True):
             step.setShortcuts([step.shortcut(), QKeySequence(second)])
-        viewer = self.add_action(self.window_menu, "Open &Viewer", self.viewer_asked.emit, icon="monitor")
+        viewer = self.add_action(
+            self.window_menu, mark("Open &Viewer"), self.viewer_asked.emit, icon="monitor"
+        )
         for action in (new, opened, save, None, self.undo_action, self.redo_action, None, viewer):
             if action is None:
                 self.toolbar.addSeparator()
             else:
                 self.toolbar.addAction(action)
-
-    def _show_pick_actions(self, colours: Colours) -> None:
-        texts = [(angle.index, angle.text) for angle in colours.angles]
-        if texts == getattr(self, "_pick_texts", None):
-            return
-        self._pick_texts = texts
-        self.pick_menu.clear()
-        self.solid_menu.clear()
-        for number, (index, text) in enumerate(texts, 1):
-            pick = self.pick_menu.addAction(f"At {text}…", lambda index=index: self.pick_colour(index))
-            pick.setShortcut(QKeySequence(f"Ctrl+{number}") if number < 10 else QKeySequence())
-            self.solid_menu.addAction(text, lambda index=index: self.edited.emit(("solid",), index))
-        # Fields have come or gone with the angles.
-        QTimer.singleShot(0, self, self.order_focus)
 
     # The picker, drops and the end.
 

@@ -1,11 +1,13 @@
-"""The colour pickers beside the desk: one for a measurement at most, each a single step however long it is used."""
+"""The colour pickers beside the desk, and the menus that name the readings."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QColorDialog, QWidget
+from PySide6.QtGui import QColor, QKeySequence
+from PySide6.QtWidgets import QColorDialog, QMenu, QWidget
 
 from brdf_designer.desk_state import AngleColour
 from brdf_designer.fields import Key
@@ -13,7 +15,10 @@ from brdf_suite.appearance.colorimetry import display_to_lab
 
 
 class ColourPickers(QObject):
-    """Opens and closes them; ``started(key)``, ``picked(key, L*a*b*)`` and ``finished()`` tell of their use."""
+    """One picker for a reading at most, each a single step however long it is used.
+
+    Signals: ``started(key)``, ``picked(key, L*a*b*)`` and ``finished()``.
+    """
 
     started = Signal(object)
     picked = Signal(object, object)
@@ -57,3 +62,33 @@ class ColourPickers(QObject):
         """Close every one."""
         for dialog in tuple(self.dialogs.values()):
             dialog.close()
+
+
+class ReadingMenus(QObject):
+    """Paint ▸ Pick Colour and Make Solid From, an entry for each reading.
+
+    Signals: ``pick_asked(index)``, ``solid_asked(index)`` of the measurement in the document.
+    """
+
+    pick_asked = Signal(int)
+    solid_asked = Signal(int)
+
+    def __init__(self, menu: QMenu, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._pick, self._solid = menu.addMenu(tr("&Pick Colour")), menu.addMenu(tr("Make S&olid From"))
+        self._shown: list[tuple[int, str]] | None = None
+
+    def show_angles(self, angles: Sequence[AngleColour]) -> bool:
+        """Name these readings; True where they are others than before."""
+        texts = [(angle.index, angle.text) for angle in angles]
+        if texts == self._shown:
+            return False
+        self._shown = texts
+        self._pick.clear()
+        self._solid.clear()
+        for number, (index, text) in enumerate(texts, 1):
+            name = tr("At {angle}…").format(angle=text)
+            pick = self._pick.addAction(name, lambda index=index: self.pick_asked.emit(index))
+            pick.setShortcut(QKeySequence(f"Ctrl+{number}") if number < 10 else QKeySequence())
+            self._solid.addAction(text, lambda index=index: self.solid_asked.emit(index))
+        return True

@@ -93,6 +93,15 @@ def test_it_is_hidden_and_shown_and_that_is_remembered(designer, history, qtbot)
     qtbot.waitUntil(lambda: len(shown(history)) == 2)
 
 
+def test_in_a_low_window_it_gives_way(designer, history, qtbot):
+    designer.window.resize(1000, 640)
+    qtbot.waitUntil(lambda: history.strip.is_compact)
+    low = history.strip.height()
+    designer.window.resize(1400, 900)
+    qtbot.waitUntil(lambda: not history.strip.is_compact)
+    assert low < history.strip.height() - 20
+
+
 @settings(max_examples=40, deadline=None)
 @given(
     values=st.lists(st.integers(0, 4), min_size=1, max_size=8),
