@@ -110,12 +110,12 @@ class Parts:
 
         environment, view = wanted.environment, wanted.view
         colour = view.light_colour
-        made_of = (Same(environment), colour)
+        made_of = (Same(environment), colour, wanted.quality.lights)
 
         def make() -> tuple[Sky, NDArray[np.float32]]:
             tint = light_matrix(colour.illuminant, colour.adapted)
             radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
-            return Sky.of(radiance), radiance
+            return Sky.of(radiance, self._strata(wanted).without_suns(radiance)), radiance
 
         sky, radiance = self.keep("sky", made_of, make)
         turned = self.keep("turned", (*made_of, view.rotation_deg), lambda: sky.turned(view.rotation_deg))
@@ -123,19 +123,15 @@ class Parts:
 
     def lights(self, wanted: Wanted, turn: int) -> LightArrays:
         """Return the lights of a round: the first, 0, are in the middle of their strata, others drawn from them."""
-        from brdf_suite.reference.raytraced.light_set import Strata
         from brdf_suite.reference.raytraced.tracer import LightArrays
 
         view, quality = wanted.view, wanted.quality
         colour = view.light_colour
         tint = light_matrix(colour.illuminant, colour.adapted)
         made_of = (Same(wanted.environment), quality.lights)
-        strata: Strata = self.keep(
-            "strata", made_of, lambda: Strata.of(wanted.environment, quality.lights, np.eye(3))
-        )
 
         def make() -> LightArrays:
-            tinted = strata.tinted(tint)
+            tinted = self._strata(wanted).tinted(tint)
             found: LightSet = tinted.middles() if turn == 0 else tinted.drawn(turn)
             return LightArrays.of(
                 found.turned(view.rotation_deg).with_lamps(view.lamps).dealt(quality.samples)
@@ -143,6 +139,14 @@ class Parts:
 
         return self.keep(
             "lights", (*made_of, quality.samples, colour, view.rotation_deg, view.lamps, turn), make
+        )
+
+    def _strata(self, wanted: Wanted) -> Strata:
+        from brdf_suite.reference.raytraced.light_set import Strata
+
+        environment, count = wanted.environment, wanted.quality.lights
+        return self.keep(
+            "strata", (Same(environment), count), lambda: Strata.of(environment, count, np.eye(3))
         )
 
     def camera(self, view: View, bounds: Bounds, size: Size) -> Pinhole:

@@ -69,7 +69,7 @@ def test_drawn_lights_stand_for_all_exactly(strata) -> None:
     # A level ground gets nothing from below, nor from lamps, whose light it is no picture of.
     ground = lights.places[np.unique(entries[1])]
     assert (ground[:, 1] > 0.0).all()
-    lamps = np.flatnonzero(lights.kinds != 0)
+    lamps = np.flatnonzero(lights.kinds == FAR_LAMP)
     assert not np.isin(lamps, entries[1]).any()
     assert np.isin(lamps, entries[0]).all()
 
@@ -90,6 +90,8 @@ def test_lights_drawn_anew_are_the_environment_on_the_average(sky, strata) -> No
     error = rounds.std(axis=0, ddof=1) / np.sqrt(len(rounds))
     assert np.isfinite(turned)
     assert (np.abs(rounds.mean(axis=0) - wanted) < 4.5 * error + 2e-4 * wanted).all()
+    # What is drawn is one direction of its stratum, so no extent of it is left.
+    assert strata.drawn(1).spreads.max() == 0.0
     # And no two rounds are the same.
     assert (rounds.std(axis=0) > 0.0).all()
 

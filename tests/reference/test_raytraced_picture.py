@@ -19,11 +19,14 @@ from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
 from brdf_suite.pipeline.reference_scene import build_reference
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.realtime.camera import Bounds, matrices
+from brdf_suite.reference.raytraced.light_set import Strata
 from brdf_suite.reference.variant import Variant
 from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.models.table_1 import TABLE_1
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.surface.mesh import Mesh, Part
 
 pytestmark = pytest.mark.usefixtures("variant")
@@ -98,11 +101,16 @@ def test_a_ball_has_the_sum_over_the_lights_by_hand(session, sphere, model: str,
     )
     found = session.frame().sums.radiance
     lights = directional_lights(environment, count).turned(np.radians(rotation))
+    spreads = Strata.of(environment, count, np.eye(3)).middles().spreads
     good, normal, eye = sphere_hits(scene.view, sphere)
     n, wo = normal[good], local(normal[good], eye[good])
     wanted = np.zeros((len(n), 3))
-    for towards, strength in zip(lights.directions, lights.strengths, strict=True):
+    for towards, strength, spread in zip(lights.directions, lights.strengths, spreads, strict=True):
         wi = local(n, np.broadcast_to(towards, n.shape))
+        if model == "facets":
+            # A light of some extent sees facets of m² + σ²/2.
+            lobe = replace(wide.lobes[0], m=float(np.hypot(wide.lobes[0].m, spread / np.sqrt(2.0))))
+            reflectance = CookTorrance(replace(wide, lobes=(lobe,)))
         wanted += reflectance.eval(wi, wo) * strength * np.maximum(wi[:, 2:], 0.0)
     assert good.sum() > 200
     # What is left is the mesh's triangles for a ball.
@@ -182,7 +190,7 @@ def blocks(picture: np.ndarray, inside: np.ndarray) -> np.ndarray:
     return np.array(found)
 
 
-@pytest.mark.parametrize("kind", ["designed", "coat", "table_1", "mirrors"])
+@pytest.mark.parametrize("kind", ["designed", "coat", "table_1", "table", "mirrors"])
 def test_the_mean_of_many_rounds_is_the_path_traced_picture(session, sphere, kind: str) -> None:
     """A z-test over squares of a ball, on which there is no light from one place to another."""
     from brdf_suite.reference.passes import trace_pass
@@ -191,6 +199,10 @@ def test_the_mean_of_many_rounds_is_the_path_traced_picture(session, sphere, kin
         "designed": lambda: replace(load_traced("copper", PLAIN), flakes=None),
         "coat": lambda: TracedPaint("coat", CoatLobe(1.5, 0.05)),
         "table_1": lambda: TracedPaint("blue", CookTorrance(TABLE_1["table1_blue"])),
+        "table": lambda: TracedPaint(
+            "table",
+            IsotropicTable.from_reflectance(CookTorrance(TABLE_1["table1_white"]), HalfAngleGrid(40, 20, 36)),
+        ),
         "mirrors": lambda: TracedPaint("coat", CoatLobe(1.5, 0.002)),
     }
     paint, environment = paints[kind](), sky(12, 0.9)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -28,8 +28,12 @@ _GOLDEN = 0.6180339887498949
 
 Floats = npt.NDArray[np.float64]
 
-ENVIRONMENT, FAR_LAMP, NEAR_LAMP = 0, 1, 2
-"""Kinds of light: of the environment, from one direction, from one place."""
+ENVIRONMENT, SUN, FAR_LAMP, NEAR_LAMP = 0, 1, 2, 3
+"""Kinds of light: of the environment; of it, small and strong; a lamp in one direction, or at one place."""
+SMALL = 0.012
+"""Radians: the spread up to which a light is a sun, much narrower than the lobes that it then lights."""
+STRONG = 0.02
+"""Of all light: weaker ones may be found by reflected rays as well."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +55,7 @@ class LightSet:
         turn = math.radians(degrees)
         cosine, sine = math.cos(turn), math.sin(turn)
         matrix = np.array([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]])
-        of_environment = (self.kinds == ENVIRONMENT)[:, None]
+        of_environment = (self.kinds <= SUN)[:, None]
         places = np.where(of_environment, self.places @ matrix.T, self.places)
         return LightSet(places, self.strengths, self.spreads, self.kinds)
 
@@ -104,14 +108,14 @@ class LightSet:
         drawn from a row evenly gives the light of all on the average.
         """
         luminous = self.strengths @ LUMINANCE
-        up = np.where(self.kinds == ENVIRONMENT, np.maximum(self.places[:, 1], 0.0), 0.0)
+        up = np.where(self.kinds <= SUN, np.maximum(self.places[:, 1], 0.0), 0.0)
         size = 1 << max(10, math.ceil(math.log2(8 * max(len(self), 1))))
         entries, factors = zip(*(_entries(light, size) for light in (luminous, luminous * up)), strict=True)
         return np.stack(entries), np.stack(factors)
 
     def ground_irradiance(self) -> Floats:
         """Return the irradiance (3,) of an open level ground by the environment's lights."""
-        up = np.where(self.kinds == ENVIRONMENT, np.maximum(self.places[:, 1], 0.0), 0.0)
+        up = np.where(self.kinds <= SUN, np.maximum(self.places[:, 1], 0.0), 0.0)
         return np.asarray(up @ self.strengths)
 
 
@@ -152,13 +156,13 @@ class Strata:
     def middles(self) -> LightSet:
         """Return the lights in the mean directions of their strata, the strongest first."""
         lights = lights_of(self.cells, self.labels)
-        order, _, spreads = self._order
-        return self._set(lights.directions, lights.strengths, spreads[order])
+        order, _, _ = self._order
+        return self._set(lights.directions, lights.strengths, order)
 
     def drawn(self, seed: int) -> LightSet:
         """Return lights drawn from the strata: the mean over all seeds is the environment."""
         rng = np.random.default_rng(seed)
-        order, luminous, spreads = self._order
+        order, luminous, _ = self._order
         at, light = self.labels.ravel(), self.cells.luminous.ravel()
         by_label = np.argsort(at, kind="stable")
         sums = np.cumsum(light[by_label])
@@ -180,11 +184,33 @@ class Strata:
         turn = self.cells.turn
         cos, sin = math.cos(turn), math.sin(turn)
         matrix = np.array([[cos, 0.0, sin], [0.0, 1.0, 0.0], [-sin, 0.0, cos]])
-        return self._set((towards @ matrix.T)[order], strengths[order], spreads[order])
+        # Each is one direction of its stratum, and together they are as wide as it.
+        return replace(
+            self._set((towards @ matrix.T)[order], strengths[order], order), spreads=np.zeros(len(order))
+        )
 
-    def _set(self, places: Floats, strengths: Floats, spreads: Floats) -> LightSet:
+    @cached_property
+    def _suns(self) -> npt.NDArray[np.bool_]:
+        """Which strata are suns, by their labels."""
+        _, luminous, spreads = self._order
+        return np.asarray((spreads <= SMALL) & (luminous >= STRONG * max(float(luminous.sum()), 1e-300)))
+
+    def without_suns(self, radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+        """Return a map (h, w, 3) of the size of the environment's, black where its strata are suns."""
+        if not self._suns.any():
+            return radiance
+        height, width = radiance.shape[:2]
+        columns = self.labels.shape[1]
+        step = -(-width // columns)
+        wide = np.repeat(np.repeat(self._suns[self.labels], step, axis=0)[:height], step, axis=1)[:, :width]
+        # The cells begin at another column than the map.
+        first = round(-self.cells.turn * width / (2.0 * math.pi))
+        return np.where(np.roll(wide, first, axis=1)[..., None], np.float32(0.0), radiance)
+
+    def _set(self, places: Floats, strengths: Floats, order: npt.NDArray[np.intp]) -> LightSet:
         coloured = np.maximum(strengths @ self.tint.T, 0.0)
-        return LightSet(places, coloured, spreads, np.full(len(places), ENVIRONMENT, np.uint32))
+        kinds = np.where(self._suns[order], SUN, ENVIRONMENT).astype(np.uint32)
+        return LightSet(places, coloured, self._order[2][order], kinds)
 
 
 def _entries(light: Floats, size: int) -> tuple[npt.NDArray[np.uint32], Floats]:

@@ -15,7 +15,7 @@ paper's equation 5 prints neither the 1/s nor the cosine: a picture is the mean 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import drjit as dr
@@ -23,9 +23,13 @@ import mitsuba as mi
 
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Half, Real, Square, Vector
+from brdf_suite.reference.terms import FacetLobe
 
+_EVEN = 1e4
 LARGEST_SLOPE = 0.12
 """Facets up to this slope are narrow: sampled. Wider ones are lit by the lights."""
+LEAST_SUNLIT_SLOPE = 0.035
+"""Narrow facets from this slope on are lit by suns as by lamps: most of their few rays would miss such a light."""
 LARGEST_MIRROR_SLOPE = 0.05
 """The same where narrow lobes are mirrored: of a wider one the mirror image would be no likeness."""
 
@@ -81,6 +85,11 @@ class FacetGlint:
     share: float
     ior: float | None = None
 
+    @property
+    def is_sunlit(self) -> bool:
+        """Whether suns light it, and its rays leave them out."""
+        return self.slope >= LEAST_SUNLIT_SLOPE
+
     def weight(self, view: Vector) -> Real:
         """Return the share of a mixture, to a common factor."""
         share = d.number(self.share)
@@ -107,6 +116,11 @@ class MirrorLobe:
     exponent: float
     share: float
 
+    @property
+    def is_sunlit(self) -> bool:
+        """Whether suns light it, and its rays leave them out."""
+        return self.exponent <= 0.5 / LEAST_SUNLIT_SLOPE**2
+
     def weight(self, _view: Vector) -> Real:
         """Return the share of a mixture, to a common factor."""
         return d.number(self.share)
@@ -123,3 +137,27 @@ class MirrorLobe:
         """Return the density of :meth:`draw` per solid angle."""
         away = d.one_minus_mirror_cosine(light, view)
         return d.number((self.exponent + 1.0) / (2.0 * math.pi)) * d.mirror_lobe(away, self.exponent)
+
+
+@dataclass(frozen=True, eq=False)
+class WideFacets:
+    """A broad lobe of facets, which a light of some extent sees widened by it.
+
+    A light's directions of standard deviation σ along an axis spread the half vector by σ/2; Beckmann's facets of slope
+    m spread it by m/√2. Together they are facets of m² + σ²/2. So the l lights make one highlight together, where
+    points would make l of them; as l grows, nothing is left of it.
+    """
+
+    term: FacetLobe
+
+    def value(self, light: Vector, view: Vector) -> Colour:
+        """Return f_r in 1/sr."""
+        return self.term.value(light, view)
+
+    def lit(self, light: Vector, view: Vector, spread: Real) -> Colour:
+        """Return the mean f_r for a light whose directions have ``spread``, radians along an axis."""
+        half = Half.of(light, view)
+        wide = d.number(self.term.slope**2) + 0.5 * dr.square(spread)
+        # With facets of all slopes alike, all of the lobe is left but their distribution.
+        even = replace(self.term, slope=_EVEN).value(light, view)
+        return even * (dr.exp(-half.tan2_h / wide) * _EVEN**2 / wide)

@@ -16,34 +16,37 @@ from brdf_suite.reference.directions import Colour, Real, Vector
 
 @dataclass(frozen=True, eq=False)
 class Sky:
-    """A map with a ring more at each end, as the renderer has it; ``cosine`` and ``sine`` of its turn."""
+    """A map with a ring more at each end, and the same without its suns; ``cosine`` and ``sine`` of its turn."""
 
     texels: Any
+    whole: Any
     width: Any
     height: Any
     cosine: Real
     sine: Real
 
     @classmethod
-    def of(cls, radiance: npt.NDArray[np.float32]) -> Sky:
-        """Return the sky of a map (h, w, 3), not turned."""
+    def of(
+        cls, radiance: npt.NDArray[np.float32], without_suns: npt.NDArray[np.float32] | None = None
+    ) -> Sky:
+        """Return the sky of a map (h, w, 3), not turned; the same map without its suns where it has any."""
         height, width = radiance.shape[:2]
-        beyond = width // 2
-        padded = np.concatenate(
-            [np.roll(radiance[:1], beyond, 1), radiance, np.roll(radiance[-1:], beyond, 1)]
-        )
-        texels = mi.Float(np.ascontiguousarray(padded, np.float32).ravel())
+        maps = [_padded(radiance)]
+        if without_suns is not None and without_suns is not radiance:
+            maps.append(_padded(without_suns))
+        texels = mi.Float(np.ascontiguousarray(np.concatenate(maps), np.float32).ravel())
         dr.eval(texels)
         one, zero = (dr.opaque(mi.Float, v) for v in (1.0, 0.0))
-        return cls(texels, dr.opaque(mi.UInt32, width), dr.opaque(mi.UInt32, height), one, zero)
+        whole = dr.opaque(mi.UInt32, (len(maps) - 1) * (height + 2) * width)
+        return cls(texels, whole, dr.opaque(mi.UInt32, width), dr.opaque(mi.UInt32, height), one, zero)
 
     def turned(self, degrees: float) -> Sky:
         """Return the sky turned about y, counter-clockwise seen from above."""
         turn = math.radians(degrees)
         cosine, sine = (dr.opaque(mi.Float, v) for v in (math.cos(turn), math.sin(turn)))
-        return Sky(self.texels, self.width, self.height, cosine, sine)
+        return Sky(self.texels, self.whole, self.width, self.height, cosine, sine)
 
-    def along(self, direction: Vector, active: Any) -> Colour:
+    def along(self, direction: Vector, active: Any, with_suns: Any = True) -> Colour:
         """Return the radiance from where unit ``direction`` points to; 0 where not ``active``."""
         x = self.cosine * direction.x - self.sine * direction.z
         z = self.sine * direction.x + self.cosine * direction.z
@@ -57,11 +60,17 @@ class Sky:
         i = dr.minimum(mi.UInt32(column), self.width - 1)
         fi = column - mi.Float(i)
         after = dr.select(i + 1 >= self.width, mi.UInt32(0), i + 1)
-        top, bottom = (self._row(j + k, i, after, fi, active) for k in (0, 1))
+        start = dr.select(with_suns, mi.UInt32(0), self.whole)
+        top, bottom = (self._row(start + (j + k) * self.width, i, after, fi, active) for k in (0, 1))
         return dr.fma(fj, bottom - top, top)
 
-    def _row(self, j: Any, i: Any, after: Any, part: Real, active: Any) -> Colour:
-        start = j * self.width
+    def _row(self, start: Any, i: Any, after: Any, part: Real, active: Any) -> Colour:
         first = dr.gather(mi.Color3f, self.texels, start + i, active)
         second = dr.gather(mi.Color3f, self.texels, start + after, active)
         return dr.fma(part, second - first, first)
+
+
+def _padded(radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+    """One ring more at each end: beyond the pole lies the same ring, half a turn further."""
+    beyond = radiance.shape[1] // 2
+    return np.concatenate([np.roll(radiance[:1], beyond, 1), radiance, np.roll(radiance[-1:], beyond, 1)])

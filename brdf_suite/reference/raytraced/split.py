@@ -6,7 +6,6 @@ A sum of lobes is cut by their widths; a table by its values (:mod:`.table_split
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -23,6 +22,7 @@ from brdf_suite.reference.raytraced.lobes import (
     LARGEST_SLOPE,
     FacetGlint,
     MirrorLobe,
+    WideFacets,
 )
 from brdf_suite.reference.raytraced.numbers import in_cube
 from brdf_suite.reference.raytraced.table_split import TableSplit, split_by_values
@@ -36,29 +36,34 @@ _MIRROR_NODES, _MIRROR_SAMPLES = 64, 1024
 class Split:
     """``broad`` and ``narrow`` of one material; f_r is the sum of all."""
 
-    broad: Any
+    broad: Broad
     narrow: tuple[Any, ...]
 
-    def narrow_value(self, light: Vector, view: Vector) -> Colour:
-        """Return f_r of the narrow lobes, 1/sr."""
+    @property
+    def sunlit(self) -> tuple[Any, ...]:
+        """The narrow lobes that suns light, and whose rays leave suns out."""
+        return tuple(lobe for lobe in self.narrow if lobe.is_sunlit)
+
+    def narrow_value(self, light: Vector, view: Vector, *, sunlit: bool = False) -> Colour:
+        """Return f_r of the narrow lobes, or of those that suns light, 1/sr."""
         total: Colour = mi.Color3f(0.0)
-        for lobe in self.narrow:
+        for lobe in self.sunlit if sunlit else self.narrow:
             total += lobe.value(light, view)
         return total
 
-    def draw(self, view: Vector, choice: Real, u: Square) -> tuple[Vector, Colour]:
-        """Return directions to the light, and f_r cosθ over the density: of one lobe for each, chosen by its share.
+    def draw(self, view: Vector, choice: Real, u: Square) -> tuple[Vector, Colour, Real]:
+        """Return directions to the light, f_r cosθ over the density, and 1 where the ray finds suns as well, else 0.
 
-        The weight is 0 where the direction lies below the horizon.
+        One lobe is drawn for each, chosen by its share. The weight is 0 where the direction lies below the horizon.
         """
         if not self.narrow:
-            return mi.Vector3f(0.0, 0.0, 1.0), mi.Color3f(0.0)
+            return mi.Vector3f(0.0, 0.0, 1.0), mi.Color3f(0.0), mi.Float(1.0)
         shares = [lobe.weight(view) for lobe in self.narrow]
         total = shares[0]
         for share in shares[1:]:
             total = total + share
         rest = choice * total
-        light, weight = mi.Vector3f(0.0), mi.Color3f(0.0)
+        light, weight, suns = mi.Vector3f(0.0), mi.Color3f(0.0), mi.Float(1.0)
         left = mi.Bool(True)
         for index, (lobe, share) in enumerate(zip(self.narrow, shares, strict=True)):
             chosen = left & (rest < share) if index + 1 < len(self.narrow) else left
@@ -68,9 +73,11 @@ class Split:
             value = lobe.value(drawn, view) * (drawn.z / pdf)
             light = dr.select(chosen, drawn, light)
             weight = dr.select(chosen, dr.select(above & (pdf > 0.0), value, 0.0), weight)
+            if lobe.is_sunlit:
+                suns = dr.select(chosen, 0.0, suns)
             left &= ~chosen
             rest = rest - share
-        return light, weight
+        return light, weight, suns
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +94,7 @@ class Mirrored:
         cosine = (mi.Float(lane // _MIRROR_SAMPLES) + 0.5) / _MIRROR_NODES
         view = mi.Vector3f(dr.sqrt(dr.maximum(1.0 - cosine * cosine, 0.0)), 0.0, cosine)
         choice, u = in_cube(lane % _MIRROR_SAMPLES, mi.UInt32(0))
-        _, weight = split.draw(view, choice, u)
+        _, weight, _ = split.draw(view, choice, u)
         means = np.array(weight).reshape(3, _MIRROR_NODES, _MIRROR_SAMPLES).mean(axis=2)
         table = mi.Float(np.ascontiguousarray(means.T, np.float32).ravel())
         dr.eval(table)
@@ -103,25 +110,42 @@ class Mirrored:
         """The narrow lobes."""
         return self.split.narrow
 
-    def narrow_value(self, light: Vector, view: Vector) -> Colour:
-        """Return f_r of the narrow lobes, 1/sr."""
-        return self.split.narrow_value(light, view)
+    @property
+    def sunlit(self) -> tuple[Any, ...]:
+        """None: what is mirrored finds suns as well."""
+        return ()
 
-    def draw(self, view: Vector, _choice: Real, _u: Square) -> tuple[Vector, Colour]:
-        """Return the mirror direction, and the lobes' albedo for the view."""
+    def narrow_value(self, light: Vector, view: Vector, *, sunlit: bool = False) -> Colour:
+        """Return f_r of the narrow lobes, or of those that suns light, 1/sr."""
+        return mi.Color3f(0.0) if sunlit else self.split.narrow_value(light, view)
+
+    def draw(self, view: Vector, _choice: Real, _u: Square) -> tuple[Vector, Colour, Real]:
+        """Return the mirror direction, the lobes' albedo for the view, and 1: the ray finds suns as well."""
         place = dr.clip(view.z * _MIRROR_NODES - 0.5, 0.0, _MIRROR_NODES - 1.0)
         low = dr.minimum(mi.UInt32(place), _MIRROR_NODES - 2)
         first, second = (dr.gather(mi.Color3f, self.albedo, low + k) for k in (0, 1))
-        return d.mirrored(view), dr.fma(place - mi.Float(low), second - first, first)
+        return d.mirrored(view), dr.fma(place - mi.Float(low), second - first, first), mi.Float(1.0)
 
 
 @dataclass(frozen=True, eq=False)
-class Black:
-    """Sends nothing: the broad part of what has none."""
+class Broad:
+    """The broad parts of a material together; none: it sends nothing so."""
 
-    def value(self, _light: Vector, _view: Vector) -> Colour:
+    parts: tuple[Any, ...]
+
+    def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return mi.Color3f(0.0)
+        total: Colour = mi.Color3f(0.0)
+        for part in self.parts:
+            total += part.value(light, view)
+        return total
+
+    def lit(self, light: Vector, view: Vector, spread: Real) -> Colour:
+        """Return f_r for a light whose directions have ``spread``, radians along an axis."""
+        total: Colour = mi.Color3f(0.0)
+        for part in self.parts:
+            total += part.lit(light, view, spread) if hasattr(part, "lit") else part.value(light, view)
+        return total
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,6 +158,13 @@ class ThroughCoat:
     def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         return self.part.value(light, view) * self.coated.factor(light, view)
+
+    def lit(self, light: Vector, view: Vector, spread: Real) -> Colour:
+        """Return f_r for a light whose directions have ``spread``, radians along an axis."""
+        part = (
+            self.part.lit(light, view, spread) if hasattr(self.part, "lit") else self.part.value(light, view)
+        )
+        return part * self.coated.factor(light, view)
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,21 +186,15 @@ class PartOfWeights(LobeWeights):
 def split(term: Any, *, mirror: bool = False, tables: TableSplit = "clamp") -> Split | Mirrored:
     """Return a term cut in two; ``mirror``: its narrow lobes are mirrored, and then fewer lobes are narrow."""
     largest = LARGEST_MIRROR_SLOPE if mirror else LARGEST_SLOPE
-    broad, narrow = _parts(term, largest, tables)
-    whole = Split(_sum(broad), tuple(narrow))
+    broad, narrow = _parts(term, largest, tables, mirror)
+    whole = Split(Broad(tuple(broad)), tuple(narrow))
     return Mirrored.of(whole) if mirror and narrow else whole
 
 
-def _sum(parts: Sequence[Any]) -> Any:
-    if not parts:
-        return Black()
-    return parts[0] if len(parts) == 1 else Sum(tuple(parts))
-
-
-def _parts(term: Any, largest: float, tables: TableSplit) -> tuple[list[Any], list[Any]]:
+def _parts(term: Any, largest: float, tables: TableSplit, mirror: bool) -> tuple[list[Any], list[Any]]:
     """The broad terms and the narrow lobes of a term."""
     if isinstance(term, Sum):
-        pieces = [_parts(one, largest, tables) for one in term.terms]
+        pieces = [_parts(one, largest, tables, mirror) for one in term.terms]
         return [b for broad, _ in pieces for b in broad], [n for _, narrow in pieces for n in narrow]
     if isinstance(term, CoatLobe):
         if term.roughness > largest:
@@ -177,19 +202,19 @@ def _parts(term: Any, largest: float, tables: TableSplit) -> tuple[list[Any], li
         return [], [FacetGlint(term, term.roughness, 1.0, term.ior)]
     if isinstance(term, FacetLobe):
         if term.slope > largest:
-            return [term], []
+            return [WideFacets(term)], []
         share = 4.0 * term.scale * _luminance(term.ks)
         return [], [FacetGlint(term, term.slope, share, term.ior)]
     if isinstance(term, UnderCoat):
-        broad, narrow = _parts(term.base, largest, tables)
+        broad, narrow = _parts(term.base, largest, tables, mirror)
         seen = [ThroughCoat(term, part) for part in broad]
         lobes = [_with_term(lobe, ThroughCoat(term, lobe.term)) for lobe in narrow]
-        coat_broad, coat_narrow = _parts(term.coat, largest, tables)
+        coat_broad, coat_narrow = _parts(term.coat, largest, tables, mirror)
         return [*seen, *coat_broad], [*lobes, *coat_narrow]
     if isinstance(term, LobeWeights):
         return _of_lobe_weights(term, largest)
     if isinstance(term, HalfAngleTable):
-        return split_by_values(term, tables)
+        return split_by_values(term, tables, mirror=mirror)
     return [term], []
 
 

@@ -1,9 +1,13 @@
 """A table of values cut in a broad part and its peak, by clamping or by subtracting a lobe (section 5.1.3).
 
-*Clamp*: the broad part is the table, no higher than what it has 15° beside the mirror direction; the peak is what is
-above. *Subtract*: a lobe A(θd) exp(-tan²θh / m²) is fitted to the peak, its height at every θd the table's own above
-the clamp, its slope m that which halves it where the table does; the broad part is the table less that lobe, never
-negative. Either way the two sum up to the table exactly, and the peak is sampled by the facets that were fitted to it.
+*Clamp*: the broad part is the table, no higher at any θd than what the table has there some angle beside the mirror
+direction; the peak is what is above. Where it is mirrored, that angle is 15°. Where it is sampled, it is 25°, for
+lights are too far apart for what is narrower, and the peak is cut once more at 6°, into the clearcoat's and a flank.
+
+*Subtract*: a lobe A(θd) exp(-tan²θh / m²) is fitted to the peak, its height at every θd the table's own above the
+clamp, its slope m that which halves it where the table does; the broad part is the table less that lobe.
+
+Either way the parts sum up to the table exactly.
 """
 
 from __future__ import annotations
@@ -24,6 +28,7 @@ from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Half, Real, Square, Vector
 from brdf_suite.reference.raytraced.lobes import (
     LARGEST_SLOPE,
+    LEAST_SUNLIT_SLOPE,
     cosine_lobe_density,
     cosine_lobe_mirrored,
     exponent_of,
@@ -35,9 +40,15 @@ TableSplit = Literal["clamp", "subtract"]
 TABLE_SPLITS: tuple[TableSplit, ...] = ("clamp", "subtract")
 
 CLAMP_DEG = 15.0
-_VIEWS_DEG = (15.0, 45.0, 65.0)
+"""Beside the mirror direction; both sides of it are half as far from the normal, as half vectors."""
+OUTER_DEG, INNER_DEG = 25.0, 6.0
+_TURNS, _LEAST_COSINE = 9, 0.02
+_PROFILE = math.radians(45.0)
 _FLANK, _FLANK_SHARE = 0.1, 0.15
-"""A lobe about as wide as the clamp, and its least share of the samples: so that no flank is left out."""
+"""A lobe about as wide as the clamp, and its least share of the samples: so that nothing is left out."""
+_INNER_FLANK = 0.04
+_OUTER_LOBES = ((0.5, 0.08), (0.5, 0.2))
+_LEAST_SHARE = 0.2
 _HEIGHTS = 65
 _WIDTHS = 400
 
@@ -45,15 +56,36 @@ Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
+class OverDifference:
+    """Values (65, 3) over the cosine of θd, even steps from 0 to 1, as the renderer has them."""
+
+    table: Any
+
+    @classmethod
+    def of(cls, values: Floats) -> OverDifference:
+        """Return the values as arrays of the renderer."""
+        table = mi.Float(np.ascontiguousarray(values, np.float32).ravel())
+        dr.eval(table)
+        return cls(table)
+
+    def value(self, light: Vector, view: Vector) -> Colour:
+        """Return the values at pairs of directions, linear in between."""
+        place = dr.clip(Half.of(light, view).cos_d, 0.0, 1.0) * (_HEIGHTS - 1.0)
+        low = dr.minimum(mi.UInt32(place), _HEIGHTS - 2)
+        first, second = (dr.gather(mi.Color3f, self.table, low + k) for k in (0, 1))
+        return dr.fma(place - mi.Float(low), second - first, first)
+
+
+@dataclass(frozen=True, eq=False)
 class Clamped:
     """A term, no higher than ``cap``."""
 
     term: Any
-    cap: tuple[float, float, float]
+    cap: OverDifference
 
     def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return dr.minimum(self.term.value(light, view), d.colour(self.cap))
+        return dr.minimum(self.term.value(light, view), self.cap.value(light, view))
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,28 +93,38 @@ class AboveClamp:
     """What a term has above ``cap``."""
 
     term: Any
-    cap: tuple[float, float, float]
+    cap: OverDifference
 
     def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return dr.maximum(self.term.value(light, view) - d.colour(self.cap), 0.0)
+        return dr.maximum(self.term.value(light, view) - self.cap.value(light, view), 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Between:
+    """What a term has between two caps."""
+
+    term: Any
+    low: OverDifference
+    high: OverDifference
+
+    def value(self, light: Vector, view: Vector) -> Colour:
+        """Return f_r in 1/sr."""
+        value, low = self.term.value(light, view), self.low.value(light, view)
+        return dr.minimum(value, self.high.value(light, view)) - dr.minimum(value, low)
 
 
 @dataclass(frozen=True, eq=False)
 class FittedPeak:
-    """A lobe A(θd) exp(-tan²θh / m²): ``heights`` (65 × 3) over the cosine of θd, the slope m."""
+    """A lobe A(θd) exp(-tan²θh / m²): its ``heights``, the slope m."""
 
-    heights: Any
+    heights: OverDifference
     slope: float
 
     def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        half = Half.of(light, view)
-        place = dr.clip(half.cos_d, 0.0, 1.0) * (_HEIGHTS - 1.0)
-        low = dr.minimum(mi.UInt32(place), _HEIGHTS - 2)
-        first, second = (dr.gather(mi.Color3f, self.heights, low + k) for k in (0, 1))
-        height = dr.fma(place - mi.Float(low), second - first, first)
-        return height * dr.exp(-half.tan2_h * d.number(1.0 / self.slope**2))
+        bell = dr.exp(-Half.of(light, view).tan2_h * d.number(1.0 / self.slope**2))
+        return self.heights.value(light, view) * bell
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,6 +159,11 @@ class FacetMixture:
     lobes: tuple[tuple[float, float], ...]
     share: float = 1.0
 
+    @property
+    def is_sunlit(self) -> bool:
+        """Whether suns light it, and its rays leave them out: where none of its lobes is narrower than that."""
+        return min(slope for _, slope in self.lobes) >= LEAST_SUNLIT_SLOPE
+
     def weight(self, _view: Vector) -> Real:
         """Return the share of a mixture with other narrow lobes."""
         return d.number(self.share)
@@ -146,17 +193,17 @@ class FacetMixture:
         return total
 
 
-def split_by_values(term: Any, how: TableSplit) -> tuple[list[Any], list[Any]]:
-    """Return the broad term and the narrow lobe of a term; all is broad where it has no peak."""
+def split_by_values(term: Any, how: TableSplit, *, mirror: bool = False) -> tuple[list[Any], list[Any]]:
+    """Return the broad term and the narrow lobes of a term; all is broad where it has no peak."""
     facets = [s for s in term.samplers if isinstance(s, Facets) and s.slope <= LARGEST_SLOPE]
     if not facets:
         return [term], []
-    cap = clamp_of(term)
-    total = sum(f.weight for f in facets)
-    lobes = [(f.weight / total * (1.0 - _FLANK_SHARE), f.slope) for f in facets]
-    lobes.append((_FLANK_SHARE, _FLANK))
+    if how == "clamp" and not mirror:
+        return _clamped_twice(term, facets)
+    cap = caps_of(term, CLAMP_DEG)
     if how == "clamp":
-        return [Clamped(term, cap)], [FacetMixture(AboveClamp(term, cap), tuple(lobes))]
+        above = AboveClamp(term, OverDifference.of(cap))
+        return [Clamped(term, above.cap)], [FacetMixture(above, _mixture(facets, _FLANK))]
     peak = fitted_peak(term, cap)
     if peak is None:
         return [term], []
@@ -164,42 +211,68 @@ def split_by_values(term: Any, how: TableSplit) -> tuple[list[Any], list[Any]]:
     return [Less(term, peak)], [FacetMixture(Within(term, peak), only)]
 
 
-def clamp_of(term: Any) -> tuple[float, float, float]:
-    """Return the largest value of each channel 15° beside the mirror direction, for three views."""
-    found = []
-    for theta_deg in _VIEWS_DEG:
-        view = spherical(math.radians(theta_deg), 0.0)
-        mirror = np.array([-view[0], -view[1], view[2]])
-        beside = np.cross(mirror, [0.0, 1.0, 0.0])
-        turn = np.linspace(0.0, 2.0 * math.pi, 32, endpoint=False)[:, None]
-        away = np.cos(turn) * beside + np.sin(turn) * np.array([0.0, 1.0, 0.0])
-        cosine, sine = math.cos(math.radians(CLAMP_DEG)), math.sin(math.radians(CLAMP_DEG))
-        light = cosine * mirror + sine * away
-        found.append(values_of(term, light[light[:, 2] > 0.05], view).max(axis=0))
-    red, green, blue = np.max(found, axis=0).tolist()
-    return red, green, blue
+def _clamped_twice(term: Any, facets: Sequence[Facets]) -> tuple[list[Any], list[Any]]:
+    high = caps_of(term, INNER_DEG)
+    inner = OverDifference.of(high)
+    outer = OverDifference.of(np.minimum(caps_of(term, OUTER_DEG), high))
+    narrow = [f for f in facets if f.slope < _INNER_FLANK]
+    total = sum(f.weight for f in facets)
+    share = min(max(sum(f.weight for f in narrow) / total, _LEAST_SHARE), 1.0 - _LEAST_SHARE)
+    return [Clamped(term, outer)], [
+        FacetMixture(AboveClamp(term, inner), _mixture(narrow, _INNER_FLANK), share),
+        FacetMixture(Between(term, outer, inner), _OUTER_LOBES, 1.0 - share),
+    ]
 
 
-def fitted_peak(term: Any, cap: Sequence[float]) -> FittedPeak | None:
-    """Return the lobe that is fitted to a term's peak above ``cap``; None where there is no peak."""
-    cos_d = np.clip(np.linspace(0.0, 1.0, _HEIGHTS), 0.03, 1.0)
-    theta = np.arccos(cos_d)
-    heights = values_of(term, spherical(theta, math.pi), spherical(theta, 0.0))
-    heights = np.maximum(heights - np.asarray(cap), 0.0)
+def _mixture(facets: Sequence[Facets], flank: float) -> tuple[tuple[float, float], ...]:
+    """The facets, by their weights, and a flank."""
+    total = sum(f.weight for f in facets)
+    shares = [(f.weight / total * (1.0 - _FLANK_SHARE), f.slope) for f in facets]
+    return (*shares, (1.0 - sum(share for share, _ in shares), flank))
+
+
+def caps_of(term: Any, beside_deg: float) -> Floats:
+    """Return for each θd (65, 3) the largest value that many degrees beside the mirror direction."""
+    theta_d = np.arccos(np.clip(np.linspace(0.0, 1.0, _HEIGHTS), 0.03, 1.0))
+    tilt = math.radians(0.5 * beside_deg)
+    turns = np.linspace(0.0, math.pi, _TURNS)
+    # In the frame of the half vector, then that frame tilted about axes all around.
+    light, view = (spherical(theta_d, phi) for phi in (math.pi, 0.0))
+    caps = np.zeros((_HEIGHTS, 3))
+    for turn in turns:
+        axis = np.array([-math.sin(turn), math.cos(turn), 0.0])
+        wi, wo = (_rotated(directions, axis, tilt) for directions in (light, view))
+        above = (wi[:, 2] > _LEAST_COSINE) & (wo[:, 2] > _LEAST_COSINE)
+        wi[~above] = wo[~above] = (0.0, 0.0, 1.0)
+        caps = np.maximum(caps, np.where(above[:, None], values_of(term, wi, wo), 0.0))
+    # Towards grazing no such pair is above the horizon: there the last cap that is known holds.
+    known = np.flatnonzero(caps.max(axis=1) > 0.0)
+    if len(known):
+        caps[: known[0]] = caps[known[0]]
+    return caps
+
+
+def _rotated(directions: Floats, axis: Floats, angle: float) -> Floats:
+    """Turn directions (n, 3) about a unit axis (Rodrigues)."""
+    cosine, sine = math.cos(angle), math.sin(angle)
+    along = (directions @ axis)[:, None] * axis
+    return np.asarray(cosine * directions + sine * np.cross(axis, directions) + (1.0 - cosine) * along)
+
+
+def fitted_peak(term: Any, caps: Floats) -> FittedPeak | None:
+    """Return the lobe that is fitted to a term's peak above ``caps`` (65, 3); None where there is no peak."""
+    theta = np.arccos(np.clip(np.linspace(0.0, 1.0, _HEIGHTS), 0.03, 1.0))
+    heights = np.maximum(values_of(term, spherical(theta, math.pi), spherical(theta, 0.0)) - caps, 0.0)
     tilt = np.linspace(0.0, math.radians(0.5 * CLAMP_DEG), _WIDTHS)
-    view_theta = math.radians(45.0)
-    light = spherical(view_theta - 2.0 * tilt, np.full(_WIDTHS, math.pi))
-    profile = (
-        np.maximum(values_of(term, light, spherical(view_theta, 0.0)) - np.asarray(cap), 0.0) @ LUMINANCE
-    )
+    light = spherical(_PROFILE - 2.0 * tilt, np.full(_WIDTHS, math.pi))
+    cap = caps[round(math.cos(_PROFILE) * (_HEIGHTS - 1))]
+    profile = np.maximum(values_of(term, light, spherical(_PROFILE, 0.0)) - cap, 0.0) @ LUMINANCE
     if not profile[0] > 0.0:
         return None
     below = np.flatnonzero(profile < 0.5 * profile[0])
     halved = tilt[below[0]] if len(below) else tilt[-1]
     slope = max(math.tan(halved) / math.sqrt(math.log(2.0)), 1e-3)
-    table = mi.Float(np.ascontiguousarray(heights, np.float32).ravel())
-    dr.eval(table)
-    return FittedPeak(table, min(slope, LARGEST_SLOPE))
+    return FittedPeak(OverDifference.of(heights), min(slope, LARGEST_SLOPE))
 
 
 def values_of(term: Any, light: Floats, view: Floats) -> Floats:

@@ -29,7 +29,7 @@ from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
 from brdf_suite.reference.raytraced import flakes as fl
 from brdf_suite.reference.raytraced.camera import Pinhole
-from brdf_suite.reference.raytraced.light_set import ENVIRONMENT, NEAR_LAMP, LightSet
+from brdf_suite.reference.raytraced.light_set import ENVIRONMENT, NEAR_LAMP, SUN, LightSet
 from brdf_suite.reference.raytraced.numbers import in_cube, in_pixel, scrambled
 from brdf_suite.reference.raytraced.quality import Quality
 from brdf_suite.reference.raytraced.sky import Sky
@@ -58,6 +58,7 @@ class LightArrays:
     factors: Any
     open_ground: Colour
     has_lamps: bool
+    has_suns: bool
 
     @classmethod
     def of(cls, dealt: LightSet) -> LightArrays:
@@ -71,8 +72,8 @@ class LightArrays:
         dr.eval(places, strengths, spreads, drawn, kinds, table)
         ground = d.colour(np.maximum(dealt.ground_irradiance(), 1e-12).tolist())
         bits = dr.opaque(mi.UInt32, int(entries.shape[1]).bit_length() - 1)
-        lamps = bool((dealt.kinds != ENVIRONMENT).any())
-        return cls(places, strengths, spreads, kinds, table, bits, drawn, ground, lamps)
+        lamps, suns = bool((dealt.kinds > SUN).any()), bool((dealt.kinds == SUN).any())
+        return cls(places, strengths, spreads, kinds, table, bits, drawn, ground, lamps, suns)
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,23 +223,24 @@ def _lit(
         place = dr.gather(mi.Vector3f, lights.places, index)
         strength = dr.gather(mi.Color3f, lights.strengths, index)
         towards, length, share = place, mi.Float(dr.inf), mi.Float(1.0)
-        lamp, for_ground = mi.Bool(False), on_ground
-        if lights.has_lamps:
+        kind, for_ground = mi.UInt32(ENVIRONMENT), on_ground
+        if lights.has_lamps or lights.has_suns:
             kind = dr.gather(mi.UInt32, lights.kinds, index)
+        if lights.has_lamps:
             away = place - hit.off
             distance = dr.norm(away)
             close = kind == NEAR_LAMP
             towards = dr.select(close, away / distance, place)
             length = dr.select(close, distance, length)
             share = dr.select(close, dr.rcp(dr.square(distance)), share)
-            lamp = kind != ENVIRONMENT
-            for_ground = on_ground & ~lamp
+            for_ground = on_ground & (kind <= SUN)
         cosine = dr.dot(hit.normal, towards)
         lit = (met | for_ground) & (cosine > 0.0) & (dr.max(strength) > 0.0)
         lit &= ~stage.surface.hides(hit.off, towards, length, lit)
         local = frame.to_local(towards)
         arriving = strength * (cosine * share * factor)
-        value = _value(stage, material, local, view, lamp, seen, _spread(stage, seen, index), met)
+        spread = dr.gather(mi.Float, lights.spreads, index)
+        value = _value(stage, material, local, view, kind, seen, spread, met)
         light = light + dr.select(lit & met, value * arriving, 0.0)
         shade = shade + dr.select(lit & for_ground, arriving / lights.open_ground, 0.0)
         return i + 1, light, shade
@@ -250,39 +252,38 @@ def _lit(
     return light, shade
 
 
-def _spread(stage: Stage, seen: fl.FlakesSeen | None, index: Any) -> Real:
-    return mi.Float(0.0) if seen is None else dr.gather(mi.Float, stage.lights.spreads, index)
-
-
 def _value(
     stage: Stage,
     material: Any,
     light: Vector,
     view: Vector,
-    lamp: Any,
+    kind: Any,
     seen: fl.FlakesSeen | None,
     spread: Real,
     active: Any,
 ) -> Colour:
-    """f_r of what lights light: the broad part; in a lamp's light, which no reflected ray finds, the whole."""
+    """f_r of what lights light: the broad part.
+
+    In a lamp's light, which no reflected ray finds, the whole; in a sun's the lobes whose rays leave suns out as well.
+    """
 
     def of(split: Any) -> Any:
-        def value(light: Vector, view: Vector, narrow: Real, active: Any) -> Colour:
+        def value(light: Vector, view: Vector, kind: Any, spread: Real, active: Any) -> Colour:
             above = active & (light.z > 0.0) & (view.z > 0.0)
-            total = split.broad.value(light, view)
+            total = split.broad.lit(light, view, spread)
             if stage.lights.has_lamps and split.narrow:
-                total = total + narrow * split.narrow_value(light, view)
+                total = total + dr.select(kind > SUN, split.narrow_value(light, view), 0.0)
+            if stage.lights.has_suns and split.sunlit:
+                total = total + dr.select(kind == SUN, split.narrow_value(light, view, sunlit=True), 0.0)
             return dr.select(above, total, 0.0)
 
         return value
 
-    # A number: Dr.Jit takes a truth value at the end of a switch's arguments for its mask.
-    narrow = dr.select(lamp, mi.Float(1.0), 0.0)
     values = [of(split) for split in stage.materials]
     if len(values) == 1:
-        value = values[0](light, view, narrow, active)
+        value = values[0](light, view, kind, spread, active)
     else:
-        value = dr.switch(material, values, light, view, narrow, active)
+        value = dr.switch(material, values, light, view, kind, spread, active)
     if seen is None or stage.sparkle is None:
         return value
     bright = fl.sparkling(stage.sparkle, seen, light, view, spread, value)
@@ -310,7 +311,7 @@ def _reflected(stage: Stage, deal: Deal, hit: Hit, met: Any, k: Any, turn: Any) 
         ) -> tuple[Any, ...]:
             frame = mi.Frame3f(normal)
             choice, u = in_cube(number, turn + bounce * mi.UInt32(0x85EBCA6B))
-            local, factor = _drawn(stage, material, frame.to_local(view), choice, u, going)
+            local, factor, suns = _drawn(stage, material, frame.to_local(view), choice, u, going)
             weight = weight * factor
             direction = frame.to_world(local)
             going &= dr.max(weight) > 0.0
@@ -319,7 +320,7 @@ def _reflected(stage: Stage, deal: Deal, hit: Hit, met: Any, k: Any, turn: Any) 
             pick = _drawn_lights(stage.lights, deal, word)
             arriving, shade = _lit(stage, hit, met, on_ground, pick, deal.lights_a_ray)
             gone = going & ~met
-            sky = stage.sky.along(direction, gone)
+            sky = stage.sky.along(direction, gone, suns > 0.5)
             arriving = dr.select(gone, dr.select(on_ground, sky * shade, sky), arriving)
             light = light + dr.select(going, weight * arriving, 0.0)
             going &= met
@@ -365,17 +366,17 @@ def _reflected(stage: Stage, deal: Deal, hit: Hit, met: Any, k: Any, turn: Any) 
 
 def _drawn(
     stage: Stage, material: Any, view: Vector, choice: Real, u: Any, active: Any
-) -> tuple[Vector, Colour]:
+) -> tuple[Vector, Colour, Real]:
     def of(split: Any) -> Any:
-        def draw(view: Vector, choice: Real, u: Any, _active: Any) -> tuple[Vector, Colour]:
-            drawn: tuple[Vector, Colour] = split.draw(view, choice, u)
+        def draw(view: Vector, choice: Real, u: Any, _active: Any) -> tuple[Vector, Colour, Real]:
+            drawn: tuple[Vector, Colour, Real] = split.draw(view, choice, u)
             return drawn
 
         return draw
 
     draws = [of(split) for split in stage.materials]
     if len(draws) == 1:
-        light, weight = draws[0](view, choice, u, active)
+        found: tuple[Vector, Colour, Real] = draws[0](view, choice, u, active)
     else:
-        light, weight = dr.switch(material, draws, view, choice, u, active)
-    return light, weight
+        found = dr.switch(material, draws, view, choice, u, active)
+    return found
