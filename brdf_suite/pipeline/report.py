@@ -256,7 +256,7 @@ def _figures(
     ]
     if fit.paint_fit is not None:
         coat.append(("Coat, roughness α", f"{fit.paint_fit.reflectance.roughness:.4f}"))
-    peel = getattr(paint, "orange_peel", None)
+    peel = paint.orange_peel
     if peel is not None:
         coat.append(("Orange peel", f"{peel.amplitude_um:.2g} µm, {peel.wavelength_mm:.2g} mm"))
     groups = [("Colour over the angle", tuple(shape)), ("Coat", tuple(coat))]

@@ -19,7 +19,7 @@ import pytest
 from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.appearance.geometries import measured_set
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
-from brdf_suite.documents.paint import Flakes, Gloss, Measurement, Paint
+from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, Paint
 from brdf_suite.errors import FileError, SuiteError, ValueRangeError
 from brdf_suite.files.cxf import read_cxf
 from brdf_suite.files.exports import FORMATS, ExportFormat, Spectra, Subject, read_paints
@@ -40,6 +40,7 @@ PAINT = Paint(
     notes="first line\n\tsecond; 'third'",
     source="-by hand",
     near_specular=1.25,
+    orange_peel=OrangePeel(0.5, 4.0),
 )
 BY_NAME = {known.name: known for known in FORMATS}
 
@@ -61,8 +62,8 @@ def labs(paint: Paint) -> dict[tuple[float, float], tuple[float, float, float]]:
     return {(m.illumination_deg, m.aspecular_deg): m.lab for m in paint.measurements}
 
 
-def test_what_is_lost_is_told_in_sentences(known: ExportFormat, subjects: dict[str, Subject]) -> None:
-    told = known.losses(subjects[known.name])
+def test_what_is_lost_is_told_in_sentences(known: ExportFormat) -> None:
+    told = known.losses(Subject(PAINT, PAINT))
     assert all(
         (sentence[0].isupper() or sentence.startswith("glTF")) and sentence.endswith(".") for sentence in told
     )
@@ -71,6 +72,8 @@ def test_what_is_lost_is_told_in_sentences(known: ExportFormat, subjects: dict[s
     if known.name in ("luxcore", "openpbr", "gltf"):
         assert any("ΔE00" in sentence for sentence in told)
         assert any("flakes" in sentence for sentence in told)
+    if known.name in ("luxcore", "openpbr", "rgl"):
+        assert any("orange peel" in sentence for sentence in told)
 
 
 def test_a_paint_comes_back_as_it_was(

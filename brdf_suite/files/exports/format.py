@@ -132,10 +132,13 @@ class ExportFormat:
 
 
 def flake_loss(subject: Subject) -> tuple[str, ...]:
-    """Return the sentence about flakes for formats without sparkle."""
-    if subject.paint.flakes is None:
-        return ()
-    return ("The flakes do not sparkle there: density, size and tilt are left out.",)
+    """Return the sentences about flakes and orange peel for formats that have neither."""
+    told = []
+    if subject.paint.flakes is not None:
+        told.append("The flakes do not sparkle there: density, size and tilt are left out.")
+    if subject.paint.orange_peel is not None:
+        told.append("The orange peel is left out: the surface is smooth there.")
+    return tuple(told)
 
 
 def readings_loss(subject: Subject) -> tuple[str, ...]:
