@@ -123,7 +123,8 @@ def scalar_lobes(weights: MaterialWeights, view: View) -> Any:
         weights.ior,
         raised=view.fresnel != "off",
     )
-    return table_bsdf(seen)
+    # Coarser than a paint's: within a per cent, in a tenth of the time.
+    return table_bsdf(seen, incidences=32, resolution=64)
 
 
 def _placed(paint: TracedPaint, dress: Dress, view: View) -> tuple[PlacedPaint, tuple[str, ...]]:

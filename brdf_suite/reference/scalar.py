@@ -52,11 +52,13 @@ def working_table(
     return replace(table, values=np.ascontiguousarray(values, np.float32))
 
 
-def table_bsdf(reflectance: Reflectance) -> Any:
+def table_bsdf(
+    reflectance: Reflectance, *, incidences: int | None = None, resolution: int | None = None
+) -> Any:
     """Return Mitsuba's ``measured`` with the table of a reflectance, seen from both sides; errors as working_table."""
     import mitsuba as mi
 
-    table = working_table(reflectance)
+    table = working_table(reflectance, incidences=incidences, resolution=resolution)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "table.bsdf"
         write_rgl(table, path)
@@ -89,9 +91,10 @@ class LobesSeen:
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr; 0 below the horizon."""
-        none = np.zeros_like(self.kdd)
-        base = lobe_sums(wi, wo, self.exponents, self.kd, self.kdd, none).brdf()
-        gloss = lobe_sums(wi, wo, self.exponents, np.zeros(3), none, self.kg).brdf()
+        matt, sharp = (weights.any(axis=1) for weights in (self.kdd, self.kg))
+        kdd, kg = self.kdd[matt], self.kg[sharp]
+        base = lobe_sums(wi, wo, self.exponents[matt], self.kd, kdd, 0.0 * kdd).brdf()
+        gloss = lobe_sums(wi, wo, self.exponents[sharp], np.zeros(3), 0.0 * kg, kg).brdf()
         base_gain, gloss_gain = self._gains(np.asarray(wo, float)[..., 2:])
         return np.asarray(base * base_gain + gloss * gloss_gain)
 
