@@ -20,6 +20,7 @@ from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.appearance.geometries import measured_set
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, Paint
+from brdf_suite.documents.store import PAINT_ENDING, load_paint
 from brdf_suite.errors import FileError, SuiteError, ValueRangeError
 from brdf_suite.files.cxf import read_cxf
 from brdf_suite.files.exports import FORMATS, ExportFormat, Spectra, Subject, read_paints
@@ -30,6 +31,7 @@ from brdf_suite.files.measured import read_measured
 from brdf_suite.reflectance.build import build_paint, build_reflectance
 from brdf_suite.reflectance.spectrophotometer import measure
 from brdf_suite.reflectance.tensor.tabulate import tabulate
+from brdf_suite.resources import resource, resource_names
 
 LABS = {15.0: (86.123456789, 4.1, 44.0), 45.0: (37.8, 2.1, 23.5), 110.0: (13.6, 1.2, 14.5)}
 PAINT = Paint(
@@ -365,3 +367,14 @@ def test_luxcore_itself_renders_the_material_as_it_was_fitted(tmp_path: Path) ->
     samples = samples_of(PAINT, build_paint(PAINT))
     expected = fit_carpaint(PAINT).eval(samples.wi[:3], samples.wo[:3]) * math.cos(math.pi / 4.0)
     assert np.array(found, float) == pytest.approx(expected, rel=1e-4)
+
+
+@pytest.mark.parametrize("name", ["cxf", "csv", "json"])
+def test_every_shipped_paint_comes_back_to_the_last_bit(name: str, tmp_path: Path) -> None:
+    paints = [
+        load_paint(resource("paints", known + PAINT_ENDING))
+        for known in resource_names("paints", PAINT_ENDING)
+    ]
+    path = tmp_path / f"all{BY_NAME[name].ending}"
+    BY_NAME[name].write([Subject(paint, paint) for paint in paints], path, None)
+    assert read_paints(path).paints == tuple(paints)
