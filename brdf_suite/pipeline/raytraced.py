@@ -16,7 +16,6 @@ import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
 
@@ -29,6 +28,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.exposure import ev_of, exposed
+from brdf_suite.pipeline.file_stamp import file_stamp
 from brdf_suite.pipeline.raytraced_key import scene_key
 from brdf_suite.pipeline.raytraced_parts import Parts, Same, Size, Wanted, materials_of, placed, sparkle_of
 from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
@@ -325,8 +325,8 @@ class RaytracedSession:
             traced = asked
         else:
             told = asked if isinstance(asked, str) else Same(asked)
-            traced = keep("traced", (told, _stamp(asked), illuminant), lambda: load_traced(asked, view))
-        light = (view.environment, _stamp(view.environment), view.environment_layout)
+            traced = keep("traced", (told, file_stamp(asked), illuminant), lambda: load_traced(asked, view))
+        light = (view.environment, file_stamp(view.environment), view.environment_layout)
         environment = environment or keep(
             "environment",
             light,
@@ -337,7 +337,7 @@ class RaytracedSession:
         look = replace(view.surface_look, materials=(), occlusion=True, ground=False)
         mesh = mesh or keep(
             "loaded",
-            (view.surface, _stamp(view.surface), look),
+            (view.surface, file_stamp(view.surface), look),
             lambda: load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.9)),
         )
         return Wanted(traced, environment, mesh, view, size, quality, tables)
@@ -358,14 +358,3 @@ def left_out(wanted: Wanted) -> tuple[str, ...]:
     if view.two_tone.paint is not None and view.two_tone.mask is not None:
         told.append("The ray tracer shows the first paint alone.")
     return tuple(told)
-
-
-def _stamp(asked: object) -> tuple[int, int] | None:
-    """Tell a file from what it was before; None for what is no file."""
-    if not isinstance(asked, str):
-        return None
-    try:
-        status = Path(asked).stat()
-    except (OSError, ValueError):  # a shipped name, or a file that whoever reads it will miss
-        return None
-    return status.st_mtime_ns, status.st_size

@@ -15,6 +15,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.pipeline.picture_file import check_target
 from brdf_suite.pipeline.raytraced import RaytracedImage, RaytracedSession
 from brdf_suite.pipeline.raytraced_parts import Size
+from brdf_suite.pipeline.traced_picture import TracedPicture, told_of
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, Quality, quality_of
 
@@ -24,24 +25,13 @@ if TYPE_CHECKING:
 KEEP_EVERY_S = 20.0
 
 
-@dataclass(frozen=True)
-class RaytracedPicture:
+@dataclass(frozen=True, kw_only=True)
+class RaytracedPicture(TracedPicture):
     """A ray-traced picture that was written; ``rounds`` of the quality's samples, the last of them whole or not."""
 
-    path: Path
-    width: int
-    height: int
-    paint: str
-    environment: str
-    surface: str
-    renderer: str
     lights: int
     reflections: int
-    samples: int
     rounds: float
-    seconds: float
-    resumed_samples: int
-    notices: tuple[str, ...]
 
 
 def render_raytraced(
@@ -108,20 +98,13 @@ def render_raytraced(
     kept.unlink(missing_ok=True)
     report(progress, 1.0, "written")
     return RaytracedPicture(
-        path=path,
-        width=size[0],
-        height=size[1],
-        paint=scene.name,
-        environment=scene.environment,
-        surface=scene.surface,
-        renderer=scene.renderer,
+        **told_of(scene, path),
         lights=chosen.lights,
         reflections=chosen.reflections,
         samples=newest.samples,
         rounds=newest.samples / chosen.samples,
         seconds=newest.seconds,
         resumed_samples=begun.samples if begun else 0,
-        notices=scene.notices,
     )
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.light_matrix import light_matrix
 from brdf_suite.documents.view import View
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.pipeline.reference_optics import lobe_term
 from brdf_suite.pipeline.reference_paint import TracedPaint
 from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.stock_materials import stock_materials
@@ -90,7 +91,7 @@ class Parts:
 
             weights = stock_materials(default_basis().exponents)
             used = {name: weights.get(name, weights["neutral"]) for name in names if name != PAINT}
-            return {name: split(_lobes(w, view), mirror=mirror) for name, w in used.items()}
+            return {name: split(lobe_term(w, view), mirror=mirror) for name, w in used.items()}
 
         others = self.keep("stock", (tuple(names), mirror, view.fresnel), stock)
         if PAINT not in names:
@@ -187,7 +188,7 @@ def term_of(paint: TracedPaint, view: View) -> tuple[Any, tuple[str, ...]]:
     from brdf_suite.reference.translate import translate
 
     if isinstance(paint.reflectance, MaterialWeights):
-        return _lobes(paint.reflectance, view), ()
+        return lobe_term(paint.reflectance, view), ()
     translated = translate(paint.reflectance)
     notices = translated.notices
     most = largest_albedo(translated.term)
@@ -208,18 +209,3 @@ def sparkle_of(paint: TracedPaint, view: View) -> Sparkle | None:
     else:
         ior = float(getattr(paint.reflectance, "ior", 1.0))
     return Sparkle(flakes, ior, view.sparkle.strength)
-
-
-def _lobes(weights: MaterialWeights, view: View) -> Any:
-    from brdf_suite.reference.lobe_weights import LobeWeights
-
-    return LobeWeights(
-        np.asarray(weights.exponents, float),
-        weights.kd,
-        weights.kdd,
-        weights.kg,
-        weights.coat,
-        weights.theta_fit_rad,
-        weights.ior,
-        raised=view.fresnel != "off",
-    )

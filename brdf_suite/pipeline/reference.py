@@ -14,6 +14,7 @@ from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target
 from brdf_suite.pipeline.reference_file import check_settings, write_reference
 from brdf_suite.pipeline.reference_scene import ReferenceScene, Size, prepare_reference
+from brdf_suite.pipeline.traced_picture import TracedPicture, told_of
 from brdf_suite.progress import Progress, part, report
 
 if TYPE_CHECKING:
@@ -23,22 +24,11 @@ DEFAULT_SAMPLES = 256
 _KEEP_EVERY_S = 20.0
 
 
-@dataclass(frozen=True)
-class ReferencePicture:
+@dataclass(frozen=True, kw_only=True)
+class ReferencePicture(TracedPicture):
     """A path-traced picture that was written."""
 
-    path: Path
-    width: int
-    height: int
-    paint: str
-    environment: str
-    surface: str
-    renderer: str
-    samples: int
-    seconds: float
     noise: float
-    resumed_samples: int
-    notices: tuple[str, ...]
 
 
 def render_reference(
@@ -117,18 +107,11 @@ def render_reference(
     state.unlink(missing_ok=True)
     report(progress, 1.0, "written")
     return ReferencePicture(
-        path=path,
-        width=size[0],
-        height=size[1],
-        paint=scene.name,
-        environment=scene.environment,
-        surface=scene.surface,
-        renderer=scene.renderer,
+        **told_of(scene, path),
         samples=estimate.samples,
         seconds=estimate.seconds,
         noise=estimate.noise,
         resumed_samples=0 if begun is None else begun.samples,
-        notices=scene.notices,
     )
 
 

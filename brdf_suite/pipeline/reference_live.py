@@ -16,7 +16,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 import numpy as np
@@ -27,6 +26,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
+from brdf_suite.pipeline.file_stamp import file_stamp
 from brdf_suite.pipeline.reference_optics import Dress, load_dress
 from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
 from brdf_suite.pipeline.reference_scene import ReferenceScene, Size, build_reference
@@ -175,8 +175,8 @@ class LiveReference:
         asked = os.fspath(paint) if isinstance(paint, (str, os.PathLike)) else paint
         illuminant = view.light_colour.illuminant
         report(progress, 0.0, "reading the paint")
-        traced = self._keep("paint", (asked, _stamp(asked), illuminant), lambda: load_traced(asked, view))
-        light = (view.environment, _stamp(view.environment), view.environment_layout)
+        traced = self._keep("paint", (asked, file_stamp(asked), illuminant), lambda: load_traced(asked, view))
+        light = (view.environment, file_stamp(view.environment), view.environment_layout)
         environment = environment or self._keep(
             "environment",
             light,
@@ -187,12 +187,12 @@ class LiveReference:
         look = replace(view.surface_look, materials=(), occlusion=True, ground=False)
         mesh = mesh or self._keep(
             "surface",
-            (view.surface, _stamp(view.surface), look),
+            (view.surface, file_stamp(view.surface), look),
             lambda: load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.9)),
         )
         request = ImageRequest.of(view)
         files = (request.normal_map, request.mask, request.second_paint)
-        dress = self._keep("dress", (request, *map(_stamp, files)), lambda: load_dress(view))
+        dress = self._keep("dress", (request, *map(file_stamp, files)), lambda: load_dress(view))
         return _Loaded(traced, environment, mesh, dress)
 
     def _keep(self, what: str, asked: object, load: Callable[[], _T]) -> _T:
@@ -201,17 +201,6 @@ class LiveReference:
             self._kept[what] = (asked, load())
         found: _T = self._kept[what][1]
         return found
-
-
-def _stamp(asked: object) -> tuple[int, int] | None:
-    """Tell a file from what it was before; None for what is no file."""
-    if not isinstance(asked, str):
-        return None
-    try:
-        status = Path(asked).stat()
-    except (OSError, ValueError):  # a shipped name, or a file that whoever reads it will miss
-        return None
-    return status.st_mtime_ns, status.st_size
 
 
 def _structure(loaded: _Loaded, view: View) -> tuple[object, ...]:

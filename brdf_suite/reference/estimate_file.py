@@ -7,17 +7,14 @@ tell the samples and what was rendered.
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.documents.atomic import replacing
-from brdf_suite.errors import FileError
-from brdf_suite.files.primaries import REC2020
 from brdf_suite.reference.passes import Estimate
+from brdf_suite.reference.state_file import reading_state, write_state
 
 ATTRIBUTE = "brdfSuiteReference"
 _VERSION = 2
@@ -32,8 +29,6 @@ def write_estimate(
     metadata: Mapping[str, str] | None = None,
 ) -> None:
     """Write an estimate atomically; ``picture`` (h, w, 3) is its light with the backdrop, ``key`` tells the scene."""
-    import OpenEXR
-
     state = {
         "version": _VERSION,
         "key": key,
@@ -42,24 +37,13 @@ def write_estimate(
         "seconds": estimate.seconds,
     }
     variance = np.minimum(estimate.variance, np.finfo(np.float32).max)
-    channels = {"A": _plane(estimate.coverage)}
+    planes = {"A": estimate.coverage}
     for index, name in enumerate("RGB"):
-        channels[name] = _plane(picture[..., index])
-        channels[f"variance.{name}"] = _plane(variance[..., index])
-        channels[f"object.{name}"] = _plane(estimate.radiance[..., index])
-        channels[f"squares.{name}"] = _plane(estimate.squares[..., index])
-    header = {
-        **(metadata or {}),
-        ATTRIBUTE: json.dumps(state),
-        "compression": OpenEXR.ZIP_COMPRESSION,
-        "type": OpenEXR.scanlineimage,
-        "chromaticities": REC2020,
-    }
-    with replacing(path) as temporary:
-        try:
-            OpenEXR.File(header, channels).write(str(temporary))
-        except (RuntimeError, ValueError) as error:
-            raise FileError(path, f"cannot be written ({error})") from error
+        planes[name] = picture[..., index]
+        planes[f"variance.{name}"] = variance[..., index]
+        planes[f"object.{name}"] = estimate.radiance[..., index]
+        planes[f"squares.{name}"] = estimate.squares[..., index]
+    write_state(path, ATTRIBUTE, state, planes, metadata)
 
 
 def read_estimate(path: str | os.PathLike[str], key: str) -> Estimate | None:
@@ -70,13 +54,7 @@ def read_estimate(path: str | os.PathLike[str], key: str) -> Estimate | None:
     FileError
         The file cannot be read, or is none of ours.
     """
-    import OpenEXR
-
-    try:
-        with OpenEXR.File(os.fspath(path), separate_channels=True) as file:
-            header, channels = file.header(), file.channels()
-            state = json.loads(header[ATTRIBUTE])
-            planes = {name: np.asarray(channel.pixels, np.float64) for name, channel in channels.items()}
+    with reading_state(path, ATTRIBUTE) as (state, planes):
         if state["key"] != key:
             return None
         samples, passes = int(state["samples"]), int(state["passes"])
@@ -91,11 +69,3 @@ def read_estimate(path: str | os.PathLike[str], key: str) -> Estimate | None:
             passes,
             float(state["seconds"]),
         )
-    except (RuntimeError, ValueError, KeyError, TypeError, OSError) as error:
-        raise FileError(
-            path, f"holds no render to go on from ({error}); remove it, or render to another file"
-        ) from error
-
-
-def _plane(values: npt.NDArray[np.float64]) -> npt.NDArray[np.float32]:
-    return np.ascontiguousarray(values, np.float32)

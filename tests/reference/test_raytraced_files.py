@@ -23,7 +23,7 @@ from brdf_suite.reference.raytraced.quality import Quality
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (24, 20)
 VIEW = View(surface="sphere", environment="booth", surface_look=SurfaceLook(ground=True))
-FOUR = Quality(32, 8, 8)
+FOUR = Quality(32, 4, 4)
 
 
 def cancel_at(samples: int):
@@ -60,23 +60,23 @@ def test_a_cancelled_render_is_gone_on_from_and_gives_the_same_picture(tmp_path:
 
     monkeypatch.setattr(raytraced, "PASS_SECONDS", 0.0)  # a sample a pass
     whole, parts = tmp_path / "whole.exr", tmp_path / "parts.exr"
-    render_raytraced("copper", VIEW, SIZE, whole, quality=FOUR, samples=12)
+    render_raytraced("copper", VIEW, SIZE, whole, quality=FOUR, samples=6)
     kept = tmp_path / "parts.exr.raytraced.part.exr"
     with pytest.raises(Cancelled):
-        render_raytraced("copper", VIEW, SIZE, parts, quality=FOUR, samples=12, progress=cancel_at(5))
+        render_raytraced("copper", VIEW, SIZE, parts, quality=FOUR, samples=6, progress=cancel_at(3))
     assert kept.exists()
     assert not parts.exists()
     told: list[tuple[float, str]] = []
     made = render_raytraced(
-        "copper", VIEW, SIZE, parts, quality=FOUR, samples=12, progress=lambda f, what: told.append((f, what))
+        "copper", VIEW, SIZE, parts, quality=FOUR, samples=6, progress=lambda f, what: told.append((f, what))
     )
-    assert (made.samples, made.resumed_samples, made.rounds) == (12, 5, 1.5)
+    assert (made.samples, made.resumed_samples, made.rounds) == (6, 3, 1.5)
     assert not kept.exists()
     np.testing.assert_allclose(read_exr(parts).pixels, read_exr(whole).pixels, rtol=1e-4, atol=1e-5)
     shares = [share for share, _ in told]
     assert shares == sorted(shares)
     assert shares[-1] == 1.0
-    assert any("of 12 samples" in what for _, what in told)
+    assert any("of 6 samples" in what for _, what in told)
     # Another scene, or one that is to begin anew, does not go on from it.
     for paint, fresh in (("blue", False), ("copper", True)):
         with pytest.raises(Cancelled):

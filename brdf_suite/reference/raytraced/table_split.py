@@ -77,11 +77,11 @@ class OverDifference:
 
 
 @dataclass(frozen=True, eq=False)
-class Clamped:
-    """A term, no higher than ``cap``."""
+class AtMost:
+    """A term, no higher than ``cap``: a clamped one, or what of it is within a lobe."""
 
     term: Any
-    cap: OverDifference
+    cap: OverDifference | FittedPeak
 
     def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
@@ -89,11 +89,11 @@ class Clamped:
 
 
 @dataclass(frozen=True, eq=False)
-class AboveClamp:
-    """What a term has above ``cap``."""
+class Above:
+    """What a term has above ``cap``, or without a lobe."""
 
     term: Any
-    cap: OverDifference
+    cap: OverDifference | FittedPeak
 
     def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
@@ -125,30 +125,6 @@ class FittedPeak:
         """Return f_r in 1/sr."""
         bell = dr.exp(-Half.of(light, view).tan2_h * d.number(1.0 / self.slope**2))
         return self.heights.value(light, view) * bell
-
-
-@dataclass(frozen=True, eq=False)
-class Less:
-    """A term less a lobe, never negative."""
-
-    term: Any
-    lobe: FittedPeak
-
-    def value(self, light: Vector, view: Vector) -> Colour:
-        """Return f_r in 1/sr."""
-        return dr.maximum(self.term.value(light, view) - self.lobe.value(light, view), 0.0)
-
-
-@dataclass(frozen=True, eq=False)
-class Within:
-    """What of a term is within a lobe."""
-
-    term: Any
-    lobe: FittedPeak
-
-    def value(self, light: Vector, view: Vector) -> Colour:
-        """Return f_r in 1/sr."""
-        return dr.minimum(self.term.value(light, view), self.lobe.value(light, view))
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,13 +178,13 @@ def split_by_values(term: Any, how: TableSplit, *, mirror: bool = False) -> tupl
         return _clamped_twice(term, facets)
     cap = caps_of(term, CLAMP_DEG)
     if how == "clamp":
-        above = AboveClamp(term, OverDifference.of(cap))
-        return [Clamped(term, above.cap)], [FacetMixture(above, _mixture(facets, _FLANK))]
+        clamp = OverDifference.of(cap)
+        return [AtMost(term, clamp)], [FacetMixture(Above(term, clamp), _mixture(facets, _FLANK))]
     peak = fitted_peak(term, cap)
     if peak is None:
         return [term], []
     only = ((1.0 - _FLANK_SHARE, peak.slope), (_FLANK_SHARE, min(2.0 * peak.slope, LARGEST_SLOPE)))
-    return [Less(term, peak)], [FacetMixture(Within(term, peak), only)]
+    return [Above(term, peak)], [FacetMixture(AtMost(term, peak), only)]
 
 
 def _clamped_twice(term: Any, facets: Sequence[Facets]) -> tuple[list[Any], list[Any]]:
@@ -218,8 +194,8 @@ def _clamped_twice(term: Any, facets: Sequence[Facets]) -> tuple[list[Any], list
     narrow = [f for f in facets if f.slope < _INNER_FLANK]
     total = sum(f.weight for f in facets)
     share = min(max(sum(f.weight for f in narrow) / total, _LEAST_SHARE), 1.0 - _LEAST_SHARE)
-    return [Clamped(term, outer)], [
-        FacetMixture(AboveClamp(term, inner), _mixture(narrow, _INNER_FLANK), share),
+    return [AtMost(term, outer)], [
+        FacetMixture(Above(term, inner), _mixture(narrow, _INNER_FLANK), share),
         FacetMixture(Between(term, outer, inner), _OUTER_LOBES, 1.0 - share),
     ]
 
