@@ -18,7 +18,7 @@ import mitsuba as mi
 
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference import directions as d
-from brdf_suite.reference.directions import Colour, Real, Square, Vector
+from brdf_suite.reference.directions import Colour, Real, Vector
 from brdf_suite.reference.place import Place, footprint_of_sample
 from brdf_suite.reflectance.flakes.countable import (
     FLAKE_REFLECTANCE,
@@ -43,11 +43,6 @@ class FlakeLayer:
     strength: float = 1.0
     waviness: float = FLAKE_WAVINESS
 
-    @property
-    def sampler(self) -> Tilts:
-        """Mirrors as the flakes are tilted."""
-        return Tilts(1.0, self.flakes.roughness, self.ior)
-
     def countable(self, base: Colour, light: Vector, view: Vector) -> Colour:
         """Return the part of the base's f_r, 1/sr, that countable flakes send; see ``flakes.countable``."""
         slope = slope_between(light, view, self.ior)
@@ -66,49 +61,6 @@ class FlakeLayer:
         return dr.select(place.seen, found, mi.Color3f(1.0))
 
 
-@dataclass(frozen=True)
-class Tilts:
-    """Samples mirrors that are tilted as flakes below a coat: of the density bell / (2π m²) per solid angle."""
-
-    weight: float
-    roughness: float
-    ior: float
-
-    def share(self, _view: Vector) -> Real:
-        """Return the share of a mixture."""
-        return d.number(self.weight)
-
-    def draw(self, view: Vector, u: Square) -> Vector:
-        """Return directions to the light; what stays below the coat comes out below the horizon, where it is lost."""
-        # Even on the disc of `tilt_place`: radius r of a hemisphere laid out without a change of areas.
-        cosine = 1.0 - u.x
-        slope = (
-            d.number(self.roughness)
-            * dr.sqrt(dr.maximum(1.0 - cosine * cosine, 0.0))
-            / dr.maximum(cosine, 1e-6)
-        )
-        sine, along = dr.sincos(2.0 * math.pi * u.y)
-        up = dr.rsqrt(1.0 + slope * slope)
-        normal = mi.Vector3f(slope * along * up, slope * sine * up, up)
-        inside = _below(view, self.ior)
-        mirrored = dr.fma(2.0 * dr.dot(inside, normal), normal, -inside)
-        n = d.number(self.ior)
-        x, y = mirrored.x * n, mirrored.y * n
-        up2 = 1.0 - x * x - y * y
-        out = (mirrored.z > 0.0) & (up2 > 0.0)
-        return mi.Vector3f(x, y, dr.select(out, dr.sqrt(dr.maximum(up2, 0.0)), -1.0))
-
-    def density(self, light: Vector, view: Vector) -> Real:
-        """Return the density of :meth:`draw` per solid angle."""
-        inside, to = _below(view, self.ior), _below(light, self.ior)
-        total = inside + to
-        length2 = dr.maximum(dr.squared_norm(total), 1e-20)
-        slope2 = (total.x * total.x + total.y * total.y) / dr.maximum(total.z * total.z, 1e-20)
-        tilts = tilt_bell(slope2, self.roughness) * d.number(1.0 / (2.0 * math.pi * self.roughness**2))
-        # A tilt's dω is that of the mirrored direction over 4 (w·h) = 2 |w + w'|; outside it is n² cosθ'/cosθ of that.
-        return tilts * light.z / (2.0 * dr.sqrt(length2) * to.z) * d.number(1.0 / self.ior**2)
-
-
 def slope_between(light: Vector, view: Vector, ior: float) -> Any:
     """Return the slope of the flake that mirrors one to the other; see ``flakes.tilt.flake_slope``."""
     n2 = d.number(ior * ior)
@@ -120,13 +72,6 @@ def tilt_bell(slope2: Real, roughness: float) -> Real:
     """Return the density of tilts over that along the normal."""
     q = (1.0 + slope2 * d.number(1.0 / roughness**2)) / (1.0 + slope2)
     return dr.rsqrt(q) / q
-
-
-def _below(direction: Vector, ior: float) -> Vector:
-    """A direction as it is below the coat."""
-    inverse = d.number(1.0 / ior)
-    x, y = direction.x * inverse, direction.y * inverse
-    return mi.Vector3f(x, y, dr.sqrt(dr.maximum(1.0 - x * x - y * y, 1e-12)))
 
 
 def scrambled(x: Word) -> Word:

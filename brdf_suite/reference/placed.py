@@ -99,6 +99,7 @@ class PlacedPaint:
                     total += _of_layer(self.coat, above, direction, view, None)
             return total
 
+        # Flakes are sampled as their base: drawing their tilts as well was measured, and gave more noise.
         if not leans:
             return Standing(self.samplers, reflected)
         samplers: list[Sampler] = [InFrame(sampler, below) for sampler in self.base.samplers]

@@ -112,23 +112,44 @@ def test_countable_flakes_agree_with_the_real_time_share_at_the_mirror_direction
     np.testing.assert_allclose(found, wanted[0], rtol=1e-9)
 
 
-@pytest.mark.parametrize("theta_deg", [10.0, 60.0])
-def test_tilts_are_drawn_as_their_density_says(variant, chi_square, theta_deg: float) -> None:
+def test_in_a_white_furnace_a_paint_with_flakes_has_the_albedo_of_the_smooth_one(variant) -> None:
+    """A place and a direction for each sample: a z-test of the whole, samplers, flakes and all."""
     import mitsuba as mi
 
-    from brdf_suite.reference.flakes import Tilts
+    from brdf_suite.reference import terms
+    from brdf_suite.reference.flakes import FlakeLayer
+    from brdf_suite.reference.placed import PlacedPaint
+    from brdf_suite.reference.translate import divide
+    from brdf_suite.reflectance.albedo import directional_albedo
 
-    tilts = Tilts(1.0, 0.3, IOR)
-    count = 100_000
-    view = spherical(np.full(count, math.radians(theta_deg)), math.pi)
-    u = mi.Point2f(np.random.default_rng(4).random((2, count)).astype(np.float32))
-    drawn = np.array(tilts.draw(vectors(view), u), float).T
-
-    def density(light: np.ndarray) -> np.ndarray:
-        views = np.broadcast_to(view[0], light.shape)
-        return np.array(tilts.density(vectors(light), vectors(views)), float)
-
-    assert chi_square(drawn, density, math.radians(theta_deg)) > 1e-4
+    model = build_paint(load_shipped_paint("coarse_silver"))
+    parts = divide(model)
+    paint = PlacedPaint(parts.base, parts.coat, flakes=FlakeLayer(FLAKES, parts.ior, 2.0))
+    rng = np.random.default_rng(7)
+    places = placed(*pixels(rng, 300_000, 0.02, 2.0))
+    up = mi.Frame3f(mi.Normal3f(0.0, 0.0, 1.0))
+    place = SimpleNamespace(
+        **vars(places), along_u=up.s, along_v=up.t, to_world=lambda direction: direction, frame=up
+    )
+    count = 300_000
+    view = spherical(0.6, 1.0)
+    views = vectors(np.broadcast_to(view, (count, 3)))
+    standing = paint.at(place, views)
+    choice = mi.Float(rng.random(count).astype(np.float32))
+    light = terms.draw(
+        standing.samplers, views, choice, mi.Point2f(rng.random((2, count)).astype(np.float32))
+    )
+    pdf = np.array(terms.density(standing.samplers, light, views), float)
+    value = np.array(standing.reflected(light, views), float).T
+    sound = (np.array(light.z) > 0.0) & (pdf > 0.0)
+    weights = np.where(sound[:, None], value / np.maximum(pdf, 1e-30)[:, None], 0.0)
+    assert value.min() >= 0.0
+    smooth = np.array(PlacedPaint(parts.base, parts.coat).at(place, views).reflected(light, views), float).T
+    assert np.median(np.abs(value / np.maximum(smooth, 1e-9) - 1.0)[sound]) > 0.02
+    error = weights.std(axis=0) / math.sqrt(count)
+    wanted = directional_albedo(model, view)
+    assert np.all(np.abs(weights.mean(axis=0) - wanted) < 4.5 * error + 2e-3 * wanted)
+    assert np.all(error < 0.02 * wanted)
 
 
 @pytest.fixture(scope="module")
@@ -268,6 +289,14 @@ def test_single_flakes_are_where_the_real_time_picture_has_them(pictures) -> Non
     assert sparkles.std() > 0.02
     assert np.corrcoef(sparkles, found)[0, 1] > 0.8
     assert not any("flakes" in notice for notice in notices)
+
+
+def test_flakes_add_no_light_to_a_picture(variant) -> None:
+    from brdf_suite.pipeline.reference_flakes import sparkle_energy
+
+    found = sparkle_energy("blue", samples=8)
+    assert 0.0 < found.error < 0.01
+    assert abs(found.ratio - 1.0) < 4.5 * found.error
 
 
 def test_relief_and_two_tone_are_those_of_the_real_time_picture(pictures) -> None:
