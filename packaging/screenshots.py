@@ -40,6 +40,12 @@ def compared(mode: str, second: str = "candy_red", **fields: float) -> View:
     return dataclasses.replace(COMPARED, compare=Compare(mode, second, **fields))
 
 
+def traced(mode: str, **fields: float) -> View:
+    """Return a view on the ground whose traced picture is compared with its own in real time."""
+    look = dataclasses.replace(COMPARED.surface_look, ground=True)
+    return dataclasses.replace(COMPARED, surface_look=look, compare=Compare(mode, None, **fields))
+
+
 VIEWS = {
     "viewer_side": (compared("side"), ["blue", "--theme", "dark"]),
     "viewer_swipe": (compared("swipe", divider=0.45), ["blue", "--theme", "booth"]),
@@ -48,6 +54,18 @@ VIEWS = {
         ["silver_metallic", "--theme", "light"],
     ),
     "viewer_figures": (COMPARED, ["copper", "--theme", "dark"]),
+    "viewer_reference": (
+        traced("swipe", divider=0.5),
+        ["blue", "--theme", "light", "--renderer", "reference", "--spp", "192"],
+    ),
+    "viewer_reference_difference": (
+        traced("difference", scale_delta_e=5.0),
+        ["blue", "--theme", "dark", "--renderer", "reference", "--spp", "192"],
+    ),
+    "viewer_raytraced": (
+        dataclasses.replace(traced("off"), environment="sunny"),
+        ["copper", "--theme", "dark", "--renderer", "raytraced", "--quality", "medium"],
+    ),
 }
 """Pictures of the Viewer in a view, and what it is started with beside it."""
 FIGURES = {"viewer_figures"}

@@ -31,6 +31,11 @@ _LOST_AGAIN = (
     "The graphics driver was reset several times within a minute. Close what else uses the graphics card, update its "
     "driver, or choose a smaller environment or surface."
 )
+SLOW_MS = 100.0
+"""A frame that takes longer, as of a software renderer, holds up what is painted with it: fields that come and go."""
+_GIVE_WAY_MS = 15
+"""Longer than Qt waits before it paints what has changed (5 ms)."""
+
 _MOST_LOSSES = 3
 _LOSSES_WITHIN_S = 60.0
 
@@ -82,6 +87,8 @@ class GlSurface(QWidget):
         self._view: object = None
         self._failure = ""
         self._losses: list[float] = []
+        self._frame_ms = 0.0
+        self._give_way = QTimer(self, singleShot=True, interval=_GIVE_WAY_MS, timeout=self._update)
         # Queued: what listens may grab a frame, which must not happen inside the paint that it is told of.
         self._finished.connect(self.frame_drawn, Qt.ConnectionType.QueuedConnection)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -112,11 +119,16 @@ class GlSurface(QWidget):
         self.redraw()
 
     def redraw(self) -> None:
-        """Draw again: something other than the view has changed."""
+        """Draw again: something other than the view has changed. Where frames are slow, the other widgets go first."""
         if self._canvas.is_lost():
             self._recover()  # Qt asks a widget whose context is gone for no frame, so this is where it is noticed
-        else:
+        elif self._frame_ms < SLOW_MS:
             self._canvas.update()
+        elif not self._give_way.isActive():
+            self._give_way.start()
+
+    def _update(self) -> None:
+        self._canvas.update()
 
     def with_context(self, work: Callable[[], None], *, redraw: bool = True) -> None:
         """Run ``work`` (an upload) with the context current, and show why it failed if it does.
@@ -267,7 +279,10 @@ class _Canvas(QOpenGLWidget):
         if problem != "GL_NO_ERROR":
             self._defer_failure(f"The graphics driver reported {problem} while drawing.")
             return
-        self._surface._finished.emit((time.perf_counter() - start) * 1000.0, typical)
+        milliseconds = (time.perf_counter() - start) * 1000.0
+        if typical:
+            self._surface._frame_ms = milliseconds
+        self._surface._finished.emit(milliseconds, typical)
 
     def release(self) -> None:
         if self.drawer is None:

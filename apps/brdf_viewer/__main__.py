@@ -23,6 +23,7 @@ from brdf_suite.documents.store import load_view
 from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS, View
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.scene import default_paint_name, environment_names, name_in_view, surface_names
+from brdf_viewer.traced.request import QUALITIES, RENDERERS
 
 _SETTLE_MS = 200
 """Between the first measured frame and a screenshot: a fit that ran into its time limit is done again by then."""
@@ -60,6 +61,16 @@ def parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--surface", metavar="NAME|FILE", help="a shipped surface, or a mesh file")
     parser.add_argument("--view", metavar="FILE", help="a .brdfview file: camera, light and all settings")
+    parser.add_argument(
+        "--renderer",
+        choices=RENDERERS,
+        default="realtime",
+        help="what makes the picture; a screenshot is taken when it has become what it was asked to",
+    )
+    parser.add_argument("--quality", choices=QUALITIES, help="preset of the ray tracer; remembered")
+    parser.add_argument(
+        "--spp", metavar="N", type=int, help="samples a pixel at which the reference stops; remembered"
+    )
     parser.add_argument("--theme", choices=THEMES, help="grey of the window, for this run")
     parser.add_argument("--size", metavar="WxH", type=window_size, help="size of the window in pixels")
     parser.add_argument("--screenshot", metavar="FILE", help="save the window as PNG once complete, and end")
@@ -89,6 +100,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     window = controller.window
     if options.size:
         window.resize(*options.size)
+    _choose_renderer(controller, options)
     if options.report_startup:
         _report_startup(controller)
     outcome = _screenshot(controller, Path(options.screenshot)) if options.screenshot else Outcome()
@@ -108,6 +120,15 @@ def _first_view(options: argparse.Namespace) -> View:
         wanted["environment_layout"] = options.layout
     start = load_view(options.view) if options.view else recall(settings())
     return dataclasses.replace(start, **{k: v for k, v in wanted.items() if v})
+
+
+def _choose_renderer(controller: ViewerController, options: argparse.Namespace) -> None:
+    if options.spp is not None:
+        controller.traced.set_samples(options.spp)
+    if options.quality is not None:
+        controller.traced.set_quality(options.quality)
+    if options.renderer != "realtime" or options.quality is not None:
+        controller.traced.set_renderer(options.renderer)
 
 
 def _report_startup(controller: ViewerController) -> None:
@@ -159,7 +180,14 @@ def _screenshot(controller: ViewerController, path: Path) -> Outcome:
             window.close()
 
     single_shot = Qt.ConnectionType.SingleShotConnection
-    controller.settled.connect(lambda: QTimer.singleShot(_SETTLE_MS, save), single_shot)
+
+    def settled() -> None:
+        if controller.traced.is_settled:
+            QTimer.singleShot(_SETTLE_MS, save)
+        else:
+            controller.traced.settled.connect(lambda: QTimer.singleShot(_SETTLE_MS, save), single_shot)
+
+    controller.settled.connect(settled, single_shot)
     controller.failed.connect(failed)
     return outcome
 

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QTimer
 
 from brdf_suite.documents.view import View
 from brdf_suite.pipeline.exposure import exposed
 from brdf_suite.pipeline.scene import environment_names
-from brdf_viewer.drawing import StageDrawer
+from brdf_viewer.drawn_part import DrawnPart
 from brdf_viewer.lighting_presets import preset_of, with_preset
 from brdf_viewer.relit_paint import RelitPaint
 from brdf_viewer.sections.lamps import placed, polar
-from brdf_viewer.stage import Stage
 from brdf_viewer.turntable import Turntable
-from brdf_viewer.window import ViewerWindow
 
 METER_AFTER_MS = 150
 """The meter waits for things to come to rest: an exposure that follows every step of a drag would pump."""
@@ -25,24 +22,11 @@ METER_AFTER_MS = 150
 _UNMETERED = ("exposure_ev", "tone_curve", "background", "background_colour", "clipping_marks", "gamut_marks")
 
 
-class LightingControl(QObject):
-    """Puts the section's edits into the view, and measures the exposure where it is automatic.
+class LightingControl(DrawnPart):
+    """Puts the section's edits into the view, and measures the exposure where it is automatic."""
 
-    Parameters
-    ----------
-    drawer
-        Returns what draws at present; None while nothing does.
-    """
-
-    def __init__(
-        self,
-        stage: Stage,
-        window: ViewerWindow,
-        drawer: Callable[[], StageDrawer | None],
-        parent: QObject | None = None,
-    ) -> None:
-        super().__init__(parent)
-        self._stage, self._window, self._drawer = stage, window, drawer
+    def _set_up(self) -> None:
+        stage, window = self._stage, self._window
         self._meter = QTimer(self, singleShot=True, interval=METER_AFTER_MS, timeout=self._measure)
         self._round = Turntable(self)
         self._round.deg_per_second = 45.0

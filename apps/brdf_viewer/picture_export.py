@@ -44,7 +44,11 @@ class PictureExport(QObject):
         """Ask for a file and write the picture to it; what goes wrong is told in the window."""
         fit, messages = self._stage.fit, self._window.messages
         # As it was when the user asked: the paint may change while the dialog is open.
-        view, image = self._stage.exposed_view, self._grab()
+        image, view = (
+            self._grab(),
+            self._stage.exposed_view,
+        )  # the picture's exposure, where it is measured for it
+        made_by = {"Renderer": self._window.overlay.mark} if self._stage.traced is not None else {}
         if fit is None or not self._stage.is_complete or image.isNull():
             todo = "Wait until paint, surface and environment are there, and save it then."
             messages.show_message(Message(_KEY, "There is no picture yet.", todo=todo, severity="error"))
@@ -56,7 +60,7 @@ class PictureExport(QObject):
         if not path.suffix:
             path = path.with_name(path.name + PICTURE_ENDING)
         try:
-            _write(path, image, picture_metadata(fit, view))
+            _write(path, image, picture_metadata(fit, view) | made_by)
         except SuiteError as error:
             messages.show_message(message_of(error, _KEY, todo="Choose another name or folder."))
             return

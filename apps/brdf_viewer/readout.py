@@ -6,18 +6,14 @@ frame of an interaction.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from brdf_viewer.dominant_light import dominant_light
-from brdf_viewer.drawing import StageDrawer
+from brdf_viewer.drawn_part import DrawnPart
 from brdf_viewer.pixel_reading import CursorReading, long_lines, read_pixel, short_words
-from brdf_viewer.stage import Stage
 from brdf_viewer.traced.wanted import first_size
-from brdf_viewer.window import ViewerWindow
 
 REST_MS = 60
 _TIP = (
@@ -26,20 +22,13 @@ _TIP = (
 )
 
 
-class Readout(QObject):
+class Readout(DrawnPart):
     """Signals: ``changed(reading)`` with a :class:`CursorReading`, or None where the cursor is elsewhere."""
 
     changed = Signal(object)
 
-    def __init__(
-        self,
-        stage: Stage,
-        window: ViewerWindow,
-        drawer: Callable[[], StageDrawer | None],
-        parent: QObject | None = None,
-    ) -> None:
-        super().__init__(parent)
-        self._stage, self._window, self._drawer = stage, window, drawer
+    def _set_up(self) -> None:
+        window = self._window
         self._place: QPointF | None = None
         self.reading: CursorReading | None = None
         self._rest = QTimer(self, singleShot=True, interval=REST_MS, timeout=self._read)

@@ -115,6 +115,7 @@ class SceneControl(QObject):
         if key not in self._names[kind]:
             key = str(Path(key).absolute())
         self._loading[kind] = key
+        self._show_facts()
         self._show_choice(kind, key)
         self._loader.load(kind, key, self._layout, self._stage.view.surface_look)
 
@@ -143,8 +144,7 @@ class SceneControl(QObject):
             change = self._stage.follow_view if first else self._stage.step_view
             change(environment=key, environment_layout=self._layout)
             self._show_facts()
-            self._stage.light_figures = None
-            self._window.environment.figures.set_statistics(None)
+            self._forget_figures()
             self._loader.count(key, value.environment)
         else:
             first = self._stage.surface is None
@@ -189,19 +189,36 @@ class SceneControl(QObject):
     def _partly_loaded(self, key: str, prepared: PreparedEnvironment) -> None:
         """Show what there is of an environment that is on its way; the view names it when it is whole."""
         self._edited = ""
+        present = self._stage.environment
+        if present is None or present.value.environment.content_hash != prepared.environment.content_hash:
+            self._forget_figures()  # they are of another light than the one on show
         self._stage.set_environment(key, prepared)
         self._show_facts()
         self._show_environment_cell()
 
+    def _forget_figures(self) -> None:
+        self._stage.light_figures = None
+        self._window.environment.figures.set_statistics(None)
+
     def _take_partial_back(self) -> None:
         self._stage.take_partial_back()
+        present = self._stage.environment
+        if present is not None and self._stage.light_figures is None:
+            self._loader.count(present.key, present.value.environment)
         self._show_facts()
         self._show(ENVIRONMENT)
 
     def _show_facts(self) -> None:
         present = self._stage.environment
         text = "" if present is None else environment_facts(present.value, ENVIRONMENT in self._loading)
-        set_note(self._window.environment.facts, text)
+        section = self._window.environment
+        set_note(section.facts, text)
+        # While another light is on its way they are of the one that is still on show, not of the one that is named;
+        # and of one that is being edited the figures are counted when it is as it will stay.
+        loading = self._loading.get(ENVIRONMENT)
+        old = present is not None and loading is not None and loading != present.key
+        section.facts.setEnabled(not old)
+        section.figures.setEnabled(not old and (present is None or not present.value.draft))
 
     def _counted(self, key: str, statistics: EnvironmentStatistics) -> None:
         if self._stage.environment is not None and key == self._stage.environment.key:
@@ -247,6 +264,7 @@ class SceneControl(QObject):
     def _ended(self, kind: str) -> None:
         self._loading.pop(kind, None)
         self._window.set_idle(kind)
+        self._show_facts()
         self._show(kind)
 
     def _drawn_key(self, kind: str) -> str:

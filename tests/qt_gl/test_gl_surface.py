@@ -10,9 +10,10 @@ import textwrap
 import moderngl
 import pytest
 from brdf_qt.application import surface_format
-from brdf_qt.gl_surface import GlSurface
+from brdf_qt.gl_surface import SLOW_MS, GlSurface
+from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QColor, QSurfaceFormat
-from PySide6.QtWidgets import QMainWindow, QPushButton
+from PySide6.QtWidgets import QLabel, QMainWindow, QPushButton, QWidget
 
 from brdf_suite.errors import GraphicsError
 
@@ -32,6 +33,7 @@ class Triangle:
         self.sizes: list[tuple[int, int]] = []
         self.error: Exception | None = None
         self.released = False
+        self.drawn = lambda: None
 
     def draw(self, framebuffer, size, view) -> bool:
         if self.error is not None:
@@ -41,6 +43,7 @@ class Triangle:
         self.program["colour"] = view
         self.array.render(moderngl.TRIANGLES, vertices=3)
         self.sizes.append(size)
+        self.drawn()
         return True
 
     def release(self) -> None:
@@ -70,6 +73,38 @@ def surface(qtbot, drawers):
         window.show()
     surface.window_kept = window
     return surface
+
+
+class PaintNote(QObject):
+    """Notes when a widget is painted."""
+
+    def __init__(self, widget: QWidget, order: list[str]) -> None:
+        super().__init__(widget)
+        self.order = order
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - the name is Qt's
+        if event.type() == QEvent.Type.Paint:
+            self.order.append("field")
+        return super().eventFilter(watched, event)
+
+
+@pytest.mark.parametrize("slow", [True, False])
+def test_a_slow_picture_lets_the_fields_that_changed_with_it_go_first(surface, drawers, qtbot, slow) -> None:
+    field = QLabel("old")
+    bar = surface.window_kept.statusBar()
+    bar.addWidget(field)
+    qtbot.waitUntil(lambda: field.width() > 0 and field.isVisible())
+    order: list[str] = []
+    drawers[0].drawn = lambda: order.append("frame")
+    qtbot.wait(50)  # what showing the field has asked for is painted
+    PaintNote(field, order)
+    surface._frame_ms = 2.0 * SLOW_MS if slow else 1.0
+    surface.redraw()
+    field.setText("new")
+    qtbot.waitUntil(lambda: {"frame", "field"} <= set(order))
+    if slow:
+        assert order.index("field") < order.index("frame")
 
 
 def test_it_shows_what_the_drawer_draws(surface, drawers, qtbot) -> None:
@@ -213,7 +248,7 @@ def test_without_opengl_there_is_a_message(tmp_path) -> None:
     """In a process of its own, on the platform that has no OpenGL."""
     script = """
         from PySide6.QtWidgets import QApplication
-        from brdf_qt.gl_surface import GlSurface
+        from brdf_qt.gl_surface import SLOW_MS, GlSurface
         app = QApplication([])
         surface = GlSurface(lambda context: None)
         surface.failed.connect(lambda text: (print(text), app.quit()))
@@ -236,7 +271,7 @@ def test_without_opengl_there_is_a_message(tmp_path) -> None:
 def test_twice_the_pixels_at_twice_the_scale() -> None:
     script = """
         from PySide6.QtWidgets import QApplication
-        from brdf_qt.gl_surface import GlSurface
+        from brdf_qt.gl_surface import SLOW_MS, GlSurface
         class Clear:
             def draw(self, framebuffer, size, view):
                 framebuffer.use(); framebuffer.clear(1.0)

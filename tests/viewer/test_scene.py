@@ -201,8 +201,11 @@ def test_progress_is_shown_and_cancel_keeps_the_old_picture(start, slow, lights,
     job = strip.findChild(QWidget, "job_environment")
     qtbot.waitUntil(lambda: job.findChild(QProgressBar).value() > 0)
     assert viewer.pixels().shape[1] == first.shape[1]  # drawn on while the work runs
+    section = viewer.window.environment
+    assert not section.figures.isEnabled()  # they are of the light that is still on show
     job.findChild(QPushButton).click()
     qtbot.waitUntil(lambda: not viewer.controller.scene.loading)
+    assert section.figures.isEnabled()
     assert "environment" not in strip.jobs
     assert viewer.view == view
     assert viewer.window.environment.chooser.list.currentText() == "dim.exr"

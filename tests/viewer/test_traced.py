@@ -109,11 +109,19 @@ def test_the_reference_refines_restarts_is_compared_saved_and_survived(saved, st
 
 def test_only_what_lights_a_picture_begins_it_anew() -> None:
     view = View()
-    sparkle = replace(view, sparkle=Sparkle("off"))
-    assert lit_part(sparkle, "reference") == lit_part(view, "reference")
-    assert lit_part(sparkle, "raytraced") != lit_part(view, "raytraced")
-    for fields in ({"rotation_deg": 5.0}, {"camera": replace(view.camera, azimuth_deg=1.0)}):
-        assert lit_part(replace(view, **fields), "reference") != lit_part(view, "reference")
+    for fields in (
+        {"exposure_ev": 2.0, "tone_curve": "linear"},
+        {"background": "grey"},
+        {"gamut_marks": True},
+    ):
+        assert lit_part(replace(view, **fields)) == lit_part(view)
+    lit = (
+        {"rotation_deg": 5.0},
+        {"camera": replace(view.camera, azimuth_deg=1.0)},
+        {"sparkle": Sparkle("off")},
+    )
+    for fields in lit:
+        assert lit_part(replace(view, **fields)) != lit_part(view)
 
 
 def test_a_rate_is_told_in_what_says_more() -> None:

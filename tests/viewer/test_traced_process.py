@@ -74,7 +74,7 @@ def test_a_request_and_its_scene_come_over_whole(tmp_path) -> None:
 class Job:
     """Gives frames of 1, 2, 3 … samples, each of one grey."""
 
-    title, notices = "a renderer", ("It leaves something out.",)
+    title, notices, no_denoiser = "a renderer", ("It leaves something out.",), ""
 
     def __init__(self, request: TraceRequest) -> None:
         self.request = request
@@ -84,6 +84,9 @@ class Job:
         for samples in range(1, 100):
             pixels = np.full((height, width, 4), float(samples), np.float32)
             yield Frame(pixels, samples, 0, 1.0 / samples, 0.1 * samples)
+
+    def denoised(self, pixels: np.ndarray) -> np.ndarray:
+        return -pixels
 
     def save(self, path: Path, view: View) -> None:
         path.write_text(f"{view.rotation_deg:g}")
@@ -154,6 +157,16 @@ def test_it_stops_at_the_samples_asked_for_and_goes_on_when_told(tmp_path) -> No
     assert {answer["of"] for answer in said if answer["say"] == "picture"} == {2, 3}
     said = answers(tmp_path, Engines(), [request_in(tmp_path).to_json()], [], [{"do": "pause"}], [], [])
     assert pictures(said) == [1]
+
+
+def test_the_noise_is_taken_out_when_asked_and_put_back(tmp_path) -> None:
+    off, on = ({"do": "denoise", "on": value} for value in (False, True))
+    start = request_in(tmp_path, samples=1, denoised=True).to_json()
+    said = answers(tmp_path, Engines(), [start], [], [off], [{"do": "taken", "slot": 0}], [on], [])
+    assert [a["denoised"] for a in said if a["say"] == "picture"] == [True, False, True]
+    assert pictures(said) == [1, 1, 1]
+    assert (take(tmp_path, 0, (6, 4)) == -1.0).all()
+    assert (take(tmp_path, 1, (6, 4)) == 1.0).all()
 
 
 def test_what_fails_is_told_with_its_generation_and_the_next_request_is_taken(tmp_path) -> None:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from brdf_qt.form import Form
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QPushButton, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from brdf_suite.documents.view_settings import PARAMETERS, Compare
+from brdf_viewer.choice_box import ChoiceBox
 from brdf_viewer.sections.note import note, set_note
 from brdf_viewer.source_chooser import SourceChooser
 
@@ -45,7 +46,8 @@ class CompareSection(Section):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Compare", "compare", parent)
-        self.mode = _choices(MODE_TITLES, MODE_TIPS, self.mode_edited)
+        self.mode = ChoiceBox(MODE_TITLES, MODE_TIPS)
+        self.mode.picked.connect(self.mode_edited)
         self.chooser = SourceChooser("Open a paint, a measured file or a picture (.exr, .png) as B")
         self.freeze = QPushButton("Freeze A as B")
         self.freeze.setToolTip("Keep the paint on show as B, as it is now, while A changes (Ctrl+B)")
@@ -57,7 +59,8 @@ class CompareSection(Section):
         self.rate.edited.connect(self.rate_edited)
         self.scale = NumberField("Scale to", scale.unit, scale.low, scale.high, 0.5, 1, scale.default)
         self.scale.edited.connect(self.scale_edited)
-        self.basis = _choices(BASIS_TITLES, BASIS_TIPS, self.basis_edited)
+        self.basis = ChoiceBox(BASIS_TITLES, BASIS_TIPS)
+        self.basis.picked.connect(self.basis_edited)
         self.facts = note()
         form = Form()
         form.add_row("Show", self.mode, "How A and B are compared; B on the keyboard blinks")
@@ -77,8 +80,8 @@ class CompareSection(Section):
 
     def show_compare(self, compare: Compare) -> None:
         """Show how it is compared, without a signal; what says nothing in this mode is hidden."""
-        self.mode.setCurrentIndex(self.mode.findData(compare.mode))
-        self.basis.setCurrentIndex(self.basis.findData(compare.basis))
+        self.mode.show_choice(compare.mode)
+        self.basis.show_choice(compare.basis)
         self.divider.set_value(100.0 * compare.divider)
         self.rate.set_value(compare.rate_hz)
         self.scale.set_value(compare.scale_delta_e)
@@ -90,12 +93,3 @@ class CompareSection(Section):
     def set_facts(self, text: str) -> None:
         """Say what there is to know of B, or of the difference."""
         set_note(self.facts, text)
-
-
-def _choices(titles: dict[str, str], tips: dict[str, str], signal: object) -> QComboBox:
-    box = QComboBox()
-    for key, title in titles.items():
-        box.addItem(title, key)
-        box.setItemData(box.count() - 1, tips[key], Qt.ItemDataRole.ToolTipRole)
-    box.activated.connect(lambda index: signal.emit(box.itemData(index)))
-    return box

@@ -5,9 +5,10 @@ from __future__ import annotations
 from brdf_qt.form import Form
 from brdf_qt.section import Section
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QToolButton, QWidget
+from PySide6.QtWidgets import QToolButton, QWidget
 
 from brdf_suite.documents.view import PARAMETERS
+from brdf_viewer.choice_box import ChoiceBox
 from brdf_viewer.colour_button import ColourButton
 from brdf_viewer.environment_figures import EnvironmentFigures
 from brdf_viewer.sections.note import note
@@ -51,20 +52,12 @@ class EnvironmentSection(Section):
         self.rotation.edited.connect(self.rotation_edited)
         self.exposure = SliderField("Exposure", "EV", -8.0, 8.0, 0.1, 2, 0.0)
         self.exposure.edited.connect(self.exposure_edited)
-        self.background = QComboBox()
-        for key, title in BACKGROUND_TITLES.items():
-            self.background.addItem(title, key)
-        self.background.activated.connect(
-            lambda index: self.background_edited.emit(self.background.itemData(index))
-        )
+        self.background = ChoiceBox(BACKGROUND_TITLES)
+        self.background.picked.connect(self.background_edited)
         self.background_colour = ColourButton("Colour of the background")
         self.background_colour.edited.connect(self.background_colour_edited)
-        self.layout_list = QComboBox()
-        for key, title in LAYOUT_TITLES.items():
-            self.layout_list.addItem(title, key)
-        self.layout_list.activated.connect(
-            lambda index: self.layout_edited.emit(self.layout_list.itemData(index))
-        )
+        self.layout_list = ChoiceBox(LAYOUT_TITLES)
+        self.layout_list.picked.connect(self.layout_edited)
         self.edit = QToolButton()
         self.edit.setText("Edit the light")
         self.edit.setToolTip("Edit this studio or sky in a panel of its own")
@@ -85,14 +78,14 @@ class EnvironmentSection(Section):
 
     def set_background(self, key: str, colour: tuple[float, float, float]) -> None:
         """Show the present background, and its ``colour`` (encoded sRGB, 0 to 1) where it has one."""
-        self.background.setCurrentIndex(self.background.findData(key))
+        self.background.show_choice(key)
         self.background_colour.set_colour(colour)
         self._colour_label.setVisible(key == "colour")  # an empty label keeps its row open
         self.background_colour.setVisible(key == "colour")
 
     def set_layout(self, key: str, choosable: bool) -> None:
         """Show the present layout; only a file of pixels has a choice of it."""
-        self.layout_list.setCurrentIndex(self.layout_list.findData(key))
+        self.layout_list.show_choice(key)
         self.layout_list.setEnabled(choosable)
 
     def set_editable(self, editable: bool) -> None:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from brdf_qt.form import Form
 from brdf_qt.section import Section
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
+
+from brdf_viewer.choice_box import ChoiceBox
 
 FRESNEL_TITLES = {
     "raised": "Raised",
@@ -37,9 +39,9 @@ class FresnelSection(Section):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Fresnel", "fresnel", parent)
-        self.mode = _choice(FRESNEL_TITLES, FRESNEL_TIPS)
+        self.mode = ChoiceBox(FRESNEL_TITLES, FRESNEL_TIPS)
         self.mode.activated.connect(lambda index: self.fresnel_edited.emit(self.mode.itemData(index)))
-        self.look_up = _choice(LOOK_UP_TITLES, LOOK_UP_TIPS)
+        self.look_up = ChoiceBox(LOOK_UP_TITLES, LOOK_UP_TIPS)
         self.look_up.activated.connect(lambda index: self.look_up_edited.emit(self.look_up.itemData(index)))
         form = Form()
         form.add_row("Coat and base", self.mode, "How they follow the angle from which the surface is seen")
@@ -53,11 +55,3 @@ class FresnelSection(Section):
     def set_look_up(self, form: str) -> None:
         """Show the present form of the look-up."""
         self.look_up.setCurrentIndex(self.look_up.findData(form))
-
-
-def _choice(titles: dict[str, str], tips: dict[str, str]) -> QComboBox:
-    box = QComboBox()
-    for key, title in titles.items():
-        box.addItem(title, key)
-        box.setItemData(box.count() - 1, tips[key], Qt.ItemDataRole.ToolTipRole)
-    return box

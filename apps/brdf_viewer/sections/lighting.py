@@ -7,9 +7,10 @@ from typing import Literal
 from brdf_qt.form import Form
 from brdf_qt.section import Section
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QToolButton, QWidget
 
 from brdf_suite.documents.view_settings import LightColour
+from brdf_viewer.choice_box import ChoiceBox
 from brdf_viewer.lighting_presets import PRESETS, is_tinted
 from brdf_viewer.sections.lamps import LampFields
 from brdf_viewer.sections.note import note, set_note
@@ -47,7 +48,7 @@ class LightingSection(Section):
         # None is pressed where the light is another.
         self.presets.setExclusive(False)
         self._buttons: dict[str, QToolButton] = {}
-        self.illuminant = _choices(ILLUMINANT_TITLES)
+        self.illuminant = ChoiceBox(ILLUMINANT_TITLES)
         self.illuminant.activated.connect(
             lambda index: self.illuminant_edited.emit(self.illuminant.itemData(index))
         )
@@ -58,7 +59,7 @@ class LightingSection(Section):
         )
         self.adapted.clicked.connect(self.adapted_edited)
         self.metamerism = note()
-        self.exposure_mode = _choices(EXPOSURE_TITLES)
+        self.exposure_mode = ChoiceBox(EXPOSURE_TITLES)
         self.exposure_mode.activated.connect(
             lambda index: self.exposure_mode_edited.emit(self.exposure_mode.itemData(index))
         )
@@ -128,10 +129,3 @@ def colour_note(colour: LightColour, spectra: Spectra) -> str:
     if colour.adapted:
         return "No metamerism: the paint's spectrum is not known. To an adapted eye it is taken to look as in D65."
     return "No metamerism: the paint's spectrum is not known. Its colours take on the light's tint (CAT16)."
-
-
-def _choices(titles: dict[str, str]) -> QComboBox:
-    box = QComboBox()
-    for key, title in titles.items():
-        box.addItem(title, key)
-    return box

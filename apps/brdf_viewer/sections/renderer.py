@@ -6,9 +6,10 @@ from brdf_qt.form import Form
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
 from brdf_qt.translation import tr
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QPushButton, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QWidget
 
+from brdf_viewer.choice_box import ChoiceBox
 from brdf_viewer.sections.note import note, set_note
 from brdf_viewer.traced.words import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
 
@@ -30,19 +31,11 @@ class RendererSection(Section):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Renderer"), "renderer", parent)
-        self.renderer = QComboBox()
-        for key, title in RENDERER_TITLES.items():
-            self.renderer.addItem(tr(title), key)
-            self.renderer.setItemData(
-                self.renderer.count() - 1, tr(RENDERER_TIPS[key]), Qt.ItemDataRole.ToolTipRole
-            )
-        self.renderer.activated.connect(
-            lambda index: self.renderer_edited.emit(self.renderer.itemData(index))
-        )
-        self.quality = QComboBox()
-        for key, title in QUALITY_TITLES.items():
-            self.quality.addItem(tr(title), key)
-        self.quality.activated.connect(lambda index: self.quality_edited.emit(self.quality.itemData(index)))
+        tips = {key: tr(tip) for key, tip in RENDERER_TIPS.items()}
+        self.renderer = ChoiceBox({key: tr(title) for key, title in RENDERER_TITLES.items()}, tips)
+        self.renderer.picked.connect(self.renderer_edited)
+        self.quality = ChoiceBox({key: tr(title) for key, title in QUALITY_TITLES.items()})
+        self.quality.picked.connect(self.quality_edited)
         self.samples = NumberField(tr("Samples"), "", 0.0, 1_000_000.0, 64.0, 0, float(DEFAULT_SAMPLES))
         self.samples.edited.connect(lambda value: self.samples_edited.emit(round(value)))
         self.denoised = QCheckBox(tr("Without its noise"))
@@ -86,8 +79,8 @@ class RendererSection(Section):
 
     def show_renderer(self, renderer: str, quality: str, samples: int, *, denoised: bool) -> None:
         """Show the choice, without a signal; what says nothing of this renderer is hidden."""
-        self.renderer.setCurrentIndex(self.renderer.findData(renderer))
-        self.quality.setCurrentIndex(self.quality.findData(quality))
+        self.renderer.show_choice(renderer)
+        self.quality.show_choice(quality)
         self.samples.set_value(float(samples))
         self.denoised.setChecked(denoised)
         for key, rows in self._rows.items():

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from brdf_qt.form import Form
 from brdf_qt.section import Section
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view_settings import PARAMETERS, Sparkle
+from brdf_viewer.choice_box import ChoiceBox
 from brdf_viewer.sections.note import note, set_note
 from brdf_viewer.slider_field import SliderField
 
@@ -37,11 +38,8 @@ class SparkleSection(Section):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Sparkle", "sparkle", parent)
-        self.mode = QComboBox()
-        for key, title in SPARKLE_TITLES.items():
-            self.mode.addItem(title, key)
-            self.mode.setItemData(self.mode.count() - 1, SPARKLE_TIPS[key], Qt.ItemDataRole.ToolTipRole)
-        self.mode.activated.connect(lambda index: self.mode_edited.emit(self.mode.itemData(index)))
+        self.mode = ChoiceBox(SPARKLE_TITLES, SPARKLE_TIPS)
+        self.mode.picked.connect(self.mode_edited)
         lights, strength = PARAMETERS["sparkle.light_count"], PARAMETERS["sparkle.strength"]
         self.lights = SliderField("Lights", "", lights.low, lights.high, 1.0, 0, lights.default)
         self.lights.edited.connect(lambda value: self.light_count_edited.emit(round(value)))
@@ -57,7 +55,7 @@ class SparkleSection(Section):
 
     def set_sparkle(self, sparkle: Sparkle) -> None:
         """Show the view's settings, without a signal."""
-        self.mode.setCurrentIndex(self.mode.findData(sparkle.mode))
+        self.mode.show_choice(sparkle.mode)
         self.lights.set_value(float(sparkle.light_count))
         self.strength.set_value(sparkle.strength)
         for field in (self.lights, self.strength):

@@ -9,6 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QPushButton, QWidget
 
 from brdf_suite.documents.view_settings import PARAMETERS, SurfaceLook
+from brdf_viewer.choice_box import ChoiceBox
 from brdf_viewer.sections.note import note
 from brdf_viewer.sections.surface_parts import SurfaceParts
 from brdf_viewer.source_chooser import SourceChooser
@@ -83,10 +84,8 @@ class SurfaceSection(Section):
         box.clicked.connect(lambda on: self.edited.emit(field, on))
         return box
 
-    def _list(self, field: str, titles: dict[str, str]) -> QComboBox:
-        box = QComboBox()
+    def _list(self, field: str, titles: dict[str, str]) -> ChoiceBox:
+        box = ChoiceBox(titles)
         box.setObjectName(f"surface_{field}")
-        for key, title in titles.items():
-            box.addItem(title, key)
-        box.activated.connect(lambda index: self.edited.emit(field, box.itemData(index)))
+        box.picked.connect(lambda key: self.edited.emit(field, key))
         return box

@@ -46,6 +46,8 @@ T = TypeVar("T", bound=str)
 class TracedControl(QObject):
     """The renderer that is chosen, its process, and its newest picture on the stage.
 
+    A picture that was asked for is dropped as soon as the scene is another one, by its generation.
+
     Parameters
     ----------
     ask
@@ -53,10 +55,12 @@ class TracedControl(QObject):
     make_process
         Makes what traces.
 
-    Signals: ``changed()`` where the picture, or what is said of it, has changed.
+    Signals: ``changed()`` where the picture, or what is said of it, has changed; ``settled()`` where a traced picture
+    is as good as it was asked to become, or there will be none.
     """
 
     changed = Signal()
+    settled = Signal()
 
     def __init__(
         self,
@@ -82,6 +86,7 @@ class TracedControl(QObject):
         self.rate = FrameRate()
         self.quality: Quality = _known(str(settings().value("traced/quality")), QUALITIES, "fast")
         self.samples = int(str(settings().value("traced/samples", DEFAULT_SAMPLES)))
+        self.denoised = bool(settings().value("traced/denoised", False, type=bool))
         self._rest = QTimer(self, singleShot=True, timeout=self._begin)
         self._leave = QTimer(self, singleShot=True, interval=_KEEP_MS, timeout=self._end_process)
         section, commands = window.renderer, window.commands
@@ -90,6 +95,7 @@ class TracedControl(QObject):
         for signal in (section.quality_edited, commands.quality_wanted):
             signal.connect(self.set_quality)
         section.samples_edited.connect(self.set_samples)
+        section.denoised_edited.connect(self.set_denoised)
         for signal in (section.stop_wanted, commands.trace_stop_wanted):
             signal.connect(self.stop)
         for signal in (section.resume_wanted, commands.trace_resume_wanted):
@@ -110,6 +116,11 @@ class TracedControl(QObject):
     def process_id(self) -> int:
         """The process that traces; 0 where there is none."""
         return 0 if self._process is None else self._process.process_id
+
+    @property
+    def is_settled(self) -> bool:
+        """Whether nothing is traced that somebody waits for."""
+        return self.renderer == "realtime" or (self._stage.traced is not None and self._stage.traced.done)
 
     def set_renderer(self, key: str) -> None:
         """Take another renderer; the real-time one ends what is traced."""
@@ -146,6 +157,13 @@ class TracedControl(QObject):
             self.samples == 0 or picture is None or picture.samples < self.samples
         ):
             self.resume()
+        self._show()
+
+    def set_denoised(self, on: bool) -> None:
+        """Show the reference without its noise, where there is a denoiser; remembered."""
+        self.denoised = on
+        settings().setValue("traced/denoised", on)
+        self._send({"do": "denoise", "on": on})
         self._show()
 
     def stop(self) -> None:
@@ -229,7 +247,9 @@ class TracedControl(QObject):
         assert self._process is not None
         self._generation += 1
         self._asked, self._answered, self._stopped, self._step = wanted, False, False, ""
-        pieces = self._hand_over.pieces(wanted, self._generation, self._process.folder, self._limit)
+        pieces = self._hand_over.pieces(
+            wanted, self._generation, self._process.folder, self._limit, denoised=self.denoised
+        )
         self._runner.submit(KIND, write_request, pieces, done=self._handed_over, failed=self._not_handed_over)
         self._show()
 
@@ -264,9 +284,10 @@ class TracedControl(QObject):
         if self._process is not None:
             self._process.send(message)
 
-    def _opened(self, generation: int, _title: str, notices: list[str]) -> None:
+    def _opened(self, generation: int, notices: list[str], no_denoiser: str) -> None:
         if generation == self._generation:
             self._notices, self._step = tuple(notices), ""
+            self._window.renderer.set_denoiser(no_denoiser)
             self._show()
 
     def _moved(self, generation: int, _fraction: float, what: str) -> None:
@@ -289,6 +310,8 @@ class TracedControl(QObject):
         self._show()
         if not current:
             self._follow()  # the newest of what came meanwhile
+        elif picture.done:
+            self.settled.emit()
 
     def _crashed(self, text: str) -> None:
         process, self._process = self._process, None
@@ -311,6 +334,7 @@ class TracedControl(QObject):
             actions=((tr("Try Again"), lambda: self.set_renderer(wanted)),),
         )
         self._window.messages.show_message(message)
+        self.settled.emit()
 
     def _saved(self, path: str) -> None:
         self._window.messages.dismiss(KIND)
@@ -339,7 +363,7 @@ class TracedControl(QObject):
         """Bring section, menu, status bar and the words over the picture to what there is."""
         window, renderer, picture = self._window, self.renderer, self._stage.traced
         section = window.renderer
-        section.show_renderer(renderer, self.quality, self.samples, denoised=False)
+        section.show_renderer(renderer, self.quality, self.samples, denoised=self.denoised)
         window.commands.show_renderer(renderer, self.quality)
         running = renderer != "realtime" and not self._stopped and not (picture is not None and picture.done)
         section.show_work(running=running, stopped=self._stopped, has_picture=picture is not None)
@@ -360,7 +384,7 @@ class TracedControl(QObject):
                 return tr("Real-time picture; {renderer}: stopped").format(renderer=title)
             step = self._step or (tr("waits for things to rest") if self._asked is None else tr("begins"))
             return tr("Real-time picture; {renderer}: {step}").format(renderer=title, step=step)
-        words = picture_words(self.renderer, picture)
+        words = picture_words(self.renderer, self.quality, picture)
         if self.renderer == "raytraced":
             words = "   ".join(word for word in (words, rate_words(self.rate.frame_s)) if word)
         return words + ("   " + tr("stopped") if self._stopped and not picture.done else "")

@@ -44,13 +44,22 @@ class Frame:
 
 
 class Job(Protocol):
-    """A scene that is open. ``title`` names the renderer, ``notices`` are what it leaves out."""
+    """A scene that is open.
+
+    ``title`` names the renderer, ``notices`` are what it leaves out; ``no_denoiser`` says why it cannot take the noise
+    out, empty where it can.
+    """
 
     title: str
     notices: tuple[str, ...]
+    no_denoiser: str
 
     def frames(self) -> Iterator[Frame]:
         """Yield ever better pictures; SuiteError where the renderer fails."""
+        ...
+
+    def denoised(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Return the pixels of a frame without their noise; SuiteError where that fails."""
         ...
 
     def save(self, path: Path, view: View) -> None:
@@ -91,15 +100,16 @@ class Engines:
             report(progress, 0.2, "starting the path tracer")
             self._reference = LiveReference()
         live = self._reference
+        look = request.view.surface_look
         live.show(
             request.paint,
-            request.view,
+            replace(_without_backdrop(request.view), surface_look=replace(look, ground=False)),
             request.size,
             part(progress, 0.3, 1.0),
             environment=environment,
             mesh=mesh,
         )
-        return ReferenceJob(live)
+        return ReferenceJob(live, grounded=look.ground)
 
     def _open_raytraced(
         self, request: TraceRequest, environment: Environment, mesh: Mesh, progress: Progress | None
@@ -112,7 +122,7 @@ class Engines:
         session = self._raytraced
         session.show(
             request.paint,
-            request.view,
+            _without_backdrop(request.view),
             request.size,
             quality=request.quality,
             progress=part(progress, 0.3, 1.0),
@@ -131,15 +141,27 @@ class Engines:
 class ReferenceJob:
     """The path tracer: unbiased, without end."""
 
-    def __init__(self, live: LiveReference) -> None:
+    def __init__(self, live: LiveReference, *, grounded: bool = False) -> None:
+        from brdf_suite.reference.denoise import check_denoiser
+
         self._live = live
         self.title = live.scene.renderer
         self.notices = live.scene.notices
+        if grounded:
+            self.notices = (*self.notices, "The shadow on the ground is the real-time picture's.")
+        self.no_denoiser = ""
+        try:
+            check_denoiser()
+        except SuiteError:
+            self.no_denoiser = (
+                "The denoiser is OptiX's: it needs an NVIDIA graphics card, which is not used here."
+            )
 
     def frames(self) -> Iterator[Frame]:
-        """Yield ever better pictures without end."""
+        """Yield ever better pictures without end; first what there is of this very light already."""
+        known = self._live.estimate
         while True:
-            estimate = self._live.step()
+            estimate, known = known or self._live.step(), None
             yield Frame(
                 _with_coverage(estimate.radiance, estimate.coverage),
                 estimate.samples,
@@ -147,6 +169,12 @@ class ReferenceJob:
                 estimate.noise if np.isfinite(estimate.noise) else None,
                 estimate.seconds,
             )
+
+    def denoised(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Take the noise out of the light; the object's edge stays as it is."""
+        from brdf_suite.reference.denoise import denoised
+
+        return _with_coverage(denoised(pixels[..., :3].astype(np.float64)), pixels[..., 3])
 
     def save(self, path: Path, view: View) -> None:
         """Write radiance, variance and all that a render goes on from."""
@@ -170,6 +198,9 @@ class RaytracedJob:
         self._newest: RaytracedImage | None = None
         self.title = session.scene.renderer
         self.notices = session.scene.notices
+        self.no_denoiser = (
+            "The ray tracer's lights are the same in each pixel: there is no noise to be taken out."
+        )
 
     def frames(self) -> Iterator[Frame]:
         """Yield ever better pictures until the preset's samples are there."""
@@ -181,6 +212,10 @@ class RaytracedJob:
                 pixels = np.concatenate([pixels, image.sums.darkness.astype(np.float32)], axis=-1)
             yield Frame(pixels, image.samples, image.of, None, image.seconds)
 
+    def denoised(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Return them as they are."""
+        return pixels
+
     def save(self, path: Path, view: View) -> None:
         """Write radiance, and what it adds up from: lights and samples are a preset's, so no variance is known."""
         from brdf_suite.pipeline.raytraced import RaytracedImage
@@ -191,6 +226,11 @@ class RaytracedJob:
         scene = self._newest.scene
         shown = replace(scene, view=replace(view, camera=scene.view.camera))
         write_sums(path, self._newest.sums, RaytracedImage(shown, self._newest.sums).whole(), scene.key)
+
+
+def _without_backdrop(view: View) -> View:
+    """Return the view with the plainest background: the window draws what is behind the object, of any kind."""
+    return replace(view, background="environment")
 
 
 def _with_coverage(radiance: NDArray[Any], coverage: NDArray[Any]) -> NDArray[np.float32]:

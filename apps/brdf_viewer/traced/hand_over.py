@@ -24,6 +24,7 @@ class Pieces:
     surface: int
     paint: int
     samples: int
+    denoised: bool
 
 
 class HandOver:
@@ -33,13 +34,15 @@ class HandOver:
         self._surface: tuple[Mesh | None, int] = (None, 0)
         self._paint: tuple[AnyPaint | None, int] = (None, 0)
 
-    def pieces(self, wanted: Wanted, generation: int, folder: Path, samples: int) -> Pieces:
+    def pieces(
+        self, wanted: Wanted, generation: int, folder: Path, samples: int, *, denoised: bool = False
+    ) -> Pieces:
         """Return what is to be written for a scene."""
         if wanted.surface is not self._surface[0]:
             self._surface = (wanted.surface, self._surface[1] + 1)
         if wanted.paint is not None and wanted.paint != self._paint[0]:
             self._paint = (wanted.paint, self._paint[1] + 1)
-        return Pieces(wanted, generation, folder, self._surface[1], self._paint[1], samples)
+        return Pieces(wanted, generation, folder, self._surface[1], self._paint[1], samples, denoised)
 
 
 def write_request(pieces: Pieces, progress: Progress) -> TraceRequest:
@@ -64,6 +67,7 @@ def write_request(pieces: Pieces, progress: Progress) -> TraceRequest:
         environment,
         surface,
         pieces.samples,
+        pieces.denoised,
     )
 
 

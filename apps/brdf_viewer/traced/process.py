@@ -29,7 +29,8 @@ class TracedPicture:
     ``pixels`` (h, w, 4): radiance of the working space, weighted by the object's coverage, and that coverage;
     (h, w, 7): with the darkness of the ground after them.
     ``samples`` a pixel, of ``of`` (0: without end); ``noise`` is a share of the luminance, None where unknown;
-    ``seconds`` were spent on it. ``done``: it is as good as it was asked to become.
+    ``seconds`` were spent on it. ``done``: it is as good as it was asked to become. ``denoised``: a denoiser has
+    guessed what the noise hides.
     """
 
     generation: int
@@ -39,6 +40,7 @@ class TracedPicture:
     noise: float | None
     seconds: float
     done: bool
+    denoised: bool = False
 
     @property
     def size(self) -> tuple[int, int]:
@@ -51,7 +53,7 @@ class TraceProcess(QObject):
 
     Signals
     -------
-    opened(generation, title, notices), moved(generation, fraction, what), pictured(TracedPicture)
+    opened(generation, notices, no_denoiser), moved(generation, fraction, what), pictured(TracedPicture)
         What becomes of a request.
     failed(generation, text)
         It cannot be traced; the process goes on.
@@ -61,7 +63,7 @@ class TraceProcess(QObject):
         The process has ended, and nobody asked it to.
     """
 
-    opened = Signal(int, str, list)
+    opened = Signal(int, list, str)
     moved = Signal(int, float, str)
     pictured = Signal(object)
     failed = Signal(int, str)
@@ -115,7 +117,7 @@ class TraceProcess(QObject):
         if what == "picture":
             self._take_picture(answer, generation)
         elif what == "opened":
-            self.opened.emit(generation, str(answer["title"]), list(answer["notices"]))
+            self.opened.emit(generation, list(answer["notices"]), str(answer["no_denoiser"]))
         elif what == "moved":
             self.moved.emit(generation, float(answer["fraction"]), str(answer["what"]))
         elif what == "failed":
@@ -143,6 +145,7 @@ class TraceProcess(QObject):
                 None if noise is None else float(noise),
                 float(answer["seconds"]),
                 bool(answer["done"]),
+                bool(answer["denoised"]),
             )
         )
 

@@ -57,19 +57,18 @@ class Wanted:
             and self.surface is other.surface
             and self.paint == other.paint
             and (self.paint is not None or self.paint_key == other.paint_key)
-            and lit_part(self.view, self.renderer) == lit_part(other.view, other.renderer)
+            and lit_part(self.view) == lit_part(other.view)
         )
 
 
-def lit_part(view: View, renderer: Renderer) -> View:
+def lit_part(view: View) -> View:
     """Return the view without what its light does not depend on.
 
     >>> from dataclasses import replace
-    >>> lit_part(replace(_PLAIN, exposure_ev=2.0), "reference") == lit_part(_PLAIN, "reference")
+    >>> lit_part(replace(_PLAIN, exposure_ev=2.0)) == lit_part(_PLAIN)
     True
     """
-    shown = (*_SHOWN, "sparkle") if renderer == "reference" else _SHOWN
-    return dataclasses.replace(view, **{name: getattr(_PLAIN, name) for name in shown})
+    return dataclasses.replace(view, **{name: getattr(_PLAIN, name) for name in _SHOWN})
 
 
 def wanted_of(

@@ -26,15 +26,19 @@ SHORT_TITLES = {
 }
 
 
-def picture_words(renderer: str, picture: TracedPicture) -> str:
-    """Return what a picture is: samples, the noise that is left, or the frame rate."""
+def picture_words(renderer: str, quality: str, picture: TracedPicture) -> str:
+    """Return what a picture is: the preset, or its samples and the noise that is left."""
     words = [tr(SHORT_TITLES[renderer])]
+    if renderer == "raytraced":
+        words = [tr("Ray-traced, {quality}").format(quality=tr(QUALITY_TITLES[quality]).lower())]
     if picture.of and not picture.done:
         words.append(tr("{count} of {all} samples").format(count=picture.samples, all=picture.of))
-    else:
+    elif renderer != "raytraced":
         words.append(tr("{count} samples").format(count=picture.samples))
     if picture.noise is not None:
         words.append(tr("noise {percent} %").format(percent=f"{100.0 * picture.noise:.2g}"))
+    if picture.denoised:
+        words.append(tr("denoised"))
     return "   ".join(words)
 
 

@@ -4,9 +4,9 @@ Requests are lines of JSON, answers too; pictures lie in :mod:`.picture_slots`. 
 newer request, so nothing is ever finished that nobody waits for. It imports no Qt: it opens no window. When its input
 ends, however the window ended, it removes ``FOLDER`` and is gone.
 
-Requests: ``render`` (:mod:`.request`), ``pause``, ``resume`` with the samples to stop at, ``taken`` with a slot,
-``save`` with a path and a view. Answers: ``moved``, ``opened``, ``picture``, ``failed``, each with the generation;
-``saved`` and ``not_saved`` with the path.
+Requests: ``render`` (:mod:`.request`), ``pause``, ``resume`` with the samples to stop at, ``denoise`` on or not,
+``taken`` with a slot, ``save`` with a path and a view. Answers: ``moved``, ``opened``, ``picture``, ``failed``, each
+with the generation; ``saved`` and ``not_saved`` with the path.
 """
 
 from __future__ import annotations
@@ -74,7 +74,9 @@ class Worker:
         self._request: TraceRequest | None = None
         self._job: Job | None = None
         self._frames: Iterator[Frame] | None = None
+        self._newest: Frame | None = None
         self._untold: Frame | None = None
+        self._denoised = False
         self._paused = False
         self._samples = 0
 
@@ -95,16 +97,21 @@ class Worker:
         what = message["do"]
         if what == "render":
             self._request = TraceRequest.from_json(message)
-            self._job = self._frames = self._untold = None
+            self._job = self._frames = self._newest = self._untold = None
             self._paused, self._samples = False, self._request.samples
+            self._denoised = self._request.denoised
         elif what == "pause":
             self._paused = True
         elif what == "resume":
             self._paused, self._samples = False, int(message["samples"])
+        elif what == "denoise":
+            self._denoised = bool(message["on"])
+            if self._newest is not None:
+                self._attempt(lambda: self._tell(self._newest))
         elif what == "taken":
             self._slots.give_back(int(message["slot"]))
             if self._untold is not None:
-                self._tell(self._untold)
+                self._attempt(lambda: self._tell(self._untold))
         elif what == "save":
             self._save(Path(message["path"]), message)
 
@@ -119,6 +126,7 @@ class Worker:
                     "generation": request.generation,
                     "title": self._job.title,
                     "notices": list(self._job.notices),
+                    "no_denoiser": self._job.no_denoiser,
                 }
             )
             self._frames = self._job.frames()
@@ -132,11 +140,12 @@ class Worker:
             self._paused = True
         self._tell(frame)
 
-    def _tell(self, frame: Frame) -> None:
-        self._untold = frame
-        if not self._slots.is_free or self._request is None:
+    def _tell(self, frame: Frame | None) -> None:
+        self._newest = self._untold = frame
+        if frame is None or self._request is None or self._job is None or not self._slots.is_free:
             return
-        slot = self._slots.put(frame.pixels)
+        denoised = self._denoised and not self._job.no_denoiser
+        slot = self._slots.put(self._job.denoised(frame.pixels) if denoised else frame.pixels)
         self._untold = None
         height, width = frame.pixels.shape[:2]
         done = bool((self._samples and frame.samples >= self._samples) or frame.samples == frame.of)
@@ -151,6 +160,7 @@ class Worker:
                 "noise": frame.noise,
                 "seconds": frame.seconds,
                 "done": done,
+                "denoised": denoised,
             }
         )
 
@@ -178,7 +188,7 @@ class Worker:
             if not isinstance(error, SuiteError | MemoryError | OSError):
                 log.exception("the tracer met a fault of its own")
             generation = -1 if self._request is None else self._request.generation
-            self._request = self._job = self._frames = self._untold = None
+            self._request = self._job = self._frames = self._newest = self._untold = None
             self._say({"say": "failed", "generation": generation, "text": _words(error)})
 
 
