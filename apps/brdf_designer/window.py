@@ -377,7 +377,7 @@ class DesignerWindow(SuiteWindow):
     def order_focus(self) -> None:
         """Let Tab go through the desk as it is seen: tabs, colours, plots, picture and history, then the inspector."""
         parts = [self.tabs, self.strip, self.patches, self.lower_split, *self._below]
-        order_focus(self, [*parts, *self.inspector.sections])
+        order_focus([*parts, *self.inspector.sections])
 
     def close_pickers(self) -> None:
         """Close every picker: another document has come, and its readings are others."""

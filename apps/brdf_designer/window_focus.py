@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 
-def order_focus(window: QWidget, parts: Sequence[QWidget]) -> None:
-    """Let Tab go through ``parts`` one after the other; within a part the order stays as it is.
+def order_focus(parts: Sequence[QWidget]) -> None:
+    """Let Tab go through ``parts`` one after the other; within a part in the order in which its widgets were made.
 
     To be called again where widgets have come: a new one is the last of its window.
     """
-    inside: dict[QWidget, list[QWidget]] = {part: [] for part in parts}
-    widget = window.nextInFocusChain()
-    while widget is not window:
-        part = next((part for part in parts if part is widget or part.isAncestorOf(widget)), None)
-        if part is not None and widget.focusPolicy() & Qt.FocusPolicy.TabFocus:
-            inside[part].append(widget)
-        widget = widget.nextInFocusChain()
-    for first, second in pairwise(widget for part in parts for widget in inside[part]):
+    for first, second in pairwise(widget for part in parts for widget in _inside(part)):
         QWidget.setTabOrder(first, second)
+
+
+def _inside(part: QWidget) -> Iterator[QWidget]:
+    """The widgets that Tab stops at, but for those of windows of their own, as the list of a combo box is.
+
+    By the tree and not by QWidget.nextInFocusChain: Python takes what that returns for a child of the widget that was
+    asked. Once that one is deleted, Python holds all that follow for deleted too, down to the window's menus.
+    """
+    if part.focusPolicy() & Qt.FocusPolicy.TabFocus:
+        yield part
+    for child in part.children():
+        if isinstance(child, QWidget) and not child.isWindow():
+            yield from _inside(child)
