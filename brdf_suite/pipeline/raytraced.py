@@ -200,7 +200,6 @@ class RaytracedSession:
         shaped, bounds = self._parts.mesh(wanted)
         wanted = replace(wanted, view=placed(view, bounds, size))
         _, told = self._parts.splits(wanted, shaped)
-        sky, _ = self._parts.light(wanted)
         self._wanted = wanted
         self._scene = RaytracedScene(
             wanted.paint.name,
@@ -219,7 +218,7 @@ class RaytracedSession:
             wanted.quality,
             scene_key(wanted, shaped),
             self._parts.camera(wanted.view, bounds, size),
-            sky,
+            self._parts.backdrop(wanted),
         )
         report(progress, 1.0, "ready")
         return self._scene
@@ -351,9 +350,8 @@ def rays_a_sample(quality: Quality) -> float:
 def left_out(wanted: Wanted) -> tuple[str, ...]:
     """Return sentences about what the view asks for and the ray tracer does not draw."""
     view, told = wanted.view, []
-    if view.background == "blurred":
-        told.append("The ray tracer shows the environment behind the object as it is, not blurred.")
-    if view.relief.normal_map is not None or view.relief.orange_peel > 0.0:
+    peeled = view.relief.orange_peel > 0.0 or wanted.paint.orange_peel is not None
+    if view.relief.normal_map is not None or peeled:
         told.append("The ray tracer shows a smooth surface, without normal map and orange peel.")
     if view.two_tone.paint is not None and view.two_tone.mask is not None:
         told.append("The ray tracer shows the first paint alone.")

@@ -12,8 +12,10 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.light_matrix import light_matrix
 from brdf_suite.documents.view import View
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline.reference_optics import lobe_term
 from brdf_suite.pipeline.reference_paint import TracedPaint
+from brdf_suite.realtime.backdrop import BLUR_EXPONENT
 from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.stock_materials import stock_materials
 from brdf_suite.realtime.values import MaterialWeights
@@ -30,6 +32,7 @@ if TYPE_CHECKING:
 
 Size = tuple[int, int]
 PAINT = "paint"
+_BLURRED_ROWS = 96
 _TOO_MUCH = "times the light that falls on it"
 _T = TypeVar("_T")
 
@@ -121,6 +124,23 @@ class Parts:
         sky, radiance = self.keep("sky", made_of, make)
         turned = self.keep("turned", (*made_of, view.rotation_deg), lambda: sky.turned(view.rotation_deg))
         return turned, radiance
+
+    def backdrop(self, wanted: Wanted) -> Sky:
+        """Return the sky that is seen behind the object: the light's, or blurred where the view has it so."""
+        from brdf_suite.reference.backdrop import blurred
+        from brdf_suite.reference.raytraced.sky import Sky
+
+        view = wanted.view
+        sky, radiance = self.light(wanted)
+        if view.background != "blurred":
+            return sky
+
+        def make() -> Sky:
+            around = direction(ring_angles(_BLURRED_ROWS)[:, None], column_angles(2 * _BLURRED_ROWS)[None])
+            return Sky.of(blurred(radiance, BLUR_EXPONENT)(around))
+
+        soft = self.keep("blurred", (Same(wanted.environment), view.light_colour), make)
+        return soft.turned(view.rotation_deg)
 
     def lights(self, wanted: Wanted, turn: int) -> LightArrays:
         """Return the lights of a round: the first, 0, are in the middle of their strata, others drawn from them."""

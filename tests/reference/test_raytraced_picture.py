@@ -9,7 +9,7 @@ import pytest
 
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Lamp, Sparkle, SurfaceLook
+from brdf_suite.documents.view_settings import Lamp, Relief, Sparkle, SurfaceLook
 from brdf_suite.errors import SuiteError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
@@ -400,10 +400,18 @@ class TooBright:
 
 
 def test_exposure_backdrop_and_words(session, sphere) -> None:
-    view = replace(PLAIN, exposure_mode="automatic", background="blurred")
+    relief = Relief(orange_peel=1.0)
+    view = replace(PLAIN, exposure_mode="automatic", background="blurred", relief=relief)
     scene = session.show(MATT, view, SIZE, "fast", environment=sky(), mesh=sphere)
-    assert any("not blurred" in notice for notice in scene.notices)
+    assert any("smooth surface" in notice for notice in scene.notices)
     image = session.frame()
+    soft = image.scene.behind
+    clear = session.show(
+        MATT, replace(view, background="environment"), SIZE, "fast", environment=sky(), mesh=sphere
+    ).behind
+    # A light that goes with the cosine keeps its mean, and E + 1 of E + 2 of its contrast.
+    np.testing.assert_allclose(soft - 1.0, (clear - 1.0) * 61.0 / 62.0, atol=0.01)
+    assert np.abs(soft - clear).max() > 0.005
     inside = image.coverage == 1.0
     y = image.sums.radiance[inside] @ [0.2627, 0.678, 0.0593]
     assert 2.0**image.exposed_view.exposure_ev * np.median(y) == pytest.approx(0.18, rel=0.01)
