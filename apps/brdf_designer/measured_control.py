@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from brdf_qt.message_bar import message_of
+from brdf_qt.message_bar import Message, message_of
 from brdf_qt.settings import settings
 from brdf_qt.tasks import TaskRunner
 from brdf_qt.translation import tr
@@ -22,8 +23,14 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.measured_start import START_SET, MeasuredStart
 from brdf_suite.progress import Progress
 
+if TYPE_CHECKING:
+    from brdf_suite.files.exports import Imported
+
 KEY = "measured"
 _SET = "measured/angles"
+MOST_TABS = 12
+"""A file of many paints is a palette: more tabs than these nobody would find his way in."""
+_HEAD = 1 << 16
 
 
 @dataclass(frozen=True)
@@ -79,11 +86,39 @@ class MeasuredControl(QObject):
 
     def open_foreign(self, path: Path) -> bool:
         """Take care of a file that is to be opened and is no paint designed by its angles; see :class:`Documents`."""
+        try:
+            handed = _handed_over(path)
+        except SuiteError as error:
+            self._desk.show_message(
+                message_of(error, "open", todo=tr("The paints that are open are unchanged."))
+            )
+            return True
+        if handed is not None:
+            self._open_all(path, handed)
+            return True
         if not _is_measurement(path):
             return False
         self._desk.documents.front.files.remember(path.absolute())
         self.open(path)
         return True
+
+    def _open_all(self, path: Path, handed: Imported) -> None:
+        """Open the paints of a hand-over, each in a tab of its own."""
+        paints = [paint for paint in handed.paints if isinstance(paint, Paint)]
+        for paint in paints[:MOST_TABS]:
+            self._desk.open_paint(paint)
+        self._desk.documents.front.files.remember(path.absolute())
+        told = list(handed.notes)
+        if len(paints) > MOST_TABS:
+            told.insert(
+                0,
+                tr("{name} holds {count} paints; the first {opened} are open.").format(
+                    name=path.name, count=len(paints), opened=MOST_TABS
+                ),
+            )
+        self._desk.dismiss_message("open")
+        if told:
+            self._desk.show_message(Message("open", " ".join(told), where=str(path)))
 
     def read_again(self, geometry: str) -> None:
         """Read the original of the document in front at another set of angles; one step."""
@@ -149,6 +184,23 @@ def _read(request: _Request, progress: Progress) -> MeasuredStart:
     from brdf_suite.pipeline.measured_start import load_start
 
     return load_start(request.path, GEOMETRY_SETS[request.geometry], progress)
+
+
+def _handed_over(path: Path) -> Imported | None:
+    """Read the paints of a file that was handed over (CxF3, CSV, JSON), known by its content; None for any other."""
+    if path.suffix.lower() == PAINT_ENDING:
+        return None
+    from brdf_suite.files.exports import FORMATS
+
+    try:
+        with path.open("rb") as stream:
+            head = stream.read(_HEAD)
+    except OSError:  # opening it as a paint says what is wrong
+        return None
+    for known in FORMATS:
+        if known.sniff is not None and known.read is not None and known.sniff(head):
+            return known.read(path)
+    return None
 
 
 def _is_measurement(path: Path) -> bool:

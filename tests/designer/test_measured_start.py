@@ -11,7 +11,8 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 
 from brdf_suite.documents.store import save_paint
-from brdf_suite.pipeline.scene import find_any_paint
+from brdf_suite.files.exports import FORMATS, Subject
+from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
 
 
 @pytest.fixture
@@ -92,6 +93,21 @@ def test_a_dropped_file_and_the_original_as_standard(designer, control, qtbot, c
     control.section.standard.click()
     qtbot.waitUntil(lambda: standards.standard is not None)
     assert standards.section.results.item(0, 1).text() == "0.00"
+
+
+def test_a_handed_over_file_opens_its_paints(designer, control, qtbot, tmp_path) -> None:
+    path = tmp_path / "season.cxf"
+    form = next(known for known in FORMATS if known.ending == ".cxf")
+    blue, red = load_shipped_paint("blue"), load_shipped_paint("red")
+    form.write([Subject(blue), Subject(red)], path, None)
+    designer.window.open_asked.emit(path)
+    opened = [one.store.value for one in designer.documents.row]
+    assert [paint.name for paint in opened] == [blue.name, red.name]
+    assert opened[1].lab_at(45.0) == pytest.approx(red.lab_at(45.0), abs=1e-3)
+    path.write_text(path.read_text("utf-8")[:-300], "utf-8")
+    designer.window.open_asked.emit(path)
+    assert "season.cxf" in designer.window.messages.shown()["open"].where
+    assert len(designer.documents.row) == 2
 
 
 def test_what_is_neither_is_told_as_ever(designer, control, qtbot, tmp_path) -> None:
