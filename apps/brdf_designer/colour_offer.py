@@ -14,7 +14,7 @@ from brdf_designer.patches import lab_text
 from brdf_designer.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
-from brdf_suite.pipeline.feasible import Feasible, nearest_feasible
+from brdf_suite.pipeline.feasible import Feasible, judged, nearest_feasible
 from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit, PaintFitter
 from brdf_suite.progress import Progress
 
@@ -119,8 +119,9 @@ def missed(fit: PaintFit) -> list[int]:
     """
     return [
         index
-        for index, row in enumerate(fit.angles)
-        if row.delta_e_2000 > (LARGE_DELTA_E if row.aspecular_deg >= 0.0 else _LARGE_BEYOND)
+        for index in judged(fit)
+        if fit.angles[index].delta_e_2000
+        > (LARGE_DELTA_E if fit.angles[index].aspecular_deg >= 0.0 else _LARGE_BEYOND)
     ]
 
 

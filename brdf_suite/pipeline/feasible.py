@@ -9,8 +9,9 @@ Three things stand in the way of a paint that a user has typed, and each has its
 3. The whole road (rule between the angles, coat, fit) does not quite give those: then what the fit does give is taken
    instead and fitted again, until asked and given agree.
 
-Whatever is offered has been fitted: its ``fit`` says what it gives. Nothing here is on the edit path; it takes some
-tens of fits.
+Whatever is offered has been fitted: its ``fit`` says what it gives. Lobes know one light, the one that most readings
+have; readings under another one (interference pigments) are neither judged nor changed. Nothing here is on the edit
+path; it takes some tens of fits.
 """
 
 from __future__ import annotations
@@ -70,9 +71,16 @@ class Feasible:
         return self.paint.gloss != self.asked.gloss
 
 
+def judged(fit: PaintFit) -> list[int]:
+    """Return the readings under the light that most have: the ones that lobes are fitted to."""
+    lights = [row.illumination_deg for row in fit.angles]
+    main = max(sorted(set(lights)), key=lights.count)
+    return [index for index, light in enumerate(lights) if light == main]
+
+
 def is_feasible(fit: PaintFit, tolerance: float = TOLERANCE_DELTA_E) -> bool:
-    """Return whether the lobes give every asked colour within ``tolerance``, ΔE00."""
-    return fit.worst_delta_e <= tolerance
+    """Return whether the lobes give every judged colour within ``tolerance``, ΔE00."""
+    return all(fit.angles[index].delta_e_2000 <= tolerance for index in judged(fit))
 
 
 def nearest_feasible(
@@ -103,7 +111,9 @@ def nearest_feasible(
         report(progress, turn / _MOST_FITS, "looking for the nearest paint")
         if is_feasible(fit, tolerance):
             return Feasible(paint, fit, _apart(paint, fit.paint))
-        given = np.array([row.fitted for row in fit.angles])
+        given = np.array([row.asked for row in fit.angles])
+        rows = judged(fit)
+        given[rows] = [fit.angles[index].fitted for index in rows]
         if turn >= _MOST_FITS // 2:
             # Rule and fit can answer each other by turns: half steps meet in the middle.
             given = 0.5 * (given + np.array([row.asked for row in fit.angles]))
@@ -217,20 +227,24 @@ def _gloss_apart(one: Gloss, other: Gloss) -> float:
 def _in_cone(fit: PaintFit) -> list[Lab]:
     """The colours nearest to the paint's own that its lobes can give at its readings."""
     weights = fit.weights
-    lights = np.array([row.illumination_deg for row in fit.angles])
+    rows = [fit.angles[index] for index in judged(fit)]
+    lights = np.array([row.illumination_deg for row in rows])
     wi = illumination(lights)
-    wo = aspecular_view(lights, np.array([row.aspecular_deg for row in fit.angles]))
+    wo = aspecular_view(lights, np.array([row.aspecular_deg for row in rows]))
     count = len(weights.exponents)
     nothing = np.zeros((count, 3))
     # One lobe at a time, as the three channels of sums; the fit's own gloss lobes are the coat's share.
-    columns = [np.ones(len(fit.angles))]
+    columns = [np.ones(len(rows))]
     for k in range(count):
         single = nothing.copy()
         single[k] = 1.0
         columns.append(lobe_sums(wi, wo, weights.exponents, np.zeros(3), single, nothing).base[:, 0])
     coat = lobe_sums(wi, wo, weights.exponents, np.zeros(3), nothing, weights.kg).brdf()[:, 0]
-    reached = nearest_in_cone(np.pi * np.stack(columns, axis=1), np.pi * coat, [r.asked for r in fit.angles])
-    return [_lab(row) for row in reached]
+    reached = nearest_in_cone(np.pi * np.stack(columns, axis=1), np.pi * coat, [row.asked for row in rows])
+    labs = [row.asked for row in fit.angles]
+    for index, lab in zip(judged(fit), reached, strict=True):
+        labs[index] = _lab(lab)
+    return labs
 
 
 def _lab(row: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Lab:
