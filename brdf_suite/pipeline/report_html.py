@@ -50,8 +50,11 @@ th, td { padding: 3px 6px; border-bottom: 1px solid #e3e3e3; } th:first-child, t
 .out { color: #5c5c5c; } .computed { font-style: italic; } .fail { font-weight: 650; }
 footer { border-top: 1px solid #cfcfcf; margin-top: 14px; padding-top: 8px; color: #5c5c5c; font-size: 11px; }
 @page { size: A4; margin: 11mm; }
-@media print { body { background: #fff; font-size: 10.5px; } main { margin: 0; padding: 0; max-width: none; }
-  * { print-color-adjust: exact; -webkit-print-color-adjust: exact; } .patch div { height: 44px; } }
+@media print { body { background: #fff; font-size: 9.5px; } main { margin: 0; padding: 0; max-width: none; }
+  * { print-color-adjust: exact; -webkit-print-color-adjust: exact; } .patch div { height: 40px; }
+  h1 { font-size: 26px; } h2 { font-size: 10px; } p, .verdict { margin: 5px 0; }
+  figcaption, footer { font-size: 8.5px; }
+  .pictures, .plots, .figures { margin: 9px 0; } .patches { margin: 6px 0 8px; } th, td { padding: 2px 5px; } }
 @media (max-width: 640px) { main { padding: 20px; margin: 0; } .figures, .plots { grid-template-columns: 1fr; }
   .patches { flex-wrap: wrap; } .patch { min-width: 28%; } table { font-size: 11px; } }
 """

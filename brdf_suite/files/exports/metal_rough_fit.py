@@ -6,7 +6,8 @@ One base colour c, a share μ of metal and one roughness make
 
 with D of Trowbridge and Reitz for α = roughness², V the height-correlated visibility of Smith, F_d the interface
 between base and coat (0.04 in glTF; none where the indices agree, as in the OpenPBR written here). The clearcoat takes
-F(wo·n) from the base on the way to the view, and adds its own lobe, as the reference implementations layer them.
+F(wo·n) from the base on the way to the view, and adds its own lobe, as the reference implementations layer them; that
+of MaterialX also adds what further bounces between facets send back (:mod:`brdf_suite.files.exports.lobe_albedo`).
 
 c enters each channel linearly: for each pair (μ, roughness) of a grid it follows by least squares, and from the best
 pair all five parameters are found together, so that the mean square of ΔE00 is least. One colour for every angle is
@@ -23,6 +24,7 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.documents.paint import Paint
+from brdf_suite.files.exports.lobe_albedo import one_bounce
 from brdf_suite.files.exports.model_fit import (
     Samples,
     ggx,
@@ -56,13 +58,32 @@ class MetalRough:
     interface: float
     coat_ior: float
     coat_roughness: float
+    compensated: bool = False
     differences: tuple[float, ...] = ()
     clipped: bool = False
 
     def eval(self, wi: Floats, wo: Floats) -> Floats:
         """Return f_r (n, 3) in 1/sr, linear Rec. 709, without the cosine, at directions above the horizon."""
         slope, offset = self._linear(wi, wo)
-        return np.asarray(slope[:, None] * np.asarray(self.colour) + offset[:, None])
+        colour = np.asarray(self.colour)
+        value = np.asarray(slope[:, None] * colour + offset[:, None])
+        if self.compensated:
+            value = value + self._further(wi, wo)[:, None] * colour * (
+                colour + self._edge(wi, wo)[:, None] * (1.0 - colour)
+            )
+        return value
+
+    def _edge(self, wi: Floats, wo: Floats) -> Floats:
+        return np.asarray((1.0 - half_vector(wi, wo)[1]) ** 5)
+
+    def _further(self, wi: Floats, wo: Floats) -> Floats:
+        """What further bounces add (n,) for a metal whose colour is 1."""
+        cos_h, _ = half_vector(wi, wo)
+        cos_i, cos_o = wi[:, 2], wo[:, 2]
+        once = one_bounce(self.roughness**2, cos_o)
+        left = 1.0 - fresnel_dielectric(cos_o, self.coat_ior)
+        lobe = _lobe(cos_h, cos_i, cos_o, self.roughness**2)
+        return np.asarray(left * self.metalness * lobe * (1.0 - once) / once)
 
     def _linear(self, wi: Floats, wo: Floats) -> tuple[Floats, Floats]:
         """f_r = slope · c + offset, each (n,)."""
@@ -112,6 +133,7 @@ def _fit(paint: Paint, *, gltf: bool) -> MetalRough:
         interface=0.04 if gltf else 0.0,
         coat_ior=GLTF_IOR if gltf else layers.ior,
         coat_roughness=math.sqrt(min(layers.roughness, 1.0)),
+        compensated=not gltf,
     )
     found = min(
         (
