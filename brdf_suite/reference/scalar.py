@@ -67,13 +67,16 @@ def table_bsdf(
 
 @dataclass(frozen=True, eq=False)
 class _Coloured:
-    """A reflectance by its colours alone: spectra have no place in a picture of three channels."""
+    """A reflectance by its colours alone, light and view exchanged.
+
+    Spectra have no place in a picture of three channels; and what the file calls incident is the view to Mitsuba.
+    """
 
     reflectance: Reflectance
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr."""
-        return self.reflectance.eval(wi, wo)
+        return self.reflectance.eval(wo, wi)
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,6 +13,7 @@ from brdf_suite.reference.coated import SeenThrough, UnderCoat
 from brdf_suite.reference.factored import FactoredTerm
 from brdf_suite.reference.fitted_samplers import fitted_samplers
 from brdf_suite.reference.lobe_weights import LobeWeights
+from brdf_suite.reference.measured import Measured
 from brdf_suite.reference.table import HalfAngleTable
 from brdf_suite.reference.terms import CoatLobe, FacetLobe, Lambertian, Sum
 from brdf_suite.reflectance import coat_lobe
@@ -27,6 +28,7 @@ from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.several_lights import SeveralLights
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 
 TABULATED = (
     "The reference renderer has no formula for this reflectance; it renders a table of it in half-angle coordinates "
@@ -97,6 +99,8 @@ def _exact(reflectance: object) -> Any | None:
         return UnderCoat(reflectance, base.term)
     if isinstance(reflectance, IsotropicTable):
         return HalfAngleTable.of(reflectance, fitted_samplers(reflectance))
+    if isinstance(reflectance, TensorReflectance):
+        return Measured.of(reflectance)
     if isinstance(reflectance, Factored):
         return FactoredTerm(reflectance)
     if isinstance(reflectance, CosineLobes):

@@ -46,13 +46,15 @@ def test_the_scalar_variant_is_chosen_only_by_who_can_use_it(without_llvm) -> No
     assert mi.variant() == "scalar_rgb"
 
 
-def test_a_table_in_the_plug_in_is_the_paint(without_llvm) -> None:
+@pytest.mark.parametrize("name", ["copper", "phong_original"])
+def test_a_table_in_the_plug_in_is_the_paint(without_llvm, name: str) -> None:
+    """Also of a model that is not the same with light and view exchanged."""
     variants.start(scalar=True)
     import mitsuba as mi
 
     from brdf_suite.reference.scalar import table_bsdf
 
-    paint = build_paint(load_shipped_paint("copper"))
+    paint = build_paint(load_shipped_paint("copper")) if name == "copper" else MODELS[name].default
     bsdf = table_bsdf(paint)
     rng = np.random.default_rng(2)
     wi, wo = (spherical(np.arccos(0.3 + 0.7 * rng.random(300)), rng.uniform(0, 6.28, 300)) for _ in "ab")

@@ -118,7 +118,7 @@ class TensorReflectance:
         return GridDensity(np.maximum(self.luminance, 0.0))
 
     @cached_property
-    def _to_working(self) -> Floats:
+    def to_working(self) -> Floats:
         """The matrix (c, 3) from the stored channels to the working space; both roads are linear."""
         if self.wavelengths_nm is None:
             return np.ascontiguousarray(REC709_TO_WORKING.T)
@@ -135,7 +135,7 @@ class TensorReflectance:
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3), working space, 1/sr, without the cosine, never negative; 0 below the horizon."""
         # Made before the threads of in_blocks would each make their own.
-        to_working, _ = self._to_working, self._visible
+        to_working, _ = self.to_working, self._visible
         return in_blocks(lambda i, o: np.maximum(self.eval_channels(i, o) @ to_working, 0.0), wi, wo)
 
     def eval_spectra(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
