@@ -15,12 +15,6 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.pipeline.angle_sets import set_name
 
 
-def main_light(paint: Paint) -> float:
-    """Return the polar angle of the light, degrees, under which most readings were taken."""
-    lights = [item.illumination_deg for item in paint.measurements]
-    return max(sorted(set(lights)), key=lights.count)
-
-
 class ColourEditors(QWidget):
     """Turns what the widgets say into edits by field key, as :mod:`brdf_designer.fields` names them.
 
@@ -48,7 +42,7 @@ class ColourEditors(QWidget):
         self._show_mode(self.head.modes.value)
         self.head.set_chosen.connect(lambda name: self.edited.emit(("angles", "set"), name))
         self.head.angle_added.connect(
-            lambda angle: self.edited.emit(("angles", "add"), Geometry(main_light(self._from()), angle))
+            lambda angle: self.edited.emit(("angles", "add"), Geometry(self._from().main_light_deg, angle))
         )
         self.head.space_chosen.connect(self.angles.set_space)
         self.head.mode_chosen.connect(self._show_mode)
@@ -76,7 +70,7 @@ class ColourEditors(QWidget):
     def show_colours(self, colours: Colours) -> None:
         """Show every measurement."""
         self._paint, self._colours = colours.paint, colours
-        self.head.show_set(set_name(colours.paint), main_light(colours.paint))
+        self.head.show_set(set_name(colours.paint), colours.paint.main_light_deg)
         self.angles.show_colours(colours)
         if self.mode == "flop":
             self.flop.show_colours(colours)

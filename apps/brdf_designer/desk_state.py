@@ -166,9 +166,8 @@ def _directions(
 
 def _curves(fit: PaintFit) -> Curves:
     readings = fit.paint.measurements
-    lights = [m.illumination_deg for m in readings]
     # The light that most readings have is the one whose curve the rule was found for.
-    light = min(lights, key=lambda deg: (-lights.count(deg), deg))
+    light = fit.paint.main_light_deg
     angles = [m.aspecular_deg for m in readings if m.illumination_deg == light]
     # The strip lies on the normal's side of the mirror direction, where near and far are.
     this_side = [angle for angle in angles if angle >= 0.0] or angles

@@ -205,6 +205,12 @@ class Paint:
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
         check_text(self.source, "source", longest=10_000, lines=True, empty=True)
 
+    @property
+    def main_light_deg(self) -> float:
+        """Return the polar angle, degrees, of the light that most readings have; of several, the least."""
+        lights = [measurement.illumination_deg for measurement in self.measurements]
+        return min(lights, key=lambda light: (-lights.count(light), light))
+
     def lab_at(self, aspecular_deg: float, illumination_deg: float | None = None) -> Lab:
         """Return the measured L*a*b* at a geometry as :meth:`index_of` finds it."""
         return self.measurements[self.index_of(aspecular_deg, illumination_deg)].lab

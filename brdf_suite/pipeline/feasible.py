@@ -73,9 +73,8 @@ class Feasible:
 
 def judged(fit: PaintFit) -> list[int]:
     """Return the readings under the light that most have: the ones that lobes are fitted to."""
-    lights = [row.illumination_deg for row in fit.angles]
-    main = max(sorted(set(lights)), key=lights.count)
-    return [index for index, light in enumerate(lights) if light == main]
+    main = fit.paint.main_light_deg
+    return [index for index, row in enumerate(fit.angles) if row.illumination_deg == main]
 
 
 def is_feasible(fit: PaintFit, tolerance: float = TOLERANCE_DELTA_E) -> bool:

@@ -115,3 +115,12 @@ def test_the_slope_of_orange_peel_is_that_of_its_height() -> None:
         OrangePeel(20.0, 0.5)
     with pytest.raises(ValueRangeError, match="orange peel or nothing"):
         blue(orange_peel=0.5)
+
+
+def test_the_main_light_is_the_one_that_most_readings_have() -> None:
+    assert blue().main_light_deg == 45.0
+    more = (*blue().measurements, Measurement(15.0, 15.0, LABS[15.0]))
+    assert blue(measurements=more).main_light_deg == 45.0
+    lab = LABS[45.0]
+    even = tuple(Measurement(light, angle, lab) for light in (45.0, 20.0) for angle in (15.0, 45.0))
+    assert blue(measurements=even).main_light_deg == 20.0
