@@ -30,7 +30,7 @@ from PySide6.QtWidgets import (
 from brdf_suite.documents.paint import Paint
 
 PICTURE, SMALL_PICTURE = 48, 32
-_WIDTH, _PAD, _BEHIND_OPACITY = 84, 4, 0.45
+_WIDTH, _PAD, _NAME_LINES, _BEHIND_OPACITY = 92, 4, 2, 0.45
 Index = QModelIndex | QPersistentModelIndex
 
 
@@ -119,7 +119,7 @@ class _Painter(QStyledItemDelegate):
 
     def height(self, option: QStyleOptionViewItem) -> int:
         """Return the height of a state."""
-        name = 2 if self.compact else option.fontMetrics.height() + 6
+        name = 2 if self.compact else _NAME_LINES * option.fontMetrics.height() + 6
         return self.size + 2 * _PAD + name
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:

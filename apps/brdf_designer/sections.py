@@ -25,9 +25,9 @@ PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (
     HistoryControl,
     StandardControl,
     VariationsControl,
+    HandoverControl,
     InterpolationControl,
     MeasuredControl,
-    HandoverControl,
 )
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 
