@@ -10,9 +10,10 @@ import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-from brdf_designer.assembly import Designer
+from brdf_designer.assembly import FIRST_PAINT, Designer, shipped_paint
 from brdf_designer.thumbnails import Thumbnails
 from brdf_qt.dialogs import Answer, Overwrite
+from PySide6.QtCore import QCoreApplication, QEvent
 
 from brdf_suite.pipeline.paint import PaintFitter
 
@@ -70,3 +71,40 @@ def designer(qtbot, dialogs, monkeypatch) -> Designer:
     qtbot.waitUntil(lambda: designer.window.plot.is_built)
     yield designer
     designer.close()
+
+
+@pytest.fixture(scope="module")
+def lasting(qapp, tmp_path_factory):
+    """One Designer for a whole module, which :func:`fresh` clears for each test: a window takes a while to be made."""
+    dialogs = ScriptedDialogs()
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
+        patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
+        patched.setitem(PaintFitter.__init__.__kwdefaults__, "time_limit_s", 60.0)
+        patched.setattr(Thumbnails, "_ask_next", lambda _self: None)
+        designer = Designer(dialogs=lambda _window: dialogs)
+        designer.window.show()
+        while not designer.window.plot.is_built:
+            QCoreApplication.processEvents()
+    yield designer, dialogs
+    designer.close()
+    designer.window.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def fresh(lasting, own_session):
+    """The Designer of the module as it is at a start: its first paint alone, no message, nothing that was asked."""
+    designer, dialogs = lasting
+    documents = designer.documents
+    vars(dialogs).update(vars(ScriptedDialogs()), answer=Answer.DISCARD)
+    first = documents.add(shipped_paint(FIRST_PAINT))
+    for document in documents.row:
+        if document is not first:
+            documents.close(document)
+    documents._closed.clear()
+    vars(dialogs).update(vars(ScriptedDialogs()))
+    first.pristine = True
+    for key in designer.window.messages.shown():
+        designer.window.dismiss_message(key)
+    return designer, dialogs

@@ -16,6 +16,17 @@ from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
 
 
 @pytest.fixture
+def designer(fresh):
+    """The window of all tests here."""
+    return fresh[0]
+
+
+@pytest.fixture
+def dialogs(fresh):
+    return fresh[1]
+
+
+@pytest.fixture
 def control(designer) -> MeasuredControl:
     return next(part for part in designer.sections if isinstance(part, MeasuredControl))
 

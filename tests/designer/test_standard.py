@@ -24,8 +24,21 @@ from brdf_suite.pipeline.standard import Standard, judge_batch, standard_of
 
 
 @pytest.fixture
+def designer(fresh):
+    """The window of all tests here."""
+    return fresh[0]
+
+
+@pytest.fixture
+def dialogs(fresh):
+    return fresh[1]
+
+
+@pytest.fixture
 def control(designer) -> StandardControl:
-    return next(part for part in designer.sections if isinstance(part, StandardControl))
+    control = next(part for part in designer.sections if isinstance(part, StandardControl))
+    control._judge_by(load())
+    return control
 
 
 def click(button) -> None:

@@ -26,6 +26,17 @@ ASK_NEXT = Thumbnails._ask_next
 
 
 @pytest.fixture
+def designer(fresh):
+    """The window of all tests here."""
+    return fresh[0]
+
+
+@pytest.fixture
+def dialogs(fresh):
+    return fresh[1]
+
+
+@pytest.fixture
 def pictures(designer, monkeypatch) -> Thumbnails:
     """The pictures of the window from the stand-in: what is drawn is tested with the process itself."""
     monkeypatch.setattr(Thumbnails, "_ask_next", ASK_NEXT)
@@ -43,14 +54,18 @@ def part(designer, kind):
 def control(designer, qtbot) -> VariationsControl:
     control = part(designer, VariationsControl)
     control.host.set_open(True)
-    qtbot.waitUntil(lambda: bool(control.neighbours))
-    return control
+    control.set_scene("booth", "sphere")
+    control.section.step.setValue(2.0)
+    qtbot.waitUntil(lambda: control._of is not None and control._of.paint is designer.desk.paint)
+    yield control
+    control.host.set_open(False)
 
 
 @pytest.fixture
 def between(designer) -> InterpolationControl:
     control = part(designer, InterpolationControl)
     control.host.set_open(True)
+    control.section.beyond.setChecked(False)
     return control
 
 
