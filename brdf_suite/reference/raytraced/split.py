@@ -17,6 +17,7 @@ from brdf_suite.reference import directions as d
 from brdf_suite.reference.coated import UnderCoat
 from brdf_suite.reference.directions import Colour, Real, Square, Vector
 from brdf_suite.reference.lobe_weights import LobeWeights
+from brdf_suite.reference.measured import Measured
 from brdf_suite.reference.raytraced.lobes import (
     LARGEST_MIRROR_SLOPE,
     LARGEST_SLOPE,
@@ -213,7 +214,7 @@ def _parts(term: Any, largest: float, tables: TableSplit, mirror: bool) -> tuple
         return [*seen, *coat_broad], [*lobes, *coat_narrow]
     if isinstance(term, LobeWeights):
         return _of_lobe_weights(term, largest)
-    if isinstance(term, HalfAngleTable):
+    if isinstance(term, (HalfAngleTable, Measured)):
         return split_by_values(term, tables, mirror=mirror)
     return [term], []
 
