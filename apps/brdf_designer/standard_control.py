@@ -29,6 +29,7 @@ from brdf_suite.progress import Progress
 KEY = "standard"
 _BATCHES = "standard batches"
 MOST_BATCHES = 200
+MOST_READ_AHEAD = 20
 _TAB, _SHIPPED = "tab ", "shipped "
 
 
@@ -40,6 +41,14 @@ class _Swap:
     standard_before: Standard
     paint_after: Paint
     standard_after: Standard
+
+
+@dataclass(frozen=True)
+class _Request:
+    """A file to load, and where (illumination, aspecular angle) it is going to be read."""
+
+    path: str
+    geometries: tuple[tuple[float, float], ...]
 
 
 @dataclass
@@ -319,8 +328,13 @@ class StandardControl(QObject):
             if front == self._desk.document_key:
                 done(found)
 
+        pairs = tuple((m.illumination_deg, m.aspecular_deg) for m in self._desk.paint.measurements)
         self._tasks.submit(
-            key, _load, name_or_path, take, lambda error: self._desk.show_message(message_of(error, key))
+            key,
+            _load,
+            _Request(str(name_or_path), pairs),
+            take,
+            lambda error: self._desk.show_message(message_of(error, key)),
         )
 
     def _add_commands(self) -> None:
@@ -331,10 +345,15 @@ class StandardControl(QObject):
         self.remove_action = add("paint", tr("&Remove Standard"), None, self.remove, "remove_standard")
 
 
-def _load(name_or_path: str | Path, progress: Progress) -> tuple[Standard, ...]:
+def _load(request: _Request, progress: Progress) -> tuple[Standard, ...]:
     from brdf_suite.pipeline.standard_files import load_standards
 
-    return load_standards(name_or_path, progress)
+    found = load_standards(request.path, progress)
+    # What has to be measured of it is measured here, and not in the first edit that is judged.
+    for standard in found[:MOST_READ_AHEAD]:
+        for illumination, aspecular in request.geometries:
+            standard.lab_at(illumination, aspecular)
+    return found
 
 
 def _title(standard: Standard) -> str:
