@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import TYPE_CHECKING
@@ -16,10 +16,11 @@ from brdf_suite.appearance.haze import haze_units
 from brdf_suite.appearance.spaces import in_display_gamut, lab_to_lch
 from brdf_suite.appearance.tolerance import Tolerances
 from brdf_suite.appearance.travel import travel
+from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Lab
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.files.exports.format import ExportFormat, Subject
+from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject
 from brdf_suite.files.exports.json_document import flop_of
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.pipeline.standard import AngleRow, BatchReport, Standard, judge_batch
@@ -302,6 +303,26 @@ def report_formats(options: ReportOptions) -> tuple[ExportFormat, ...]:
     from brdf_suite.pipeline import report_html, report_pdf
 
     return report_html.format_with(options), report_pdf.format_with(options)
+
+
+Draw = Callable[[Report], tuple[bytes, tuple[str, ...]]]
+"""Turns a report into the content of a file, and notes for the user."""
+
+
+def write_report(
+    options: ReportOptions,
+    draw: Draw,
+    subjects: Sequence[Subject],
+    path: PathLike,
+    progress: Progress | None = None,
+) -> tuple[str, ...]:
+    """Write the report of one paint; errors as :func:`build_report`, and :class:`FileError` where the disk refuses."""
+    (subject,) = subjects
+    made = build_report(subject, options, progress)
+    report(progress, 0.95, "writing")
+    content, notes = draw(made)
+    write_atomically(path, content)
+    return notes
 
 
 def report_losses(subject: Subject) -> tuple[str, ...]:

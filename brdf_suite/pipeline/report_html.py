@@ -7,19 +7,16 @@ from __future__ import annotations
 
 import base64
 import json
-from collections.abc import Sequence
 from functools import partial
 from html import escape
 from importlib.metadata import version
 
-from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError
 from brdf_suite.files.exports import json_document
-from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike, Subject
+from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike
 from brdf_suite.files.measured.bounded_reading import read_bytes
-from brdf_suite.pipeline.report import Report, ReportOptions, Row, build_report, report_losses
+from brdf_suite.pipeline.report import Report, ReportOptions, Row, report_losses, write_report
 from brdf_suite.pipeline.report_plots import STYLES, Line, Mark, Plot, Stroke, plots_of
-from brdf_suite.progress import Progress, report
 
 _OPEN = f'<script type="application/json" id="{json_document.NAME}">'
 _CLOSE = "</script>"
@@ -68,20 +65,14 @@ def format_with(options: ReportOptions) -> ExportFormat:
         ending=".html",
         holds="One page with pictures, plots and numbers; the paint itself goes along as data.",
         losses=report_losses,
-        write=partial(_write, options),
+        write=partial(write_report, options, _draw),
         read=read,
         sniff=is_report,
     )
 
 
-def _write(
-    options: ReportOptions, subjects: Sequence[Subject], path: PathLike, progress: Progress | None = None
-) -> tuple[str, ...]:
-    (subject,) = subjects
-    made = build_report(subject, options, progress)
-    report(progress, 0.95, "writing")
-    write_atomically(path, page(made).encode("utf-8"))
-    return ()
+def _draw(made: Report) -> tuple[bytes, tuple[str, ...]]:
+    return page(made).encode("utf-8"), ()
 
 
 def page(made: Report) -> str:

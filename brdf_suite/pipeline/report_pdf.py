@@ -10,19 +10,17 @@ from __future__ import annotations
 import io
 import json
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError
 from brdf_suite.files.exports import json_document
-from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike, Subject
+from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike
 from brdf_suite.files.measured.bounded_reading import read_bytes
-from brdf_suite.pipeline.report import Report, ReportOptions, build_report, report_losses
+from brdf_suite.pipeline.report import Report, ReportOptions, report_losses, write_report
 from brdf_suite.pipeline.report_html import HEADINGS, cells, conventions, standard_cells, standard_headings
 from brdf_suite.pipeline.report_plots import GRID, INK, SOFT, STYLES, Line, Mark, Plot, plots_of
-from brdf_suite.progress import Progress, report
 
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas
@@ -42,21 +40,10 @@ def format_with(options: ReportOptions) -> ExportFormat:
         ending=".pdf",
         holds="One page with pictures, plots and numbers; the paint itself is attached as a file.",
         losses=report_losses,
-        write=partial(_write, options),
+        write=partial(write_report, options, sheet),
         read=read,
         sniff=lambda head: head.startswith(b"%PDF-"),
     )
-
-
-def _write(
-    options: ReportOptions, subjects: Sequence[Subject], path: PathLike, progress: Progress | None = None
-) -> tuple[str, ...]:
-    (subject,) = subjects
-    made = build_report(subject, options, progress)
-    report(progress, 0.95, "writing")
-    content, notes = sheet(made)
-    write_atomically(path, content)
-    return notes
 
 
 def sheet(made: Report) -> tuple[bytes, tuple[str, ...]]:

@@ -6,51 +6,34 @@ linear Rec. 709. How the parameters are found stands in :mod:`brdf_suite.files.e
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from importlib.metadata import version
 
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.files.exports.carpaint_fit import CarPaint, fit_carpaint
-from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject, flake_loss, model_loss
-from brdf_suite.files.exports.model_fit import told_differences
+from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject
+from brdf_suite.files.exports.material_names import material_names
+from brdf_suite.files.exports.model_fit import fitted_losses
 from brdf_suite.progress import Progress
-
-_NOT_A_NAME = re.compile(r"[^A-Za-z0-9_]+")
 
 
 def losses(subject: Subject) -> tuple[str, ...]:
     """Return what the car paint of LuxCore cannot hold of a paint; it is fitted for this."""
     found = fit_carpaint(subject.modelled)
-    told = [
-        *model_loss(subject),
-        told_differences(subject.paint, found.differences, "LuxCore's car paint (two lobes under a coat)"),
-    ]
-    if found.clipped:
-        told.append(
-            "A colour lies outside Rec. 709, in which LuxCore keeps its parameters; it is moved to the edge."
-        )
-    return (*told, *flake_loss(subject), "Gloss readings, notes and source are left out.")
+    return fitted_losses(
+        subject, "LuxCore's car paint (two lobes under a coat)", found.differences, found.clipped
+    )
 
 
 def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write the materials of paints; raise :class:`FileError`, or :class:`UnreachableError` of a paint."""
-    blocks, names = [], set()
-    for subject in subjects:
-        name = base = material_name(subject.name)
-        number = 1
-        while name in names:
-            number += 1
-            name = f"{base}_{number}"
-        names.add(name)
-        blocks.append(_block(subject, name, fit_carpaint(subject.modelled)))
+    names = material_names([subject.name for subject in subjects])
+    blocks = [
+        _block(subject, name, fit_carpaint(subject.modelled))
+        for subject, name in zip(subjects, names, strict=True)
+    ]
     write_atomically(path, "\n".join(blocks).encode("utf-8"))
     return ()
-
-
-def material_name(name: str) -> str:
-    """Return a paint's name as that of a material: letters, digits and underscores."""
-    return _NOT_A_NAME.sub("_", name).strip("_") or "paint"
 
 
 def _block(subject: Subject, name: str, paint: CarPaint) -> str:

@@ -13,40 +13,27 @@ from importlib.metadata import version
 from xml.sax.saxutils import quoteattr
 
 from brdf_suite.documents.atomic import write_atomically
-from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject, flake_loss, model_loss
-from brdf_suite.files.exports.luxcore import material_name
+from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject
+from brdf_suite.files.exports.material_names import material_names
 from brdf_suite.files.exports.metal_rough_fit import MetalRough, fit_openpbr
-from brdf_suite.files.exports.model_fit import told_differences
+from brdf_suite.files.exports.model_fit import fitted_losses
 from brdf_suite.progress import Progress
 
 
 def losses(subject: Subject) -> tuple[str, ...]:
     """Return what an OpenPBR surface cannot hold of a paint; it is fitted for this."""
     found = fit_openpbr(subject.modelled)
-    told = [
-        *model_loss(subject),
-        told_differences(subject.paint, found.differences, "OpenPBR (one colour for every angle)"),
-        "A change of hue over the angle cannot be held.",
-    ]
-    if found.clipped:
-        told.append(
-            "A colour lies outside Rec. 709, in which the parameters are kept; it is moved to the edge."
-        )
-    return (*told, *flake_loss(subject), "Gloss readings, notes and source are left out.")
+    what = "OpenPBR (one colour for every angle, so no change of hue)"
+    return fitted_losses(subject, what, found.differences, found.clipped)
 
 
 def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write the materials of paints; raise :class:`FileError`, or :class:`UnreachableError` of a paint."""
-    names: set[str] = set()
-    blocks = []
-    for subject in subjects:
-        name = base = material_name(subject.name)
-        number = 1
-        while name in names:
-            number += 1
-            name = f"{base}_{number}"
-        names.add(name)
-        blocks.append(_block(subject, name, fit_openpbr(subject.modelled)))
+    names = material_names([subject.name for subject in subjects])
+    blocks = [
+        _block(subject, name, fit_openpbr(subject.modelled))
+        for subject, name in zip(subjects, names, strict=True)
+    ]
     text = (
         '<?xml version="1.0"?>\n<materialx version="1.39" colorspace="lin_rec709">\n'
         f"{''.join(blocks)}</materialx>\n"
