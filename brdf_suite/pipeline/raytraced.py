@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
-from brdf_suite.errors import SuiteError
+from brdf_suite.errors import ReferenceUnavailableError, SuiteError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.exposure import ev_of, exposed
@@ -258,8 +258,11 @@ class RaytracedSession:
         assert wanted is not None
         per_round = scene.quality.samples
         end = samples if samples is not None else None if rounds is None else rounds * per_round
-        film: Film = self._parts.keep("film", scene.size, lambda: Film(scene.size))
-        sums = begun or Sums.nothing(scene.size)
+        try:
+            film: Film = self._parts.keep("film", scene.size, lambda: Film(scene.size))
+            sums = begun or Sums.nothing(scene.size)
+        except MemoryError as error:
+            raise too_large(scene.size) from error
         rays = rays_a_sample(scene.quality)
         pixels = scene.size[0] * scene.size[1]
         while end is None or sums.samples < end:
@@ -340,6 +343,13 @@ class RaytracedSession:
             lambda: load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.9)),
         )
         return Wanted(traced, environment, mesh, view, size, quality, tables)
+
+
+def too_large(size: Size) -> ReferenceUnavailableError:
+    """Return the error of a picture that memory does not hold."""
+    return ReferenceUnavailableError(
+        f"There is not enough memory to trace {size[0]} × {size[1]} pixels; make the picture smaller."
+    )
 
 
 def rays_a_sample(quality: Quality) -> float:

@@ -13,7 +13,7 @@ from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
 from brdf_suite.pipeline.picture_file import check_target
-from brdf_suite.pipeline.raytraced import RaytracedImage, RaytracedSession
+from brdf_suite.pipeline.raytraced import RaytracedImage, RaytracedSession, too_large
 from brdf_suite.pipeline.raytraced_parts import Size
 from brdf_suite.pipeline.traced_picture import TracedPicture, told_of
 from brdf_suite.progress import Progress, part, report
@@ -94,7 +94,10 @@ def render_raytraced(
             write_sums(kept, newest.sums, newest.whole(), scene.key)
         raise
     assert newest is not None
-    _write(path, newest)
+    try:
+        _write(path, newest)
+    except MemoryError as error:
+        raise too_large(size) from error
     kept.unlink(missing_ok=True)
     report(progress, 1.0, "written")
     return RaytracedPicture(

@@ -116,6 +116,14 @@ def test_what_fails_is_told_and_what_is_there_is_kept(tmp_path: Path, monkeypatc
         render_raytraced("copper", VIEW, SIZE, tmp_path / "a.png", quality=FOUR)
     assert (tmp_path / "a.png.raytraced.part.exr").exists()
 
+    def huge(_size):
+        raise MemoryError
+
+    with monkeypatch.context() as patched:
+        patched.setattr(frames, "Film", huge)
+        with pytest.raises(ReferenceUnavailableError, match="not enough memory to trace 24 × 20"):
+            render_raytraced("copper", VIEW, SIZE, tmp_path / "c.png", quality=FOUR)
+
     def wrong(*_args, **_more):
         raise RuntimeError("in a loop") from TypeError("a fault of the program")
 
