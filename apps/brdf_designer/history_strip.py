@@ -136,10 +136,8 @@ class _Painter(QStyledItemDelegate):
         painter.setPen(option.palette.color(QPalette.ColorRole.WindowText))
         if not self.compact:
             below = rect.adjusted(3, self.size + 2 * _PAD, -3, -1)
-            text = option.fontMetrics.elidedText(
-                str(index.data()), Qt.TextElideMode.ElideRight, below.width()
-            )
-            painter.drawText(below, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop, text)
+            flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
+            painter.drawText(below, flags, str(index.data()))
         role = QPalette.ColorRole
         painter.setOpacity(1.0)
         if index.row() == model.present:

@@ -23,6 +23,8 @@ BOUNDS = {
         "slider event to numbers and patches set and painted, median of a drag",
     ),
     "update_p99_ms": ("<=", 12.0, "ms", "the same, 99th percentile"),
+    "update_cpu_median_ms": ("", None, "ms", "the processor's time of it on the window's thread, median"),
+    "update_cpu_p99_ms": ("", None, "ms", "the same, 99th percentile"),
     "values_median_ms": ("", None, "ms", "the part of it until all values are set, before the painting"),
     "idle_median_ms": ("", None, "ms", "a piece of the work that is done once the edits pause"),
     "idle_max_ms": ("", None, "ms", "the longest of them: what an event that comes just then waits for"),
@@ -40,10 +42,12 @@ def run(progress=None):
         [sys.executable, str(script)], capture_output=True, text=True, check=True, timeout=300
     )
     times = json.loads(done.stdout.splitlines()[-1])
-    update, values = times["update"][_WARM_UP:], times["values"][_WARM_UP:]
+    update, cpu, values = (times[name][_WARM_UP:] for name in ("update", "cpu", "values"))
     return {
         "update_median_ms": median(update),
         "update_p99_ms": float(np.percentile(update, 99)),
+        "update_cpu_median_ms": median(cpu),
+        "update_cpu_p99_ms": float(np.percentile(cpu, 99)),
         "values_median_ms": median(values),
         "idle_median_ms": median(times["idle"]),
         "idle_max_ms": max(times["idle"]),

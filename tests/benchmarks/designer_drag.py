@@ -11,7 +11,7 @@ import os
 import sys
 import tempfile
 import uuid
-from time import perf_counter
+from time import perf_counter, thread_time
 
 STEPS = 600
 SETTLE_S = 4.0
@@ -32,7 +32,10 @@ def main() -> None:
 
 
 def drag() -> dict[str, list[float]]:
-    """Return, in milliseconds, ``update`` and ``values`` of every event, and ``idle`` of every piece of idle work."""
+    """Return, in milliseconds, ``update`` and ``values`` of every event, and ``idle`` of every piece of idle work.
+
+    ``cpu`` is the processor's time of each update on the thread of the window, which other programs do not lengthen.
+    """
     from brdf_designer.assembly import Designer
     from brdf_designer.desk_idle import IdleWork
     from brdf_qt.application import create_application
@@ -59,7 +62,7 @@ def drag() -> dict[str, list[float]]:
     slider = designer.window.editors.editors[0].sliders[0]
     start = QPoint(round(slider._x(slider.amount())), slider.height() // 2)
     QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=start)
-    values, update = [], []
+    values, update, cpu = [], [], []
     before = slider.amount()
     for step in range(STEPS):
         # To and fro, a pixel a step, and never twice the same place in a row.
@@ -73,21 +76,22 @@ def drag() -> dict[str, list[float]]:
             Qt.MouseButton.LeftButton,
             Qt.KeyboardModifier.NoModifier,
         )
-        began = perf_counter()
+        began, began_cpu = perf_counter(), thread_time()
         QApplication.sendEvent(slider, event)
         set_at = perf_counter()
         # What has changed is painted: numbers, tracks, patches and strip.
         QApplication.sendPostedEvents(designer.window, QEvent.Type.UpdateRequest)
-        ended = perf_counter()
+        ended, ended_cpu = perf_counter(), thread_time()
         values.append(1e3 * (set_at - began))
         update.append(1e3 * (ended - began))
+        cpu.append(1e3 * (ended_cpu - began_cpu))
         assert slider.amount() != before or step == 0
         before = slider.amount()
         _let_run(app, BETWEEN_S)
     QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=start)
     assert designer.store.stack.count() == 1
     designer.close()
-    return {"values": values, "update": update, "idle": idle}
+    return {"values": values, "update": update, "cpu": cpu, "idle": idle}
 
 
 def _let_run(app: object, seconds: float) -> None:
