@@ -48,6 +48,11 @@ def wait_baked(viewer, qtbot) -> None:
     qtbot.waitUntil(lambda: viewer.stage.surface.baked is not None)
 
 
+def wait_shape(viewer, picture: np.ndarray) -> None:
+    """Wait until the strip of the work that has ended takes no height from the picture any more."""
+    viewer.qtbot.waitUntil(lambda: viewer.pixels().shape == picture.shape)
+
+
 def test_occlusion_comes_in_the_background_and_goes_with_its_switch(balls, qtbot) -> None:
     before = balls.pixels()
     assert balls.stage.surface.baked is None
@@ -55,6 +60,7 @@ def test_occlusion_comes_in_the_background_and_goes_with_its_switch(balls, qtbot
     assert balls.view.surface_look.occlusion
     wait_baked(balls, qtbot)
     assert not balls.controller.surface.baking
+    wait_shape(balls, before)
     after = balls.pixels()
     darker = before.astype(int) - after
     assert darker.max() > 10
@@ -66,6 +72,7 @@ def test_the_ground_takes_the_shadow(balls, qtbot) -> None:
     before = balls.pixels()
     section(balls).ground.click()
     wait_baked(balls, qtbot)
+    wait_shape(balls, before)
     rows = (before.astype(int) - balls.pixels()).max(axis=(1, 2))
     assert rows[-1 - len(rows) // 3 :].max() > 15
     assert rows[: len(rows) // 4].max() <= 1
