@@ -190,7 +190,8 @@ class InterpolationControl(QObject):
     def _ask_path(self) -> Path | None:
         present = self._desk.documents.front.store.path
         folder = present.parent if present is not None else Path.home()
-        filters = f"{tr('Paints and measured files')} ({standard_patterns()});;{tr('All files')} (*)"
+        named = tr("Paints and measured files ({patterns})").format(patterns=standard_patterns())
+        filters = ";;".join((named, tr("All files (*)")))
         return self._desk.documents.dialogs.open_path(folder, filters)
 
 

@@ -70,12 +70,8 @@ class MeasuredControl(QObject):
         """Ask for something measured, and start a design from it."""
         present = self._desk.documents.front.store.path
         folder = present.parent if present is not None else Path.home()
-        filters = ";;".join(
-            (
-                f"{tr('Measured files and paints')} ({patterns(PAINT_ENDING)})",
-                f"{tr('All files')} (*)",
-            )
-        )
+        named = tr("Measured files and paints ({patterns})").format(patterns=patterns(PAINT_ENDING))
+        filters = ";;".join((named, tr("All files (*)")))
         path = self._desk.documents.dialogs.open_path(folder, filters)
         if path is not None:
             self.open(path)

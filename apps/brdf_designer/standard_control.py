@@ -280,7 +280,8 @@ class StandardControl(QObject):
     def _ask_path(self) -> Path | None:
         present = self._desk.documents.front.store.path
         folder = present.parent if present is not None else Path.home()
-        filters = f"{tr('Standards')} ({standard_patterns()});;{tr('All files')} (*)"
+        named = tr("Standards ({patterns})").format(patterns=standard_patterns())
+        filters = ";;".join((named, tr("All files (*)")))
         return self._desk.documents.dialogs.open_path(folder, filters)
 
     def _ask_batch(self) -> None:
