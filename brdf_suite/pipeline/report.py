@@ -141,14 +141,15 @@ def build_report(subject: Subject, options: ReportOptions, progress: Progress | 
     ]
     if options.standard is not None and options.standard.seen is not None:
         curves.append(Curve("standard", angles, lab_to_lch(_lab_over(options.standard.seen, light, angles))))
+    rows = _rows(subject, fit, batch)
     return Report(
         subject=subject,
         when=datetime.now().astimezone(),
-        rows=_rows(subject, fit, batch),
+        rows=rows,
         light_deg=light,
         strip=tuple(zip(angles.tolist(), map(hex_code, model), strict=True)),
         curves=tuple(curves),
-        figures=_figures(subject, fit, batch),
+        figures=_figures(subject, fit, rows, batch),
         pictures=pictures,
         batch=batch,
         standard_name="" if options.standard is None else options.standard.name,
@@ -225,7 +226,7 @@ def _rows(subject: Subject, fit: AnyFit, batch: BatchReport | None) -> tuple[Row
 
 
 def _figures(
-    subject: Subject, fit: AnyFit, batch: BatchReport | None
+    subject: Subject, fit: AnyFit, rows: tuple[Row, ...], batch: BatchReport | None
 ) -> tuple[tuple[str, tuple[tuple[str, str], ...]], ...]:
     paint = subject.paint
     flop = flop_of(paint)
@@ -244,7 +245,8 @@ def _figures(
             ("Chroma travel", f"{path.chroma:+.1f}"),
             ("Hue travel", f"{path.hue_deg:+.0f}°"),
         ]
-    worst = fit.worst_delta_e
+    known = [row.fit_delta_e for row in rows if row.fit_delta_e is not None]
+    worst = max(known) if known else fit.worst_delta_e
     shape.append(("Fit, worst ΔE00", "–" if worst is None else f"{worst:.2f}"))
     gloss = {angle: gloss_reading(fit.reflectance, angle) for angle in (20, 60)}
     stated = paint.gloss.gu_60 is not None
