@@ -53,7 +53,7 @@ def figures(progress: Progress | None = None) -> dict[str, float | None]:
     medium = _seconds(session, "medium", (640, 480), 3)
     report(progress, 0.1, "ray tracing, high")
     high = _seconds(session, "high", (1280, 960), 1)
-    presets = compare_presets(PAINT, VIEW, (320, 240), progress=part(progress, 0.4, 0.9))
+    presets = compare_presets(PAINT, VIEW, (160, 120), progress=part(progress, 0.4, 0.9))
     TABLES["presets"] = {
         one.name: {
             "core_seconds": one.seconds,
