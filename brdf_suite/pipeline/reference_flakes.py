@@ -29,19 +29,20 @@ def sparkle_energy(
     view: View | None = None,
     *,
     samples: int = 128,
+    size: tuple[int, int] = SIZE,
     progress: Progress | None = None,
 ) -> SparkleEnergy:
     """Return how much light flakes add to a paint, a shipped one or a file, on a sphere in the sun.
 
-    The error counts both what paths and what flakes lie there by chance: it is of the mean over pixels, whose ratios
-    differ by both. Errors as :meth:`LiveReference.show`.
+    The error counts both what paths and what flakes lie there by chance: it is of the mean over pixels, which differ
+    by both. Neighbours share some flakes where a pixel holds very many, so it is a little low then. Errors as :meth:`LiveReference.show`.
     """
     view = view or View(environment="sunny", surface="sphere", background="grey")
     live = LiveReference()
     means = []
     for step, mode in enumerate(("glints", "off")):
         report(progress, 0.5 * step, f"{paint}, flakes {mode}")
-        live.show(paint, replace(view, sparkle=Sparkle(mode=mode)), SIZE)  # type: ignore[arg-type]  # checked by it
+        live.show(paint, replace(view, sparkle=Sparkle(mode=mode)), size)  # type: ignore[arg-type]  # checked by it
         estimate = live.step()
         while estimate.samples < samples:
             estimate = live.step()

@@ -294,9 +294,10 @@ def test_single_flakes_are_where_the_real_time_picture_has_them(pictures) -> Non
 def test_flakes_add_no_light_to_a_picture(variant) -> None:
     from brdf_suite.pipeline.reference_flakes import sparkle_energy
 
-    found = sparkle_energy("blue", samples=8)
-    assert 0.0 < found.error < 0.01
-    assert abs(found.ratio - 1.0) < 4.5 * found.error
+    found = sparkle_energy("blue", samples=8, size=(64, 48))
+    assert 0.0 < found.error < 0.03
+    # Neighbouring pixels share flakes, which the error does not know.
+    assert abs(found.ratio - 1.0) < 4.5 * found.error + 0.002
 
 
 def test_relief_and_two_tone_are_those_of_the_real_time_picture(pictures) -> None:

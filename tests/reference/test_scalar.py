@@ -55,7 +55,7 @@ def test_a_table_in_the_plug_in_is_the_paint(without_llvm, name: str) -> None:
     from brdf_suite.reference.scalar import table_bsdf
 
     paint = build_paint(load_shipped_paint("copper")) if name == "copper" else MODELS[name].default
-    bsdf = table_bsdf(paint)
+    bsdf = table_bsdf(paint, incidences=48, resolution=96)
     rng = np.random.default_rng(2)
     wi, wo = (spherical(np.arccos(0.3 + 0.7 * rng.random(300)), rng.uniform(0, 6.28, 300)) for _ in "ab")
     wanted = paint.eval(wi, wo) * wi[:, 2:]
@@ -65,8 +65,8 @@ def test_a_table_in_the_plug_in_is_the_paint(without_llvm, name: str) -> None:
         si.wi = mi.Vector3f(*view)
         found.append(np.array(bsdf.eval(mi.BSDFContext(), si, mi.Vector3f(*light))))
     error = np.abs(np.array(found) / wanted - 1.0)
-    assert np.quantile(error, 0.99) < 0.002
-    assert np.median(error) < 0.0005
+    assert np.quantile(error, 0.99) < 0.01
+    assert np.median(error) < 0.001
 
 
 def test_what_is_not_isotropic_is_refused_with_what_to_install(without_llvm) -> None:
