@@ -35,7 +35,8 @@ def sparkle_energy(
     """Return how much light flakes add to a paint, a shipped one or a file, on a sphere in the sun.
 
     The error counts both what paths and what flakes lie there by chance: it is of the mean over pixels, which differ
-    by both. Neighbours share some flakes where a pixel holds very many, so it is a little low then. Errors as :meth:`LiveReference.show`.
+    by both. Neighbours share some flakes where a pixel holds very many, so it is a little low then.
+    Errors as :meth:`LiveReference.show`.
     """
     view = view or View(environment="sunny", surface="sphere", background="grey")
     live = LiveReference()
