@@ -134,7 +134,9 @@ def _placed(paint: TracedPaint, dress: Dress, view: View) -> tuple[PlacedPaint, 
     base, coat, ior, told = _divided(paint.reflectance, view)
     layer = None
     if paint.flakes is not None and paint.flakes.density_per_mm2 > 0.0 and view.sparkle.mode != "off":
-        layer = FlakeLayer(paint.flakes, ior, view.sparkle.strength)
+        layer = FlakeLayer(
+            paint.flakes, ior, view.sparkle.strength, as_texture=view.sparkle.mode == "texture"
+        )
     return PlacedPaint(base, coat, _shape(dress, view), _peel(paint, view), layer), told
 
 

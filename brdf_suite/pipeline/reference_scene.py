@@ -283,8 +283,6 @@ def _left_out(view: View, paint: TracedPaint, dress: Dress) -> tuple[str, ...]:
     """Sentences about what the view asks for and the path tracer draws otherwise, or not."""
     told = []
     worn = [item for item in (paint, dress.second) if item is not None]
-    if view.sparkle.mode == "texture" and any(item.flakes is not None for item in worn):
-        told.append("The reference shows single flakes as converging glints, not as the flake texture.")
     if view.fresnel == "off" and any(not isinstance(item.reflectance, MaterialWeights) for item in worn):
         told.append(
             "The reference shows the paint with its own reflection towards grazing: Fresnel is part of it."

@@ -19,6 +19,8 @@ import mitsuba as mi
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
+from brdf_suite.reference.flake_cells import GOLDEN, Spot, cell_key, halves, scrambled, spot, tint
+from brdf_suite.reference.flake_texture import texture_ratio
 from brdf_suite.reference.place import Place, footprint_of_sample
 from brdf_suite.reflectance.flakes.countable import (
     FLAKE_REFLECTANCE,
@@ -29,19 +31,21 @@ from brdf_suite.reflectance.flakes.countable import (
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
 from brdf_suite.reflectance.flakes.glints import APPEARING, FLAKE_AREA
 
-Word = Any
-GOLDEN = 0x9E3779B9
 _ALONG_S, _ALONG_T = 0x3C6EF35F, 0x19660D
 
 
 @dataclass(frozen=True)
 class FlakeLayer:
-    """The flakes of a paint below a coat of index ``ior``; ``strength`` is a factor on their light."""
+    """The flakes of a paint below a coat of index ``ior``; ``strength`` is a factor on their light.
+
+    ``as_texture``: by the flake texture of 2005, else as converging glints.
+    """
 
     flakes: Flakes
     ior: float
     strength: float = 1.0
     waviness: float = FLAKE_WAVINESS
+    as_texture: bool = False
 
     def countable(self, base: Colour, light: Vector, view: Vector) -> Colour:
         """Return the part of the base's f_r, 1/sr, that countable flakes send; see ``flakes.countable``."""
@@ -57,7 +61,11 @@ class FlakeLayer:
     def ratio(self, place: Place, light: Vector, view: Vector, to_flakes: Any) -> Colour:
         """Return the light of the place's flakes over their mean; ``to_flakes`` turns directions to theirs."""
         slope = slope_between(to_flakes(light), to_flakes(view), self.ior)
-        found = _Field.of(place, self).ratio(slope)
+        if self.as_texture:
+            reach = footprint_of_sample(PIXEL_REACH)
+            found = texture_ratio(place, slope, self.waviness, self.flakes, reach)
+        else:
+            found = _Field.of(place, self).ratio(slope)
         return dr.select(place.seen, found, mi.Color3f(1.0))
 
 
@@ -72,70 +80,6 @@ def tilt_bell(slope2: Real, roughness: float) -> Real:
     """Return the density of tilts over that along the normal."""
     q = (1.0 + slope2 * d.number(1.0 / roughness**2)) / (1.0 + slope2)
     return dr.rsqrt(q) / q
-
-
-def scrambled(x: Word) -> Word:
-    """Return a hash of a word; see ``flakes.hashing``."""
-    x = (x ^ (x >> 16)) * mi.UInt32(0x21F0AAAD)
-    x = (x ^ (x >> 15)) * mi.UInt32(0xD35A2D97)
-    return x ^ (x >> 15)
-
-
-def cell_key(x: Real, y: Real, salt: Word) -> Word:
-    """Return a word for whole numbers of either sign."""
-    return scrambled(mi.UInt32(mi.Int32(x)) + scrambled(mi.UInt32(mi.Int32(y)) + salt))
-
-
-def halves(word: Word) -> tuple[Real, Real]:
-    """Return two even numbers in (0, 1) of 16 bits each."""
-    scale = 1.0 / 65536.0
-    return (mi.Float(word & 0xFFFF) + 0.5) * scale, (mi.Float(word >> 16) + 0.5) * scale
-
-
-def tint(word: Word, colour_spread: float) -> Colour:
-    """Return a colour of mean 1 over all flakes."""
-    if colour_spread == 0.0:
-        return mi.Color3f(1.0)
-    turn = (mi.Float(word >> 16) + 0.5) * (2.0 * math.pi / 65536.0)
-    spread = d.number(colour_spread)
-    return mi.Color3f(*(1.0 + spread * dr.cos(turn + k * 2.0 * math.pi / 3.0) for k in range(3)))
-
-
-@dataclass(frozen=True, eq=False)
-class Spot:
-    """What one sample sees of a flake, as a density over where the flake lies; see ``flakes.footprint``."""
-
-    at: Any
-    inverse: Any
-    height: Real
-    edge: Real
-
-    def cover(self, x: Real, y: Real) -> Real:
-        """Return the density, 1/mm², for a flake that lies (x, y) mm beside the place."""
-        xx, xy, yy = self.inverse
-        t = x * (xx * x + 2.0 * xy * y) + yy * y * y
-        s = dr.clip((4.0 + self.edge - t) / (2.0 * self.edge), 0.0, 1.0)
-        return self.height * s * s * (3.0 - 2.0 * s)
-
-
-def spot(at: Any, across: Any, down: Any, own: Real, reach: float) -> tuple[Spot, Real]:
-    """Return the spot of a pixel's reach (standard deviations, in pixels) with a flake's variance, and its widest."""
-    pixel = reach * reach
-    xx = pixel * (across.x**2 + down.x**2) + own
-    xy = pixel * (across.x * across.y + down.x * down.y)
-    yy = pixel * (across.y**2 + down.y**2) + own
-    half_sum = 0.5 * (xx + yy)
-    half_gap = dr.sqrt((0.5 * (xx - yy)) ** 2 + xy * xy)
-    large = half_sum + half_gap
-    det = dr.maximum(large * dr.maximum(half_sum - half_gap, own), 1e-20)
-    sharpest = dr.sqrt(dr.maximum(large - own, 0.0) / large)
-    made = Spot(
-        at,
-        (yy / det, -xy / det, xx / det),
-        dr.rsqrt(det) * (0.25 / math.pi),
-        4.0 * dr.clip(1.5 * sharpest, 0.01, 1.0),
-    )
-    return made, dr.sqrt(large)
 
 
 @dataclass(frozen=True, eq=False)

@@ -69,6 +69,24 @@ def test_the_flakes_are_those_of_the_core(variant, monkeypatch) -> None:
     assert wanted.std() > 1.0
 
 
+def test_the_flake_texture_is_that_of_the_core(variant) -> None:
+    from brdf_suite.reference.flake_texture import texture_ratio
+    from brdf_suite.reflectance.flakes.footprint import PIXEL_REACH
+    from brdf_suite.reflectance.flakes.texture import flake_texture_ratio
+
+    rng = np.random.default_rng(8)
+    at, across, down = pixels(rng, 20_000, 0.003, 0.3)
+    slope = (rng.normal(size=(len(at), 2)) * 0.1).astype(np.float32).astype(float)
+    known = {"density": 120.0, "size": 0.02, "roughness": 0.17, "colour_spread": 0.3}
+    wanted = flake_texture_ratio(at, across, down, slope, np.full(len(at), 0.01), **known)
+    found = np.array(
+        texture_ratio(placed(at, across, down), vectors(slope, "Vector2f"), 0.01, FLAKES, PIXEL_REACH)
+    ).T
+    assert np.abs(found - wanted).max() < 1e-3 * wanted.max()
+    assert np.quantile(np.abs(found - wanted), 0.99) < 1e-3
+    assert wanted.std() > 1.0
+
+
 def test_flakes_send_their_mean_over_the_surface(variant) -> None:
     """A z-test of the flakes that samples see, over many places, at two tilts."""
     from brdf_suite.reference import flakes
