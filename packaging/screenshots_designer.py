@@ -129,6 +129,8 @@ class Walk:
         from PySide6.QtCore import Qt
         from PySide6.QtTest import QTest
 
+        self.window.inspector.ensureWidgetVisible(button)
+        self.wait(lambda: True)
         QTest.mouseClick(button, Qt.MouseButton.LeftButton)
 
     def see(self, section: Any) -> None:
