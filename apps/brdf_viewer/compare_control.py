@@ -52,6 +52,7 @@ class CompareControl(QObject):
         self._names = paint_names()
         self._recent = RecentFiles(KIND)
         self._loading: str | None = None
+        self._listed = False
         self._before_blink = "off"
         self._blink = QTimer(self, timeout=self.flip)
         self._blinking = False
@@ -235,11 +236,13 @@ class CompareControl(QObject):
         self._show()
 
     def _traced_changed(self) -> None:
-        self._list()
+        if self._listed != (self._stage.renderer != "realtime"):
+            self._list()
         self._show()
 
     def _list(self) -> None:
-        own = [] if self._stage.renderer == "realtime" else [Source(OWN_KEY, tr("This paint in real time"))]
+        self._listed = self._stage.renderer != "realtime"
+        own = [Source(OWN_KEY, tr("This paint in real time"))] if self._listed else []
         shipped = [*own, *(Source(name, _title(name)) for name in self._names)]
         files = [Source(path, _title(path)) for path in self._recent.paths()]
         self._window.compare.chooser.set_sources(shipped, files)
