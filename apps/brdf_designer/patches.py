@@ -15,7 +15,7 @@ from brdf_designer.desk_state import AngleColour, Colours, Curves, GivenColour
 from brdf_designer.display import Rgb
 from brdf_designer.standard_patch import StandardPatch
 
-OUTSIDE_TIP = (
+OUTSIDE_TIP = mark(
     "Outside sRGB: this screen shows the nearest colour by clipping. The paint itself is not clipped."
 )
 CORNER = 14.0
@@ -52,6 +52,7 @@ class ColourField(QWidget):
         super().__init__(parent)
         self._rgb = QColor(0, 0, 0)
         self._in_gamut = True
+        self._shown: AngleColour | None = None
         self._given: QColor | None = None
         self._standard: QColor | None = None
         self._standard_in_gamut = True
@@ -60,11 +61,15 @@ class ColourField(QWidget):
 
     def show_colour(self, colour: AngleColour) -> None:
         """Show the colour of one measurement."""
+        if colour == self._shown:
+            return
+        self._shown = colour
         self._rgb = QColor(*colour.rgb)
         self._in_gamut = colour.in_gamut
-        self.setToolTip("" if colour.in_gamut else OUTSIDE_TIP)
+        self.setToolTip("" if colour.in_gamut else tr(OUTSIDE_TIP))
         numbers = lab_text(colour.lab)
-        self.setAccessibleName(f"Colour at {colour.text}: {numbers}")
+        name = tr("Colour at {angle}: {lab}")
+        self.setAccessibleName(name.format(angle=colour.text, lab=numbers))
         self.update()
 
     def show_standard(self, patch: StandardPatch | None) -> None:
@@ -246,7 +251,8 @@ def _set_bold(label: QWidget, bold: bool) -> None:
 
 def place_word(aspecular_deg: float) -> str:
     """Return the trade's word for the view at an aspecular angle; empty where there is none."""
-    return {15.0: "near-specular", 45.0: "face", 110.0: "flop"}.get(aspecular_deg, "")
+    words = {15.0: mark("near-specular"), 45.0: mark("face"), 110.0: mark("flop")}
+    return tr(words[aspecular_deg]) if aspecular_deg in words else ""
 
 
 class FlopStrip(QWidget):
@@ -280,13 +286,13 @@ class _Band(QWidget):
         self._marks: tuple[float, ...] = ()
         self._outside = False
         self.setFixedHeight(64)
-        self.setAccessibleName("Flop strip")
+        self.setAccessibleName(tr("Flop strip"))
 
     def show_curves(self, curves: Curves) -> None:
         self._image, self._given = _row(curves.strip_rgb), _row(curves.strip_given_rgb)
         self._range, self._marks = curves.measured_deg, curves.marks_deg
         self._outside = not bool(curves.strip_in_gamut.all())
-        self.setToolTip(OUTSIDE_TIP if self._outside else "")
+        self.setToolTip(tr(OUTSIDE_TIP) if self._outside else "")
         self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:

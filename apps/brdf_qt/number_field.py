@@ -124,6 +124,8 @@ class NumberField(QDoubleSpinBox):
 
     def set_value(self, value: float) -> None:
         """Show ``value`` without a signal."""
+        if value == self.value() and self.text() == self.textFromValue(value) + self.suffix():
+            return  # drawn anew it would be the same, and a drag sets every number a hundred times a second
         self._quiet = True
         try:
             self.setValue(value)

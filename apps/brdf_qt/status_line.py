@@ -37,12 +37,14 @@ class StatusCell(QLabel):
         whole = text if self._elastic else ""
         self.setToolTip("\n".join(part for part in (whole, tip, self._tip) if part))
         self.setAccessibleDescription(text)
+        # What is as it was is not drawn anew: a drag sets these a hundred times a second.
         font = self.font()
-        font.setBold(state == "warning")
-        self.setFont(font)
-        self.setForegroundRole(
-            QPalette.ColorRole.PlaceholderText if state == "stale" else QPalette.ColorRole.WindowText
-        )
+        if font.bold() != (state == "warning"):
+            font.setBold(state == "warning")
+            self.setFont(font)
+        role = QPalette.ColorRole.PlaceholderText if state == "stale" else QPalette.ColorRole.WindowText
+        if self.foregroundRole() != role:
+            self.setForegroundRole(role)
         self.setVisible(bool(text))
 
     @property

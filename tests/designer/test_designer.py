@@ -180,6 +180,7 @@ def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer):
 def test_the_60_degree_reading_is_optional(designer, qtbot):
     coat = designer.window.coat
     assert not coat.panel.fields["gloss.gu_60"].isEnabled()
+    qtbot.waitUntil(lambda: designer.desk.is_quiet)
     coat.has_60.click()
     # What the coat reads at 60° as it is: switching the reading on changes nothing of the look.
     assert designer.store.value.gloss.gu_60 == pytest.approx(94.8, abs=0.06)
