@@ -85,6 +85,7 @@ class Desk(QObject):
         self._idle = IdleWork(self)
         self._fit: PaintFit | None = None
         self._gesture: str | None = None
+        self._told_history: tuple[str, str, bool, bool] | None = None
         self._reachable = documents.front.store.value
         self._exact = ExactFit(self)
         self._exact.arrived.connect(self._take_exact)
@@ -242,7 +243,13 @@ class Desk(QObject):
             self.refresh()
 
     def _history_changed(self, document: OpenDocument) -> None:
-        if document is self.documents.front:
+        if document is not self.documents.front:
+            return
+        # The stack tells of every push by four signals, also where a drag goes on and nothing reads otherwise.
+        stack = document.store.stack
+        told = (stack.undoText(), stack.redoText(), stack.canUndo(), stack.canRedo())
+        if told != self._told_history:
+            self._told_history = told
             self.history_changed.emit()
 
     def _replaced(self, document: OpenDocument) -> None:
@@ -251,6 +258,7 @@ class Desk(QObject):
 
     def _switched(self) -> None:
         self._gesture = None
+        self._told_history = None
         self.document_switched.emit()
         self.refresh()
         self.history_changed.emit()

@@ -42,9 +42,8 @@ class DeskStatus:
         self.show_peers(())
 
     def show_colours(self, colours: Colours) -> None:
-        """Show flop and gamut; what is reached follows with the fit."""
+        """Show the gamut; the flop, asked and reached, comes with the fit, or alone where there is none."""
         self._colours = colours
-        self._show_flop(colours.flop, None)
         outside = [angle.text for angle in colours.angles if not angle.in_gamut]
         self._gamut.set(
             tr("Outside sRGB: {angles}").format(angles=", ".join(outside)) if outside else tr("In sRGB")
@@ -70,6 +69,8 @@ class DeskStatus:
 
     def mark_stale(self) -> None:
         """Say that the fit is of an earlier paint."""
+        if self._colours is not None:
+            self._show_flop(self._colours.flop, None)
         self._fit.set(self._fit_text or tr("No fit"), tr("This is of the last paint that can be."), "stale")
 
     def show_peers(self, roles: Sequence[str]) -> None:

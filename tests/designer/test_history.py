@@ -84,6 +84,7 @@ def test_each_tab_shows_its_own_history(designer, history, qtbot):
 
 
 def test_it_is_hidden_and_shown_and_that_is_remembered(designer, history, qtbot):
+    qtbot.waitUntil(lambda: shown(history) == ["Opened"])
     history.action.trigger()
     assert not history.strip.isVisible()
     lighten(designer, 61)

@@ -54,7 +54,8 @@ def window(qapp, tmp_path_factory):
     for section in designer.window.inspector.sections:
         section.set_open(True)
     designer.window.show()
-    while not designer.window.plot.is_built:
+    named = [widget for widget in controls(designer.window) if widget.objectName().startswith("variation_")]
+    while not (designer.window.plot.is_built and designer.desk.is_quiet and all(map(said, named))):
         qapp.processEvents()
     yield designer.window
     designer.close()
