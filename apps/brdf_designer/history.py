@@ -61,7 +61,9 @@ class HistoryControl(QObject):
         return super().eventFilter(watched, event)
 
     def refresh(self) -> None:
-        """Show the history as it is now."""
+        """Show the history as it is now; nothing while the strip is hidden, also where it was asked for before."""
+        if not self.action.isChecked():
+            return
         store = self._desk.documents.front.store
         states = [HistoryState(step, paint) for step, paint in store.states()]
         present = store.stack.index()
