@@ -138,7 +138,7 @@ class Swatch(QAbstractButton):
         self._colour, self._in_gamut = QColor(*colour.rgb), colour.in_gamut
         tip = tr("Pick the colour at {angle}").format(angle=colour.text)
         self.setAccessibleName(tip)
-        self.setToolTip(tip if colour.in_gamut else f"{tip}\n{OUTSIDE_TIP}")
+        self.setToolTip(tip if colour.in_gamut else f"{tip}\n{tr(OUTSIDE_TIP)}")
         self.update()
 
     def sizeHint(self) -> QSize:

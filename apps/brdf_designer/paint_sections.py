@@ -66,9 +66,9 @@ _TIPS = {
     ),
 }
 _RULES = {
-    "flake": "Flake tilts (bell)",
-    "monotone": "Monotone (PCHIP)",
-    "polynomial": "Polynomial (2nd order)",
+    "flake": mark("Flake tilts (bell)"),
+    "monotone": mark("Monotone (PCHIP)"),
+    "polynomial": mark("Polynomial (2nd order)"),
 }
 
 
@@ -125,17 +125,19 @@ class ModelSection(PaintSection):
         form = Form()
         self.rule = QComboBox()
         for name in INTERPOLATIONS:
-            self.rule.addItem(_RULES[name], name)
+            self.rule.addItem(tr(_RULES[name]), name)
         self.rule.activated.connect(lambda row: self.edited.emit(("interpolation",), self.rule.itemData(row)))
         form.add_row(
-            "Between angles",
+            tr("Between angles"),
             self.rule,
-            "The rule between the measured angles: a bell of flake tilts, a monotone curve through L*a*b*, or a "
-            "parabola.",
+            tr(
+                "The rule between the measured angles: a bell of flake tilts, a monotone curve through L*a*b*, or a "
+                "parabola."
+            ),
         )
         self.box.addWidget(form)
         self.panel = self.add_panel("near_specular")
-        self.note = QLabel("Not measured: no instrument of three angles looks below 15°.")
+        self.note = QLabel(tr("Not measured: no instrument of three angles looks below 15°."))
         self.notices = QLabel()
         for label in (self.note, self.notices):
             label.setWordWrap(True)
@@ -147,7 +149,8 @@ class ModelSection(PaintSection):
         self.rule.setCurrentIndex(self.rule.findData(paint.interpolation))
         self.panel.set_values({"near_specular": paint.near_specular})
         nearest = min(abs(m.aspecular_deg) for m in paint.measurements)
-        self.note.setText(f"Not measured: no reading lies nearer to the mirror direction than {nearest:g}°.")
+        note = tr("Not measured: no reading lies nearer to the mirror direction than {angle:g}°.")
+        self.note.setText(note.format(angle=nearest))
 
     def show_notices(self, notices: tuple[str, ...]) -> None:
         """Show what the model has to say about this paint."""
@@ -161,20 +164,20 @@ class TextSection(PaintSection):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         form = Form()
-        self.name = TextLine("Name", 200)
-        self.source = TextNotes("Source", 2)
-        self.notes = TextNotes("Notes")
+        self.name = TextLine(tr("Name"), 200)
+        self.source = TextNotes(tr("Source"), 2)
+        self.notes = TextNotes(tr("Notes"))
         self.illuminant = QLabel()
         for field, key, label, tip in (
-            (self.name, "name", "Name", "What the paint is called"),
-            (self.source, "source", "Source", "Where the readings come from"),
-            (self.notes, "notes", "Notes", ""),
+            (self.name, "name", tr("Name"), tr("What the paint is called")),
+            (self.source, "source", tr("Source"), tr("Where the readings come from")),
+            (self.notes, "notes", tr("Notes"), ""),
         ):
             field.edited.connect(lambda text, key=key: self.edited.emit((key,), text))
             field.gesture_started.connect(lambda key=key: self.gesture_started.emit((key,)))
             field.gesture_finished.connect(self.gesture_finished)
             form.add_row(label, field, tip)
-        form.add_row("Readings", self.illuminant, "Illuminant and observer of all L*a*b* values")
+        form.add_row(tr("Readings"), self.illuminant, tr("Illuminant and observer of all L*a*b* values"))
         self.box.addWidget(form)
 
     def show_paint(self, paint: Paint) -> None:
@@ -182,4 +185,5 @@ class TextSection(PaintSection):
         self.name.set_text(paint.name)
         self.source.set_text(paint.source)
         self.notes.set_text(paint.notes)
-        self.illuminant.setText(f"{paint.illuminant}, {paint.observer_deg}° observer")
+        text = tr("{illuminant}, {observer}° observer")
+        self.illuminant.setText(text.format(illuminant=paint.illuminant, observer=paint.observer_deg))

@@ -17,6 +17,7 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QLabel, QPushButton, QStackedLayout, QVBoxLayout, QWidget
 
 from brdf_qt.application import surface_format
+from brdf_qt.translation import tr
 from brdf_suite.errors import SuiteError
 from brdf_suite.realtime.context import Context, adopt_context
 
@@ -316,7 +317,7 @@ class _Notice(QWidget):
         super().__init__()
         self._text = QLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        again = QPushButton("Try again")
+        again = QPushButton(tr("Try again"))
         again.clicked.connect(retry)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(32, 32, 32, 32)

@@ -25,12 +25,12 @@ from PySide6.QtWidgets import (
 
 from brdf_qt.elided_label import ElidedLabel
 from brdf_qt.icons import icon
-from brdf_qt.translation import tr
+from brdf_qt.translation import mark, tr
 from brdf_suite.errors import FileError, SuiteError
 
 Severity = Literal["info", "warning", "error"]
 _ICONS = {"info": "info", "warning": "warning", "error": "warning-octagon"}
-_WORDS = {"info": "Note", "warning": "Warning", "error": "Error"}
+_WORDS = {"info": mark("Note"), "warning": mark("Warning"), "error": mark("Error")}
 
 
 @dataclass(frozen=True)
@@ -49,15 +49,17 @@ class Message:
 def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
     """Return the message that tells ``error``; a bug of ours is named as such, with where the log is."""
     if isinstance(error, FileError):
-        where = f"{error.path}, at {error.place}" if error.place else error.path
+        where = (
+            tr("{file}, at {place}").format(file=error.path, place=error.place) if error.place else error.path
+        )
         reason = error.reason[:1].upper() + error.reason[1:]
         return Message(key, f"{reason}.", where=where, todo=todo, severity="error")
     if isinstance(error, SuiteError):
         return Message(key, str(error), todo=todo, severity="error")
     return Message(
         key,
-        f"The program met a fault of its own: {type(error).__name__}: {error}",
-        todo=todo or "Your document is untouched; save it. The log has the details.",
+        tr("The program met a fault of its own: {fault}").format(fault=f"{type(error).__name__}: {error}"),
+        todo=todo or tr("Your document is untouched; save it. The log has the details."),
         severity="error",
     )
 
@@ -75,13 +77,13 @@ class _Row(QFrame):
         self.setAutoFillBackground(True)
         self.setBackgroundRole(self.backgroundRole().AlternateBase)
         self.setObjectName(f"message_{message.key}")
-        self.setAccessibleName(f"{_WORDS[message.severity]}: {message.what}")
+        self.setAccessibleName(f"{tr(_WORDS[message.severity])}: {message.what}")
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 6, 8, 6)
         row.setSpacing(8)
         sign = QLabel()
         sign.setPixmap(icon(_ICONS[message.severity]).pixmap(16, 16))
-        sign.setAccessibleName(_WORDS[message.severity])
+        sign.setAccessibleName(tr(_WORDS[message.severity]))
         row.addWidget(sign, 0, Qt.AlignmentFlag.AlignTop)
         texts = QVBoxLayout()
         texts.setSpacing(2)
@@ -111,8 +113,8 @@ class _Row(QFrame):
             close = QToolButton()
             close.setIcon(icon("x"))
             close.setAutoRaise(True)
-            close.setToolTip("Close this message")
-            close.setAccessibleName("Close this message")
+            close.setToolTip(tr("Close this message"))
+            close.setAccessibleName(tr("Close this message"))
             close.clicked.connect(lambda: self.closed.emit(self.message.key))
             row.addWidget(close, 0, Qt.AlignmentFlag.AlignTop)
 

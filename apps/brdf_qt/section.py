@@ -7,6 +7,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from brdf_qt.settings import settings
+from brdf_qt.translation import tr
 
 
 class Section(QWidget):
@@ -31,7 +32,7 @@ class Section(QWidget):
         self._header.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self._header.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._header.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self._header.setAccessibleName(f"Section {title}")
+        self._header.setAccessibleName(tr("Section {title}").format(title=title))
         font = self._header.font()
         font.setBold(True)
         self._header.setFont(font)

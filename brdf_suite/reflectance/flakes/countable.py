@@ -45,8 +45,8 @@ def countable_part(
     """
     wi, wo = np.asarray(wi, float), np.asarray(wo, float)
     bell = tilt_bell((flake_slope(wi, wo, ior) ** 2).sum(-1), flakes.roughness)
-    wanted = strength * covered_share(flakes) * FLAKE_REFLECTANCE / (8.0 * math.pi * flakes.roughness**2)
-    wanted = wanted * bell / ior**2
+    sent = strength * covered_share(flakes) * FLAKE_REFLECTANCE / (8.0 * math.pi * flakes.roughness**2)
+    wanted: Floats = sent * bell / ior**2
     for w in (wi, wo):
         below = np.sqrt(1.0 - (w[..., 0] ** 2 + w[..., 1] ** 2) / ior**2)
         wanted = wanted * (1.0 - fresnel_dielectric(w[..., 2], ior)) / np.maximum(below, 1e-6)
