@@ -129,3 +129,5 @@ def test_a_drag_ends_when_the_widget_goes(widget, heard) -> None:
     QTest.mousePress(widget, LEFT, NONE, QPoint(100, 100))
     widget.hide()
     assert [h[0] for h in heard] == ["started", "finished"]
+    # A button that stays down is down for every later test of this process.
+    QTest.mouseRelease(widget, LEFT, NONE, QPoint(100, 100))

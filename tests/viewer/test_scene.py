@@ -342,3 +342,4 @@ def test_after_a_failure_a_new_context_draws_the_same_picture(viewer, qtbot) -> 
     QTest.mousePress(viewer.canvas, Qt.MouseButton.LeftButton)
     assert viewer.canvas.cursor().shape() == Qt.CursorShape.ClosedHandCursor  # the new canvas is listened to
     assert viewer.view.camera.azimuth_deg == azimuth
+    QTest.mouseRelease(viewer.canvas, Qt.MouseButton.LeftButton)
