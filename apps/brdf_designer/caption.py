@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
+from PySide6.QtCore import QEvent
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy
+
+_DIGIT = re.compile(r"\d")
 
 
 class Caption(QLabel):
@@ -13,6 +18,7 @@ class Caption(QLabel):
         super().__init__()
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._forms: tuple[str, ...] = ("",)
+        self._widths: dict[str, int] = {}
         self.set_forms(*forms)
 
     def set_forms(self, *forms: str) -> None:
@@ -27,9 +33,20 @@ class Caption(QLabel):
         super().resizeEvent(event)
         self._choose()
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._widths.clear()
+
+    def _wide(self, form: str) -> int:
+        """Return the width of a form, px. Digits are as wide as each other, and numbers change in every drag."""
+        key = _DIGIT.sub("0", form)
+        if key not in self._widths:
+            self._widths[key] = self.fontMetrics().horizontalAdvance(key)
+        return self._widths[key]
+
     def _choose(self) -> None:
-        metrics = self.fontMetrics()
-        fitting = (form for form in self._forms if metrics.horizontalAdvance(form) <= self.width())
+        fitting = (form for form in self._forms if self._wide(form) <= self.width())
         text = next(fitting, self._forms[-1])
         if text != self.text():
             self.setText(text)

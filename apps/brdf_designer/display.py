@@ -22,7 +22,7 @@ def working_to_codes(rho: ArrayLike) -> tuple[Rgb, Flags]:
     """Return sRGB codes (..., 3) of a reflectance factor in the working space, and whether each is shown."""
     linear = np.asarray(rho, float) @ WORKING_TO_SRGB.T
     inside = np.all((linear >= -_TOLERANCE) & (linear <= 1.0 + _TOLERANCE), axis=-1)
-    codes = np.rint(255.0 * srgb_encode(np.clip(linear, 0.0, 1.0))).astype(np.uint8)
+    codes = np.rint(255.0 * srgb_encode(np.minimum(np.maximum(linear, 0.0), 1.0))).astype(np.uint8)
     return codes, np.asarray(inside)
 
 

@@ -6,6 +6,8 @@ drag and around a burst of keys or wheel turns. A wrapping slider (a hue) goes o
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
@@ -28,6 +30,14 @@ from brdf_qt.burst import Burst
 TRACK_SAMPLES = 48
 _MARGIN = 5.0
 _FINE = 0.1
+
+
+@lru_cache(maxsize=32)
+def _positions(low: float, high: float) -> NDArray[np.float64]:
+    """Return the places of a track, not to be written: every edit asks for the same."""
+    places = np.linspace(low, high, TRACK_SAMPLES)
+    places.flags.writeable = False
+    return places
 
 
 class ColourSlider(QAbstractSlider):
@@ -94,7 +104,7 @@ class ColourSlider(QAbstractSlider):
 
     def positions(self) -> NDArray[np.float64]:
         """Return the ``TRACK_SAMPLES`` values, left to right, whose colours :meth:`set_track` wants."""
-        return np.linspace(self._low, self._high, TRACK_SAMPLES)
+        return _positions(self._low, self._high)
 
     def set_track(self, rgb: NDArray[np.uint8], in_gamut: NDArray[np.bool_]) -> None:
         """Colour the track: ``rgb`` (n, 3) sRGB at n equal steps; ``in_gamut`` (n,) false where clipped."""

@@ -7,6 +7,8 @@ tool that collects them reads the source. Messages of the core (files, fits) are
 
 from __future__ import annotations
 
+from functools import cache
+
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
@@ -22,10 +24,12 @@ _ENDING = ".qm"
 _KEY = "language"
 
 
+@cache
 def tr(text: str, comment: str | None = None) -> str:
     """Return ``text`` in the language of the program; as it is where no translation is installed.
 
-    ``comment`` tells two meanings of one English word apart.
+    ``comment`` tells two meanings of one English word apart. A drag asks for the same forty texts a hundred times a
+    second, so they are kept.
     """
     return QCoreApplication.translate("", text, comment)
 
@@ -56,6 +60,7 @@ def install(app: QCoreApplication, code: str | None = None) -> str:
 
     Before the first widget: texts that are shown already stay as they are.
     """
+    tr.cache_clear()
     if app.applicationName() not in TRANSLATED:
         return SOURCE
     wanted = code or chosen()
