@@ -11,6 +11,7 @@ from pathlib import Path
 from brdf_qt.application import create_application, process_age_s, run
 from brdf_qt.arguments import window_size
 from brdf_qt.theme import THEMES
+from brdf_qt.translation import languages
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
@@ -24,7 +25,7 @@ _LONGEST_WAIT_S = 60.0
 def main(argv: Sequence[str] | None = None) -> int:
     """Run Designer; return the exit status."""
     options = _parser().parse_args(argv)
-    app = create_application("Designer", theme_name=options.theme)
+    app = create_application("Designer", theme_name=options.theme, language=options.language)
     designer = Designer()
     if options.paint is not None:
         designer.open(options.paint)
@@ -80,6 +81,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("paint", nargs="?", help="a .brdfpaint file, or the name of a shipped paint")
     parser.add_argument("--theme", choices=THEMES, help="surround of this run (default: the one chosen last)")
+    parser.add_argument(
+        "--language", choices=languages(), help="language of this run (default: the one chosen last)"
+    )
     parser.add_argument("--size", type=window_size, metavar="WxH", help="size of the window in pixels")
     parser.add_argument(
         "--screenshot", type=Path, metavar="FILE", help="save a picture of the window, and end"

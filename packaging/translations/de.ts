@@ -573,7 +573,7 @@
     </message>
     <message>
         <source>Haze index: gloss at 60° minus gloss at 20° (as practice reads ASTM D4039), GU. It grows where light is scattered just beside the mirror direction, so that a glossy coat looks milky; a smooth clear coat has about 5 to 12.</source>
-        <translation>Haze-Index: Glanz bei 60° minus Glanz bei 20° (wie ASTM D4039 in der Praxis gelesen wird), GE. Er wächst, wo Licht dicht neben die Spiegelrichtung gestreut wird, sodass ein glänzender Lack milchig aussieht; ein glatter Klarlack hat etwa 5 bis 12.</translation>
+        <translation>Haze-Index: Glanz bei 60° minus Glanz bei 20° (wie ASTM D4039 in der Praxis gelesen wird), GU. Er wächst, wo Licht dicht neben die Spiegelrichtung gestreut wird, sodass ein glänzender Lack milchig aussieht; ein glatter Klarlack hat etwa 5 bis 12.</translation>
     </message>
     <message>
         <source>Root mean square slope of the waves; a tenth of a degree is seen at arm&apos;s length.</source>
@@ -633,7 +633,7 @@
     </message>
     <message>
         <source>{haze:.1f} GU, {source}</source>
-        <translation>{haze:.1f} GE, {source}</translation>
+        <translation>{haze:.1f} GU, {source}</translation>
     </message>
     <message>
         <source>A coat of n {ior:.3f} and α {roughness:.4f} reads the same at 20 and 60°; the readings are what the paint keeps, and the coat nearest to n 1.5 is taken.</source>
@@ -805,11 +805,11 @@
     </message>
     <message>
         <source>gloss {gu:g} GU at 20°</source>
-        <translation>Glanz {gu:g} GE bei 20°</translation>
+        <translation>Glanz {gu:g} GU bei 20°</translation>
     </message>
     <message>
         <source>gloss {gu_20:g} GU at 20° and {gu_60:g} GU at 60°</source>
-        <translation>Glanz {gu_20:g} GE bei 20° und {gu_60:g} GE bei 60°</translation>
+        <translation>Glanz {gu_20:g} GU bei 20° und {gu_60:g} GU bei 60°</translation>
     </message>
     <message>
         <source>{angle}: {lab} (ΔE00 {error:.1f})</source>
@@ -1325,7 +1325,7 @@
     </message>
     <message>
         <source>Glossmeter: no reading; {gloss:g} GU at 20° is set, not measured</source>
-        <translation>Glanzmesser: kein Wert; {gloss:g} GE bei 20° ist gesetzt, nicht gemessen</translation>
+        <translation>Glanzmesser: kein Wert; {gloss:g} GU bei 20° ist gesetzt, nicht gemessen</translation>
     </message>
     <message>
         <source>Glossmeter: {readings}</source>
@@ -1333,7 +1333,7 @@
     </message>
     <message>
         <source>Glossmeter: {readings}; {gloss:g} GU at 20° is set instead</source>
-        <translation>Glanzmesser: {readings}; statt dessen ist {gloss:g} GE bei 20° gesetzt</translation>
+        <translation>Glanzmesser: {readings}; statt dessen ist {gloss:g} GU bei 20° gesetzt</translation>
     </message>
     <message>
         <source>The design cannot be compared with the original yet: no such paint can be built.</source>
@@ -1809,7 +1809,7 @@
     </message>
     <message>
         <source>gloss {angle}° {change} GU</source>
-        <translation>Glanz {angle}° {change} GE</translation>
+        <translation>Glanz {angle}° {change} GU</translation>
     </message>
     <message>
         <source>standard: no reading</source>
