@@ -25,6 +25,9 @@ def fresnel_dielectric(cos_theta: npt.ArrayLike, ior: float) -> Floats:
     >>> round(float(fresnel_dielectric(1.0, 1.5)), 6)
     0.04
     """
+    if np.ndim(cos_theta) == 0:
+        # One light of an edit: plain numbers are ten times as fast as arrays of one, and round alike.
+        return np.asarray(_of_number(min(max(float(cos_theta), 0.0), 1.0), ior))  # type: ignore[arg-type] # of no dimension
     # np.clip would take as long as the rest of it for the few values of an edit.
     c = np.minimum(np.maximum(np.asarray(cos_theta, float), 0.0), 1.0)
     t = np.sqrt(1.0 - (1.0 - c * c) * (1.0 / (ior * ior)))
@@ -33,6 +36,14 @@ def fresnel_dielectric(cos_theta: npt.ArrayLike, ior: float) -> Floats:
     r_s = (c - nt) / np.maximum(c + nt, _TINY)
     r_p = (nc - t) / np.maximum(nc + t, _TINY)
     return np.asarray(0.5 * (r_s * r_s + r_p * r_p))
+
+
+def _of_number(c: float, ior: float) -> float:
+    t = math.sqrt(1.0 - (1.0 - c * c) * (1.0 / (ior * ior)))
+    nt, nc = ior * t, ior * c
+    r_s = (c - nt) / max(c + nt, _TINY)
+    r_p = (nc - t) / max(nc + t, _TINY)
+    return 0.5 * (r_s * r_s + r_p * r_p)
 
 
 def fresnel_at(theta_deg: float, ior: float) -> float:

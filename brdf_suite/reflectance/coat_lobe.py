@@ -74,6 +74,10 @@ class CoatLobe:
 
     def _lambda(self, cos_theta: Floats) -> Floats:
         """Λ of Smith: with a = 1 / (α tanθ), (1 - 1.259a + .396a²) / (3.535a + 2.181a²) below 1.6, else 0."""
+        if np.ndim(cos_theta) == 0:  # one light of an edit, as plain numbers
+            cosine = max(float(cos_theta), 1e-8)
+            one = min(cosine / (self.roughness * math.sqrt(max(1.0 - cosine * cosine, 1e-30))), 1.6)
+            return np.asarray(max(1.0 - 1.259 * one + 0.396 * one * one, 0.0) / (one * (3.535 + 2.181 * one)))
         cos_theta = np.maximum(cos_theta, 1e-8)
         sin2 = np.maximum(1.0 - cos_theta * cos_theta, 1e-30)
         a = np.minimum(cos_theta / (self.roughness * np.sqrt(sin2)), 1.6)

@@ -165,7 +165,9 @@ class TraceProcess(QObject):
             return
         self._wanted = False
         self._listen()
-        lines = [line for line in self._words.splitlines() if line.strip()]
+        # Where Python tells the places of a crash, what was said of its cause stands before them.
+        words = self._words.partition("Fatal Python error:")[0] or self._words
+        lines = [line for line in words.splitlines() if line.strip()]
         last = lines[-1].strip() if lines else tr("it left no word; the computer may be out of memory")
         if status == QProcess.ExitStatus.CrashExit:
             text = tr("The renderer crashed (signal {code}): {words}.")
