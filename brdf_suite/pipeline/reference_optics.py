@@ -74,16 +74,14 @@ def lobe_term(weights: MaterialWeights, view: View) -> Any:
     """Return lobe weights as something that reflects, with the gains that the view asks for."""
     from brdf_suite.reference.lobe_weights import LobeWeights
 
-    return LobeWeights(
-        np.asarray(weights.exponents, float),
-        weights.kd,
-        weights.kdd,
-        weights.kg,
-        weights.coat,
-        weights.theta_fit_rad,
-        weights.ior,
-        raised=view.fresnel != "off",
-    )
+    return LobeWeights(**_lobes(weights, view))
+
+
+def _lobes(weights: MaterialWeights, view: View) -> dict[str, Any]:
+    """Return what both forms of lobe weights are made of."""
+    names = ("kd", "kdd", "kg", "coat", "theta_fit_rad", "ior")
+    told = {name: getattr(weights, name) for name in names}
+    return told | {"exponents": np.asarray(weights.exponents, float), "raised": view.fresnel != "off"}
 
 
 def scalar_optics(paint: TracedPaint, dress: Dress, view: View, instead: str) -> Optics:
@@ -113,16 +111,7 @@ def scalar_lobes(weights: MaterialWeights, view: View) -> Any:
     """Return lobe weights as one of Mitsuba's own plug-ins, with the gains that the view asks for."""
     from brdf_suite.reference.scalar import LobesSeen, table_bsdf
 
-    seen = LobesSeen(
-        np.asarray(weights.exponents, float),
-        weights.kd,
-        weights.kdd,
-        weights.kg,
-        weights.coat,
-        weights.theta_fit_rad,
-        weights.ior,
-        raised=view.fresnel != "off",
-    )
+    seen = LobesSeen(**_lobes(weights, view))
     # Coarser than a paint's: within a per cent, in a tenth of the time.
     return table_bsdf(seen, incidences=32, resolution=64)
 

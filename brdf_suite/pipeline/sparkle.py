@@ -19,10 +19,11 @@ from functools import cache
 import numpy as np
 
 from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.appearance.countable_flakes import FLAKE_WAVINESS
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
-from brdf_suite.realtime.flake_share import FLAKE_WAVINESS, countable_lobe
+from brdf_suite.realtime.flake_share import countable_lobe
 from brdf_suite.reflectance.flakes.spots import Spots, spots
 from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_place
 from brdf_suite.reflectance.lobe_sum import lobe_sums

@@ -87,10 +87,6 @@ def write_traced_turntable(
     if video:
         check_video(size)
         ffmpeg()
-    elif path.suffix:
-        raise FileError(
-            path, "a turntable is an .mp4, a .webm, or a folder of PNG pictures: a name without ending"
-        )
     else:
         check_folder(path)
     bounds = Bounds.of(p.positions for p in load_shaped(view.surface, view.surface_look).parts)

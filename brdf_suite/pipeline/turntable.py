@@ -106,12 +106,8 @@ def write_turntable(
         check_video(size)
         ffmpeg()
     else:
-        if path.suffix:
-            raise FileError(
-                path, "a turntable is an .mp4, a .webm, or a folder of PNG pictures: a name without ending"
-            )
-        settings.of_file(path / "frame.png")
         check_folder(path)
+        settings.of_file(path / "frame.png")
     fit = refit_under(fit_any(paint, errors=False), view.light_colour)
     with loaded_scene(view, part(progress, 0.0, 0.2)) as loaded:
         loaded.scene.set_paint_fit(fit)
@@ -145,7 +141,11 @@ def _drawn(loaded: LoadedScene, view: View, size: Size, settings: PictureSetting
 
 
 def check_folder(path: Path) -> None:
-    """Raise :class:`FileError` where ``path`` is there and no empty folder."""
+    """Raise :class:`FileError` where ``path`` is no name of a folder, or there and no empty folder."""
+    if path.suffix:
+        raise FileError(
+            path, "a turntable is an .mp4, a .webm, or a folder of PNG pictures: a name without ending"
+        )
     if path.exists() and (not path.is_dir() or any(path.iterdir())):
         raise FileError(path, "is there already and not an empty folder; name a new one")
 

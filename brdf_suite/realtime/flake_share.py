@@ -19,22 +19,10 @@ import math
 
 import numpy as np
 
+from brdf_suite.appearance.countable_flakes import FLAKE_REFLECTANCE, LARGEST_SHARE, covered_share
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-
-FLAKE_REFLECTANCE = 0.9
-"""Of an aluminium flake, the usual one; published values of the metal are 0.87 to 0.92 over the visible."""
-FLAKE_WAVINESS = 0.01
-"""Radians: standard deviation of the tilt within one flake, which is no perfect mirror (docs/sparkle.md)."""
-LARGEST_SHARE = 0.9
-"""Of the base: finer flakes and pigment between them are never absent."""
-
-
-def covered(flakes: Flakes) -> float:
-    """Return the share of the surface, 0 to 1, that the countable flakes cover, overlapping at random."""
-    millimetres = flakes.size_um * 1e-3
-    return -math.expm1(-flakes.density_per_mm2 * math.pi / 4.0 * millimetres**2)
 
 
 def countable_lobe(
@@ -49,7 +37,7 @@ def countable_lobe(
     cos2_below = 1.0 - math.sin(theta) ** 2 / n2
     through = (1.0 - float(fresnel_dielectric(math.cos(theta), ior))) ** 2
     m2 = flakes.roughness**2
-    peak = covered(flakes) * FLAKE_REFLECTANCE * through / (8.0 * math.pi * m2 * n2 * cos2_below)
+    peak = covered_share(flakes) * FLAKE_REFLECTANCE * through / (8.0 * math.pi * m2 * n2 * cos2_below)
     wanted = strength * peak * seen_tilts(gamma, theta, ior, flakes.roughness)
     share = np.minimum(wanted / np.maximum(base.max(axis=-1), 1e-12), LARGEST_SHARE)
     return np.asarray(base * share[:, None])

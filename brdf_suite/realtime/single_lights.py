@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import moderngl
 
+from brdf_suite.appearance.countable_flakes import FLAKE_WAVINESS
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.context import graphics_errors
-from brdf_suite.realtime.flake_share import FLAKE_WAVINESS
 from brdf_suite.realtime.gpu_objects import GpuObjects
 from brdf_suite.realtime.light_block import BLOCK_SIZE, NO_LIGHTS, DistantLights, light_block
 from brdf_suite.realtime.light_lobes import COLUMNS, ROWS, light_lobes

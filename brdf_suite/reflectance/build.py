@@ -83,9 +83,9 @@ def gloss_of_coat(paint: Paint, ior: float, roughness: float) -> Gloss:
     """
     coat = CoatLobe(ior, roughness)
     lights = _collect(paint)
-    for readings in lights:
-        _refuse_negative(readings, coat)
-    at_20, at_60 = total_gloss(_base_under(paint, lights, coat)[0], coat)
+    shares = _coat_shares(lights, coat)
+    _refuse_negative(lights, shares)
+    at_20, at_60 = total_gloss(_base_under(paint, lights, coat, shares)[0], coat)
     return Gloss(at_20, at_60)
 
 
@@ -101,12 +101,13 @@ def build_paint(paint: Paint) -> PaintReflectance:
     lights = _collect(paint)
     gu_20, gu_60 = paint.gloss.gu_20, paint.gloss.gu_60
     coat = CoatLobe(USUAL_IOR, LOWEST_ROUGHNESS)
-    base, notices = _base_under(paint, lights, coat)
+    base, notices = _base_under(paint, lights, coat, _coat_shares(lights, coat))
     added = base_gloss(base)
     for turn in range(_MOST_TURNS):
         solved, refusal = nearest_coat(gu_20, gu_60, *added)
         coat = CoatLobe(solved.ior, solved.roughness)
-        base, notices = _base_under(paint, lights, coat)
+        shares = _coat_shares(lights, coat)
+        base, notices = _base_under(paint, lights, coat, shares)
         found = base_gloss(base)
         change = max(abs(found[0] - added[0]), abs(found[1] - added[1]))
         # A rough coat and its base can answer each other by turns; half steps then meet in the middle.
@@ -119,8 +120,7 @@ def build_paint(paint: Paint) -> PaintReflectance:
             f"No clearcoat was found that gives {gu_20:g} GU at 20° over the measured colours; "
             "change the gloss, or the colour nearest to the mirror direction."
         )
-    for readings in lights:
-        _refuse_negative(readings, coat)
+    _refuse_negative(lights, shares)
     if refusal is not None:
         raise UnreachableError(refusal)
     told = tuple(notice for readings in lights for notice in readings.notices)
@@ -181,15 +181,15 @@ def _under_light(paint: Paint, light_deg: float, *, several: bool) -> _Readings:
 
 
 def _base_under(
-    paint: Paint, lights: tuple[_Readings, ...], coat: CoatLobe
+    paint: Paint, lights: tuple[_Readings, ...], coat: CoatLobe, shares: list[Floats]
 ) -> tuple[AspecularBase | SeveralLights, tuple[str, ...]]:
-    """The base that is left under ``coat``; what would be negative is 0 here and refused at the end."""
-    first, notices = _base_of_light(paint, lights[0], coat, None)
+    """The base left under ``coat`` and its ``shares``; what would be negative is 0 here and refused at the end."""
+    first, notices = _base_of_light(paint, lights[0], coat, shares[0], None)
     if len(lights) == 1:
         return first, notices
     bases = [first]
-    for readings in lights[1:]:
-        base, more = _base_of_light(paint, readings, coat, first.rule)
+    for readings, share in zip(lights[1:], shares[1:], strict=True):
+        base, more = _base_of_light(paint, readings, coat, share, first.rule)
         bases.append(base)
         notices += tuple(f"Light at {readings.illumination_deg:g}°: {notice}" for notice in more)
     bases.sort(key=lambda base: base.illumination)
@@ -197,10 +197,10 @@ def _base_under(
 
 
 def _base_of_light(
-    paint: Paint, readings: _Readings, coat: CoatLobe, lent: Rule | None
+    paint: Paint, readings: _Readings, coat: CoatLobe, share: Floats, lent: Rule | None
 ) -> tuple[AspecularBase, tuple[str, ...]]:
     """The base from one light's readings; fewer than three borrow the rule ``lent`` by another light."""
-    left = np.maximum(readings.rho - _coat_share(readings, coat), 0.0)
+    left = np.maximum(readings.rho - share, 0.0)
     by_half_vector = paint.out_of_plane == "half_vector"
     light = math.radians(readings.illumination_deg)
     gamma, joined, weight = _by_unsigned_angle(readings, left, coat.ior)
@@ -227,27 +227,27 @@ def _base_of_light(
     ), notices
 
 
-def _coat_share(readings: _Readings, coat: CoatLobe) -> Floats:
-    """π f_r of the coat (n, 1) at the readings' directions."""
-    return np.asarray(math.pi * coat.eval_grey(readings.wi, readings.wo)[:, None])
+def _coat_shares(lights: tuple[_Readings, ...], coat: CoatLobe) -> list[Floats]:
+    """π f_r of the coat (n, 1) at the directions of each light's readings."""
+    return [math.pi * coat.eval_grey(readings.wi, readings.wo)[:, None] for readings in lights]
 
 
-def _refuse_negative(readings: _Readings, coat: CoatLobe) -> None:
-    share = _coat_share(readings, coat)
-    left = readings.rho - share
-    if left.min() >= -_ROUNDING:
-        return
-    index, channel = np.unravel_index(int(np.argmin(left)), left.shape)
-    where = float(readings.aspecular_deg[index])
-    error = DarkerThanCoatError(
-        f"At {where:g}° the clearcoat of this gloss alone reflects "
-        f"{share[index, 0]:.4f} (reflectance factor), more than the {readings.rho[index, channel]:.4f} that "
-        f"the colour has in the {_CHANNELS[channel]} channel, so the base would be negative. Raise the gloss "
-        "or the lightness."
-    )
-    error.measurement = (readings.illumination_deg, where)
-    error.share = float(share[index, 0])
-    raise error
+def _refuse_negative(lights: tuple[_Readings, ...], shares: list[Floats]) -> None:
+    for readings, share in zip(lights, shares, strict=True):
+        left = readings.rho - share
+        if left.min() >= -_ROUNDING:
+            continue
+        index, channel = np.unravel_index(int(np.argmin(left)), left.shape)
+        where = float(readings.aspecular_deg[index])
+        error = DarkerThanCoatError(
+            f"At {where:g}° the clearcoat of this gloss alone reflects "
+            f"{share[index, 0]:.4f} (reflectance factor), more than the {readings.rho[index, channel]:.4f} that "
+            f"the colour has in the {_CHANNELS[channel]} channel, so the base would be negative. Raise the gloss "
+            "or the lightness."
+        )
+        error.measurement = (readings.illumination_deg, where)
+        error.share = float(share[index, 0])
+        raise error
 
 
 def _share_beyond(readings: _Readings, ior: float) -> Floats:

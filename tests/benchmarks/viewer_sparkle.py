@@ -15,11 +15,11 @@ from time import perf_counter
 import moderngl
 import numpy as np
 
+from brdf_suite.appearance.countable_flakes import FLAKE_WAVINESS
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.pipeline.scene import default_paint
 from brdf_suite.progress import report
 from brdf_suite.realtime.context import create_context
-from brdf_suite.realtime.flake_share import FLAKE_WAVINESS
 from brdf_suite.realtime.light_block import DistantLights
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.shader_source import SHADERS, compile_program, compose

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.appearance.countable_flakes import LARGEST_SHARE, covered_share
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp, LightColour, Sparkle
-from brdf_suite.realtime.flake_share import LARGEST_SHARE, countable_lobe, covered, seen_tilts
+from brdf_suite.realtime.flake_share import countable_lobe, seen_tilts
 from brdf_suite.realtime.light_block import BLOCK_SIZE, DistantLights, light_block
 from brdf_suite.realtime.light_lobes import column_angles, light_lobes
 from brdf_suite.reflectance.flake_rule import squared_tilt
@@ -84,11 +85,11 @@ def test_countable_flakes_send_what_they_cover_and_never_most_of_the_base():
     # Light that flakes tilted beyond about 21 degrees send is held back by the coat.
     tilt = np.linspace(0, np.arcsin(1 / 1.5) / 2, 2000)
     out = np.trapezoid(tilt_bell(np.tan(tilt) ** 2, 0.16) * np.sin(tilt), tilt) / 0.16**2
-    assert sent == pytest.approx(covered(flakes) * 0.9 * through * out, rel=0.15)
+    assert sent == pytest.approx(covered_share(flakes) * 0.9 * through * out, rel=0.15)
     np.testing.assert_allclose(lobe / lobe[:, :1], base / base[:, :1], rtol=1e-9)
     strong = countable_lobe(flakes, gamma, base, 0.0, 1.5, strength=1e6)
     np.testing.assert_allclose(strong, LARGEST_SHARE * base)
-    assert covered(Flakes(1e5, 2000.0)) == pytest.approx(1.0)
+    assert covered_share(Flakes(1e5, 2000.0)) == pytest.approx(1.0)
 
 
 def test_the_tilts_seen_are_those_of_the_flake_rule_and_of_the_shader():

@@ -302,7 +302,7 @@ def test_flakes_are_those_of_the_core(variant: Variant) -> None:
     ).T
     np.testing.assert_allclose(mean, 1e6, rtol=1e-6)
     slope = flake_slope(wi, wo, 1.5)
-    own = np.sqrt((spread / 3.0) ** 2 + fl.WAVINESS**2)
+    own = np.sqrt((spread / 3.0) ** 2 + fl.FLAKE_WAVINESS**2)
     wanted = flake_texture_ratio(
         at,
         across,

@@ -20,6 +20,12 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
+from brdf_suite.appearance.countable_flakes import (
+    FLAKE_REFLECTANCE,
+    FLAKE_WAVINESS,
+    LARGEST_SHARE,
+    covered_share,
+)
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
@@ -27,11 +33,6 @@ from brdf_suite.reference.raytraced.numbers import scrambled
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
 from brdf_suite.reflectance.flakes.texture import FADE_FROM, FADE_TO, RAREST_TILT
 
-REFLECTANCE = 0.9
-"""Of an aluminium flake; as ``realtime/flake_share.py``."""
-LARGEST_SHARE = 0.9
-WAVINESS = 0.01
-"""Radians that the tilt of one flake varies by over it; as the real-time renderer's."""
 _SALT, _TINT, _GOLDEN = 0x51ED270B, 0x3C6EF372, 0x9E3779B9
 
 
@@ -46,10 +47,8 @@ class Sparkle:
     @property
     def peak(self) -> float:
         """c R / (8π m² n²): how much the flakes that lie flat send."""
-        millimetres = self.flakes.size_um * 1e-3
-        covered = -math.expm1(-self.flakes.density_per_mm2 * math.pi / 4.0 * millimetres**2)
         below = 8.0 * math.pi * self.flakes.roughness**2 * self.ior**2
-        return self.strength * covered * REFLECTANCE / below
+        return self.strength * covered_share(self.flakes) * FLAKE_REFLECTANCE / below
 
 
 @dataclass
@@ -123,7 +122,7 @@ def _ratio(sparkle: Sparkle, seen: FlakesSeen, slope: Any, slope2: Real, light_s
     """How bright the flakes are over their mean; see ``reflectance/flakes/texture.py``."""
     m2 = sparkle.flakes.roughness**2
     # A light's spread moves the tilt by half of it, less what refraction takes.
-    spread2 = dr.square(light_spread * d.number(0.5 / sparkle.ior)) + d.number(WAVINESS**2)
+    spread2 = dr.square(light_spread * d.number(0.5 / sparkle.ior)) + d.number(FLAKE_WAVINESS**2)
     narrow = 1.0 / (8.0 * spread2)
     total = mi.Color3f(0.0)
     for cover, tilt, tint in zip(seen.covers, seen.slopes, seen.tints, strict=True):

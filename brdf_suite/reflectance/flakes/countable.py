@@ -17,23 +17,11 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.appearance.countable_flakes import FLAKE_REFLECTANCE, LARGEST_SHARE, covered_share
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_bell
-
-FLAKE_REFLECTANCE = 0.9
-"""Of an aluminium flake, the usual one; published values of the metal are 0.87 to 0.92 over the visible."""
-LARGEST_SHARE = 0.9
-"""Of the base: finer flakes and pigment between them are never absent."""
-FLAKE_WAVINESS = 0.01
-"""Radians: standard deviation of the tilt within one flake, which is no perfect mirror (docs/sparkle.md)."""
-
-
-def covered_share(flakes: Flakes) -> float:
-    """Return the share of the surface, 0 to 1, that the countable flakes cover, overlapping at random."""
-    millimetres = flakes.size_um * 1e-3
-    return -math.expm1(-flakes.density_per_mm2 * math.pi / 4.0 * millimetres**2)
 
 
 def countable_part(
