@@ -1,0 +1,20 @@
+"""The parts of the window beside its own: views, plots, sections and commands, in the order of the inspector."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.window import LobeWindow
+
+PARTS: tuple[Callable[[Desk, LobeWindow], object], ...] = ()
+"""What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
+
+Parts are made before the window is shown: what is heavy to import or to make waits for ``window.first_painted``. A part
+may have ``is_complete`` (whether all that it shows is there) and ``close()``.
+"""
+
+
+def build_parts(desk: Desk, window: LobeWindow) -> list[object]:
+    """Make every part and return them; their owner keeps them."""
+    return [part(desk, window) for part in PARTS]

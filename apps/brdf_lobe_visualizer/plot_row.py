@@ -1,0 +1,73 @@
+"""The plots below the view: buttons choose which are shown, side by side."""
+
+from __future__ import annotations
+
+from brdf_qt.choice_button import ChoiceButton
+from brdf_qt.settings import settings
+from brdf_qt.translation import tr
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
+
+_SHOWN_KEY = "lobes/plots"
+_FIRST = 3
+"""So many of the plots are shown at a first start."""
+
+
+class PlotRow(QWidget):
+    """Plots side by side, each with a button that shows or hides it; which are shown is remembered.
+
+    Signals: ``shown_changed(key, shown)``.
+    """
+
+    shown_changed = Signal(str, bool)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("plots")
+        self._plots: dict[str, QWidget] = {}
+        self._buttons: dict[str, ChoiceButton] = {}
+        remembered = settings().value(_SHOWN_KEY)
+        self._chosen = None if remembered is None else str(remembered).split()
+        self._head = QHBoxLayout()
+        self._head.setSpacing(8)
+        self._head.addStretch(1)
+        self._split = QSplitter(Qt.Orientation.Horizontal)
+        self._split.setHandleWidth(8)
+        self._split.setChildrenCollapsible(False)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(4)
+        box.addLayout(self._head)
+        box.addWidget(self._split, 1)
+        self.hide()
+
+    @property
+    def plots(self) -> dict[str, QWidget]:
+        """The plots by key, in order."""
+        return dict(self._plots)
+
+    def add(self, key: str, title: str, plot: QWidget) -> None:
+        """Add a plot at the right."""
+        first = len(self._plots) < _FIRST if self._chosen is None else key in self._chosen
+        button = ChoiceButton(title)
+        button.setObjectName(f"plot_button_{key}")
+        button.setAccessibleName(tr("Show the plot {name}").format(name=title))
+        button.setChecked(first)
+        button.clicked.connect(lambda: self.set_shown(key, button.isChecked()))
+        self._head.insertWidget(self._head.count() - 1, button)
+        self._split.addWidget(plot)
+        plot.setVisible(first)
+        self._plots[key], self._buttons[key] = plot, button
+        self.show()
+
+    def shown(self) -> tuple[str, ...]:
+        """Return the keys of those that are shown."""
+        return tuple(key for key, button in self._buttons.items() if button.isChecked())
+
+    def set_shown(self, key: str, shown: bool) -> None:
+        """Show or hide a plot, and remember it."""
+        self._buttons[key].setChecked(shown)
+        self._plots[key].setVisible(shown)
+        self._split.setVisible(bool(self.shown()))
+        settings().setValue(_SHOWN_KEY, " ".join(self.shown()))
+        self.shown_changed.emit(key, shown)

@@ -1,0 +1,152 @@
+"""The window: the view in three dimensions, the legend beside it, plots below, the inspector at the right."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from brdf_qt.main_window import Shortcut, SuiteWindow
+from brdf_qt.message_bar import Message
+from brdf_qt.section import Section
+from brdf_qt.translation import tr
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction, QKeySequence, QShortcut
+from PySide6.QtWidgets import QDockWidget, QLabel, QSplitter, QVBoxLayout, QWidget
+
+from brdf_lobe_visualizer.plot_row import PlotRow
+
+
+class LobeWindow(SuiteWindow):
+    """The window of Lobe Visualizer; parts add to it by the ``add_`` methods and :meth:`set_centre`."""
+
+    def __init__(self) -> None:
+        super().__init__("Lobe Visualizer")
+        self.paint_menu.setTitle(tr("&Reflectance"))
+        self._sections: dict[str, Section] = {}
+        self._menus = {
+            "file": self.file_menu,
+            "edit": self.edit_menu,
+            "view": self.view_menu,
+            "reflectance": self.paint_menu,
+            "window": self.window_menu,
+            "help": self.help_menu,
+        }
+        self._build_centre()
+
+    # What a part adds.
+
+    def set_centre(self, widget: QWidget, *, tab_hides_panels: bool = False) -> None:
+        """Put the view in three dimensions into its place; with ``tab_hides_panels`` Tab on it toggles the panels."""
+        before = self.top_split.replaceWidget(0, widget)
+        if before is not None:
+            before.deleteLater()
+        self.top_split.setStretchFactor(0, 1)
+        widget.show()
+        if tab_hides_panels:
+            shortcut = QShortcut(QKeySequence(Qt.Key.Key_Tab), widget)
+            shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            shortcut.activated.connect(self.toggle_panels)
+
+    def add_beside(self, widget: QWidget) -> None:
+        """Put a widget at the right of the view: the legend."""
+        self.top_split.addWidget(widget)
+
+    def add_plot(self, key: str, title: str, widget: QWidget) -> None:
+        """Add a plot below the view, which its button shows or hides; ``title`` is translated already."""
+        self.plots.add(key, title, widget)
+
+    def add_section(
+        self, key: str, title: str, widget: QWidget, after: str | None = None, *, is_open: bool = True
+    ) -> Section:
+        """Add a section to the inspector: after the one of key ``after``, otherwise at the end.
+
+        ``is_open`` is how a first start shows it; later starts show it as the user left it.
+        """
+        section = Section(title, key, is_open=is_open)
+        section.add(widget)
+        self.inspector.add_section(section, after=self._sections[after] if after else None)
+        self._sections[key] = section
+        return section
+
+    def section(self, key: str) -> Section:
+        """Return the section of that key."""
+        return self._sections[key]
+
+    def add_dock(
+        self,
+        key: str,
+        title: str,
+        widget: QWidget,
+        area: Qt.DockWidgetArea = Qt.DockWidgetArea.BottomDockWidgetArea,
+        *,
+        visible: bool = False,
+    ) -> QDockWidget:
+        """Add a panel that docks, floats and hides; listed in View ▸ Panels. ``title``: English, marked."""
+        dock = self.add_panel(title, widget, area)
+        dock.setObjectName(f"panel_{key}")
+        dock.setVisible(visible)
+        return dock
+
+    def add_command(
+        self,
+        menu: str,
+        text: str,
+        shortcut: Shortcut | None,
+        slot: Callable[..., Any] | None,
+        *,
+        icon: str | None = None,
+        tip: str = "",
+        checked: bool | None = None,
+    ) -> QAction:
+        """Add a command to a menu: ``file``, ``edit``, ``view``, ``reflectance``, ``window`` or ``help``.
+
+        ``text`` and ``tip`` are English, marked for translation; Ctrl+K finds the command by its text. With ``checked``
+        it can be ticked, and ``slot`` is called with whether it is.
+        """
+        action = self.add_action(
+            self._menus[menu], text, None if checked is not None else slot, shortcut, icon, tip
+        )
+        if checked is not None:
+            action.setCheckable(True)
+            action.setChecked(checked)
+            if slot is not None:
+                action.toggled.connect(slot)
+        return action
+
+    # Messages.
+
+    def show_message(self, message: Message) -> None:
+        """Show a message in the window."""
+        self.messages.show_message(message)
+
+    def dismiss_message(self, key: str) -> None:
+        """Take a message away."""
+        self.messages.dismiss(key)
+
+    def complete(self) -> None:
+        """Settle what depends on every part: size and place of the panels."""
+        self.restore_layout()
+
+    def _build_centre(self) -> None:
+        self.top_split = QSplitter(Qt.Orientation.Horizontal)
+        self.top_split.setObjectName("top_split")
+        self.top_split.setHandleWidth(8)
+        self.top_split.setChildrenCollapsible(False)
+        absent = QLabel(tr("No view in three dimensions"))
+        absent.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        absent.setObjectName("no_view")
+        self.top_split.addWidget(absent)
+        self.plots = PlotRow()
+        self.centre_split = QSplitter(Qt.Orientation.Vertical)
+        self.centre_split.setObjectName("centre_split")
+        self.centre_split.setHandleWidth(8)
+        self.centre_split.setChildrenCollapsible(False)
+        self.centre_split.addWidget(self.top_split)
+        self.centre_split.addWidget(self.plots)
+        self.centre_split.setStretchFactor(0, 3)
+        self.centre_split.setStretchFactor(1, 2)
+        centre = QWidget()
+        box = QVBoxLayout(centre)
+        box.setContentsMargins(8, 4, 8, 8)
+        box.addWidget(self.centre_split)
+        super().set_centre(centre)
