@@ -35,7 +35,8 @@ class PatientBot(QtBot):
     """Waits as long as it takes, whatever limit the call gives."""
 
     def waitUntil(self, callback, *, timeout=PATIENCE_MS):  # noqa: N802 - the name is Qt's
-        return super().waitUntil(callback, timeout=max(timeout, PATIENCE_MS))
+        # None would end the wait, as a callback's that asserts; what is not there yet is no such answer.
+        return super().waitUntil(lambda: bool(callback()), timeout=max(timeout, PATIENCE_MS))
 
     def waitSignal(self, signal, *, timeout=PATIENCE_MS, raising=True, **more):  # noqa: N802 - the name is Qt's
         # Where its absence is no failure, as within assertNotEmitted, all of the time would be waited.
