@@ -28,6 +28,8 @@ NEEDED = (
     "brdf_suite/realtime/shaders/",
     "brdf_designer/__main__.py",
     "brdf_viewer/__main__.py",
+    "brdf_lobe_visualizer/__main__.py",
+    "brdf_color_swatch/__main__.py",
 )
 _SPREAD = """
 import sys

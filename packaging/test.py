@@ -13,7 +13,7 @@ import sys
 
 from prepare import ROOT, prepare
 
-SCREEN = ("tests/viewer", "tests/qt_gl")
+SCREEN = ("tests/viewer", "tests/qt_gl", "tests/lobes_gl", "tests/swatch_gl")
 
 
 def main() -> int:

@@ -1,4 +1,4 @@
-"""``brdf-suite`` without a command, ``designer`` and ``viewer``: the programs, each a process of its own."""
+"""``brdf-suite`` without a command, ``designer``, ``viewer``…: the programs, each a process of its own."""
 
 from __future__ import annotations
 
@@ -16,7 +16,11 @@ from brdf_suite.screen import screen_missing
 PROGRAMS = {
     "designer": ("brdf_designer", "edit a paint"),
     "viewer": ("brdf_viewer", "show a paint on a surface"),
+    "lobes": ("brdf_lobe_visualizer", "look at reflectances in three dimensions"),
+    "swatch": ("brdf_color_swatch", "organize paints as palettes"),
 }
+_OPENED = ("designer", "viewer")
+"""What opens where no program is named."""
 _FALLBACK_PICTURE = "brdf-suite.png"
 _FALLBACK_SIZE = (1280, 720)
 _PATIENCE_S = 20.0
@@ -54,8 +58,10 @@ def open_both(options: argparse.Namespace) -> int:
     }
     running: dict[str, subprocess.Popen[bytes]] = {}
     try:
-        for name, (package, _what) in PROGRAMS.items():
-            running[name] = subprocess.Popen([sys.executable, "-m", package, *arguments, *own.get(name, [])])
+        for name in _OPENED:
+            running[name] = subprocess.Popen(
+                [sys.executable, "-m", PROGRAMS[name][0], *arguments, *own.get(name, [])]
+            )
         status = _wait_for(running, told)
     finally:
         _end(running)
