@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from brdf_qt.file_watch import FileWatch
 from brdf_qt.message_bar import Message, message_of
 from PySide6.QtCore import QObject, Signal
 
@@ -15,7 +16,6 @@ from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environ
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.environment_facts import environment_facts
-from brdf_viewer.file_watch import FileWatch
 from brdf_viewer.loading import ENVIRONMENT, SURFACE, SceneLoader
 from brdf_viewer.recent_files import RecentFiles
 from brdf_viewer.sections.note import set_note

@@ -122,7 +122,7 @@ def start(qtbot, lights) -> Iterator[Callable[..., Viewer]]:
     controllers = []
 
     def make(
-        *, paint: str = "blue", size: tuple[int, int] = (760, 480), wait: bool = True, **options
+        *, paint: str = "blue", size: tuple[int, int] = (560, 330), wait: bool = True, **options
     ) -> Viewer:
         view = options.pop("view", None) or View(environment=str(lights["dim"]), surface="sphere")
         controller = ViewerController(view, paint, **options)

@@ -8,10 +8,10 @@ import threading
 from pathlib import Path
 
 import numpy as np
+from brdf_qt.file_watch import FileWatch
 from brdf_viewer import loading
 from brdf_viewer.environment_figures import HistogramBars, lines
 from brdf_viewer.file_kinds import ENDINGS, kind_of
-from brdf_viewer.file_watch import FileWatch
 from brdf_viewer.remembered import recall, remember
 from brdf_viewer.sections.environment import LAYOUT_TITLES
 from PySide6.QtCore import QSettings

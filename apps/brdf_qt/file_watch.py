@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from brdf_qt.file_stamp import stamp_of
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
+
+from brdf_qt.file_stamp import stamp_of
 
 _QUIET_MS = 150
 """Editors write in several steps; the file is looked at once they are done."""
