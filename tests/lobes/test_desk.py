@@ -109,9 +109,9 @@ def test_the_light_stands_opposite_the_azimuth_and_is_told_once(desk) -> None:
 
 
 def test_every_option_goes_back(desk) -> None:
-    desk.set_options(channel="r", radius="log", cosine=False, shown="both")
+    desk.set_options(channel="r", radius="log", cosine="none", shown="both")
     desk.reset_options("radius")
-    assert desk.options == Options(channel="r", cosine=False, shown="both")
+    assert desk.options == Options(channel="r", cosine="none", shown="both")
     desk.reset_options()
     assert desk.options == Options()
 
