@@ -29,7 +29,24 @@ def _fresnel_mode(fields: dict[str, object]) -> dict[str, object]:
     return {**fields, **old, "fresnel": "raised" if on else "off"}
 
 
-VERSIONS: dict[str, int] = {"brdfpaint": 3, "brdfview": 3, "brdfstudio": 1, "brdfpalette": 1}
+def _one_list(fields: dict[str, object]) -> dict[str, object]:
+    groups = fields.pop("groups", [])
+    entries = list(_objects(fields.pop("swatches", [])))
+    declared = []
+    for group in _objects(groups):
+        name = group.pop("name")
+        entries += [{**swatch, "group": [name]} for swatch in _objects(group.pop("swatches", []))]
+        declared.append({"path": [name], **group})
+    return {**fields, "groups": declared, "entries": entries}
+
+
+def _objects(value: object) -> list[dict[str, object]]:
+    if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
+        raise ValueError("a list of objects was there")
+    return [dict(item) for item in value]
+
+
+VERSIONS: dict[str, int] = {"brdfpaint": 3, "brdfview": 3, "brdfstudio": 1, "brdfpalette": 2}
 """The present version of each format."""
 
 MIGRATIONS: dict[tuple[str, int], Migration] = {
@@ -41,6 +58,8 @@ MIGRATIONS: dict[tuple[str, int], Migration] = {
     ("brdfview", 1): dict,
     # Version 3 gave Fresnel three modes instead of on and off, and added fields with defaults.
     ("brdfview", 2): _fresnel_mode,
+    # Version 2 has one list of entries in place of swatches before and in groups, and entries that are no paints.
+    ("brdfpalette", 1): _one_list,
 }
 """``MIGRATIONS[format, n]`` turns fields of version n (without format and version) into those of n + 1."""
 

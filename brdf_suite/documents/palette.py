@@ -1,113 +1,311 @@
-"""Paints kept together: a palette of swatches in groups, each a paint with notes and tags.
+"""Paints and colours kept together: a palette of entries in their order, in groups within groups.
 
-All values are frozen; an edit makes a new one. A bad value raises :class:`ValueRangeError` whose ``place`` names the
-field (``groups[1].swatches[0].tags[2]``).
+All values are frozen; an edit (:mod:`brdf_suite.documents.palette_edits`) makes a new one. A bad value raises
+:class:`ValueRangeError` whose ``place`` names the field (``entries[3].tags[2]``).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Any
+import re
+import secrets
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from datetime import datetime
+from functools import cached_property
+from typing import Any, Literal, get_args
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.parameter import check_text, describe
+from brdf_suite.documents.parameter import check_choice, check_text, describe
 from brdf_suite.errors import ValueRangeError
 
-MOST_SWATCHES = 5000
-"""A file of ours holds 16 MB, some ten thousand paints of three readings."""
-
+MOST_ENTRIES = 100_000
+MOST_GROUPS = 10_000
+DEEPEST_GROUP = 32
 MOST_TAGS = 50
-_MOST_GROUPS = 500
+
+Usage = Literal["process", "global", "spot"]
+USAGES: tuple[str, ...] = get_args(Usage)
+"""As layout programs tell colours apart: mixed from inks, shared by all that uses it, an ink of its own."""
+
+GroupPath = tuple[str, ...]
+"""The names of groups from the outside in; empty for what is in none."""
+
+Foreign = tuple[tuple[str, str], ...]
+"""What another program's file held and nobody here understands, by name, so that it can go back."""
+
+_LONGEST_NAME = 1000
+_COLOUR = re.compile("#[0-9a-f]{6}")
+_DATE = re.compile(r"\d{4}-\d\d-\d\d(T\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:\d\d)?)?")
 
 
 @dataclass(frozen=True)
-class Swatch:
-    """A paint in a palette. ``tags`` are short words to search by, none twice; ``notes`` are the user's own."""
+class Entry:
+    """A paint or a flat colour in a palette.
 
-    paint: Paint | CookTorrancePaint
+    Attributes
+    ----------
+    content
+        The paint, of any kind, or the flat colour.
+    id
+        Unique in its palette, and the same for as long as the entry lives; a palette fills in what is empty.
+    group
+        The group that it is in.
+    code
+        The maker's number.
+    tags, notes
+        Short words to search by, none twice; the user's own text.
+    date
+        ISO 8601, a day or a moment, or empty.
+    """
+
+    content: Paint | CookTorrancePaint | FlatColour
+    id: str = ""
+    group: GroupPath = ()
+    code: str = ""
     tags: tuple[str, ...] = ()
     notes: str = ""
+    usage: Usage = "process"
+    date: str = ""
+    foreign: Foreign = ()
 
     def __post_init__(self) -> None:
-        if not isinstance(self.paint, (Paint, CookTorrancePaint)):
-            raise ValueRangeError("paint", f"a paint is wanted, not {describe(self.paint)}")
+        if not isinstance(self.content, (Paint, CookTorrancePaint, FlatColour)):
+            raise ValueRangeError(
+                "content", f"a paint or a flat colour is wanted, not {describe(self.content)}"
+            )
+        check_text(self.id, "id", longest=64, lines=False, empty=True)
+        _set(self, "group", checked_path(self.group, "group"))
+        check_text(self.code, "code", longest=200, lines=False, empty=True)
         tags = _items(self.tags, "tags", str, MOST_TAGS)
         for index, tag in enumerate(tags):
             check_text(tag, f"tags[{index}]", longest=50, lines=False, empty=False)
             if tag in tags[:index]:
                 raise ValueRangeError(f"tags[{index}]", f"the tag {tag!r} is there twice")
-        object.__setattr__(self, "tags", tags)
+        _set(self, "tags", tags)
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
+        check_choice(self.usage, "usage", USAGES)
+        _check_date(self.date)
+        _set(self, "foreign", _checked_foreign(self.foreign))
 
     @property
     def name(self) -> str:
-        """The paint's."""
-        return self.paint.name
+        """The paint's or the colour's; only a flat colour's may be empty."""
+        return self.content.name
+
+    @property
+    def is_flat(self) -> bool:
+        """Whether it is a colour and no paint."""
+        return isinstance(self.content, FlatColour)
 
 
 @dataclass(frozen=True)
 class Group:
-    """Swatches under a name, in the user's order."""
+    """A group by its path, with what is said of it; ``colour`` (``#rrggbb`` or empty) marks it for the eye."""
 
-    name: str
-    swatches: tuple[Swatch, ...] = ()
+    path: GroupPath
     notes: str = ""
+    colour: str = ""
+    foreign: Foreign = ()
 
     def __post_init__(self) -> None:
-        check_text(self.name, "name", longest=200, lines=False, empty=False)
-        object.__setattr__(self, "swatches", _items(self.swatches, "swatches", Swatch, MOST_SWATCHES))
+        _set(self, "path", checked_path(self.path, "path"))
+        if not self.path:
+            raise ValueRangeError("path", "a group has a name")
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
+        _check_colour(self.colour)
+        _set(self, "foreign", _checked_foreign(self.foreign))
+
+    @property
+    def name(self) -> str:
+        """The last name of its path; some programs leave it empty."""
+        return self.path[-1]
 
 
 @dataclass(frozen=True)
 class Palette:
-    """Swatches before all groups, then groups of them.
+    """Entries in the user's order, and the groups that they are in; a group may be empty.
 
-    >>> palette = Palette("Summer", (Swatch(solid_paint("white", (95.0, 0.0, 1.0))),))
-    >>> [swatch.name for swatch in palette]
-    ['white']
+    Groups that entries are in but nobody declared are added, those around a group before it. ``columns`` is how many
+    stand in a row (0: not said).
+
+    >>> palette = Palette("Summer", (Entry(solid_paint("white", (95.0, 0.0, 1.0)), group=("Light",)),))
+    >>> [(entry.id, entry.name) for entry in palette], [group.name for group in palette.groups]
+    ([('1', 'white')], ['Light'])
     """
 
     name: str
-    swatches: tuple[Swatch, ...] = ()
+    entries: tuple[Entry, ...] = ()
     groups: tuple[Group, ...] = ()
     notes: str = ""
+    colour: str = ""
+    columns: int = 0
+    foreign: Foreign = ()
 
     def __post_init__(self) -> None:
-        check_text(self.name, "name", longest=200, lines=False, empty=False)
-        object.__setattr__(self, "swatches", _items(self.swatches, "swatches", Swatch, MOST_SWATCHES))
-        object.__setattr__(self, "groups", _items(self.groups, "groups", Group, _MOST_GROUPS))
-        names = [group.name for group in self.groups]
-        for index, name in enumerate(names):
-            if name in names[:index]:
-                raise ValueRangeError(f"groups[{index}].name", f"the group {name!r} is there twice")
-        if len(self) > MOST_SWATCHES:
-            raise ValueRangeError(
-                "groups", f"{len(self)} swatches in all are more than the {MOST_SWATCHES} allowed"
-            )
+        check_text(self.name, "name", longest=_LONGEST_NAME, lines=False, empty=False)
+        entries = _items(self.entries, "entries", Entry, MOST_ENTRIES)
+        _set(self, "entries", _with_ids(entries))
+        _set(self, "groups", _all_groups(_items(self.groups, "groups", Group, MOST_GROUPS), self.entries))
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
+        _check_colour(self.colour)
+        if (
+            isinstance(self.columns, bool)
+            or not isinstance(self.columns, int)
+            or not 0 <= self.columns <= 10_000
+        ):
+            raise ValueRangeError(
+                "columns", f"a whole number from 0 to 10,000 is wanted, not {describe(self.columns)}"
+            )
+        _set(self, "foreign", _checked_foreign(self.foreign))
 
     def __len__(self) -> int:
-        """Return the number of swatches in all."""
-        return len(self.swatches) + sum(len(group.swatches) for group in self.groups)
+        """Return the number of entries."""
+        return len(self.entries)
 
-    def __iter__(self) -> Iterator[Swatch]:
-        """Yield all swatches in order: those before the groups, then group by group."""
-        yield from self.swatches
-        for group in self.groups:
-            yield from group.swatches
+    def __iter__(self) -> Iterator[Entry]:
+        """Yield the entries in their order."""
+        return iter(self.entries)
+
+    @cached_property
+    def by_id(self) -> Mapping[str, int]:
+        """Where each entry stands, by its id."""
+        return {entry.id: index for index, entry in enumerate(self.entries)}
+
+    def entry(self, id_: str) -> Entry:
+        """Return the entry of an id; :class:`KeyError` where there is none."""
+        return self.entries[self.by_id[id_]]
+
+    def sections(self) -> list[tuple[Group | None, tuple[Entry, ...]]]:
+        """Return the palette as a file with groups tells it: each group once, with the entries directly in it.
+
+        What is in no group is a section without one, as many as there are runs of it. A group stands where its first
+        entry does, an empty one behind the group that was declared before it.
+        """
+        own = {group.path: group for group in self.groups}
+        members: dict[GroupPath, list[Entry]] = {path: [] for path in own}
+        for entry in self.entries:
+            if entry.group:
+                members[entry.group].append(entry)
+        found: list[tuple[Group | None, list[Entry]]] = []
+        told: set[GroupPath] = set()
+        order = list(own)
+        place_of = {path: place for place, path in enumerate(order)}
+        reached = 0
+        for entry in self.entries:
+            if not entry.group:
+                if not found or found[-1][0] is not None:
+                    found.append((None, []))
+                found[-1][1].append(entry)
+            elif entry.group not in told:
+                place = place_of[entry.group]
+                before = [path for path in order[reached:place] if not members[path]]
+                reached = max(reached, place)
+                for path in (*before, entry.group):
+                    told.add(path)
+                    found.append((own[path], members[path]))
+        found += [(own[path], members[path]) for path in order if path not in told]
+        return [(group, tuple(items)) for group, items in found]
 
 
-def _items(value: object, place: str, kind: type, most: int) -> tuple[Any, ...]:
+def new_id() -> str:
+    """Return an id that no other entry has, in whatever palette."""
+    return secrets.token_hex(8)
+
+
+def checked_path(value: object, place: str) -> GroupPath:
+    """Return the path of a group, checked."""
+    names = _items(value, place, str, DEEPEST_GROUP)
+    for index, name in enumerate(names):
+        check_text(name, f"{place}[{index}]", longest=_LONGEST_NAME, lines=False, empty=True)
+    return names
+
+
+def _set(value: object, name: str, item: object) -> None:
+    object.__setattr__(value, name, item)  # frozen values are changed only while they are made
+
+
+def _with_ids(entries: tuple[Entry, ...]) -> tuple[Entry, ...]:
+    """The entries, each with an id; those without get their number, or the next that is free."""
+    taken = {entry.id for entry in entries}
+    if len(taken) == len(entries) and "" not in taken:
+        return entries
+    seen: set[str] = set()
+    filled = []
+    for index, entry in enumerate(entries):
+        if entry.id in seen:
+            raise ValueRangeError(f"entries[{index}].id", f"the id {entry.id!r} is there twice")
+        if not entry.id:
+            number = index + 1
+            while str(number) in taken:
+                number += len(entries)
+            taken.add(str(number))
+            entry = replace(entry, id=str(number))
+        seen.add(entry.id)
+        filled.append(entry)
+    return tuple(filled)
+
+
+def _all_groups(groups: tuple[Group, ...], entries: tuple[Entry, ...]) -> tuple[Group, ...]:
+    declared: dict[GroupPath, Group] = {}
+    for index, group in enumerate(groups):
+        if group.path in declared:
+            raise ValueRangeError(
+                f"groups[{index}].path", f"the group {'/'.join(group.path)!r} is there twice"
+            )
+        declared[group.path] = group
+    found: dict[GroupPath, Group] = {}
+    for path in (*declared, *dict.fromkeys(entry.group for entry in entries)):
+        for depth in range(1, len(path) + 1):
+            around = path[:depth]
+            if around not in found:
+                found[around] = declared.get(around) or Group(around)
+    if len(found) > MOST_GROUPS:
+        raise ValueRangeError("groups", f"{len(found)} are more than the {MOST_GROUPS} allowed")
+    # Unchanged groups stay the same object, so that a comparison of palettes is quick.
+    return groups if list(found.values()) == list(groups) else tuple(found.values())
+
+
+def _checked_foreign(value: object) -> Foreign:
+    if value == ():
+        return ()
+    pairs = _items(value, "foreign", (tuple, list), 64)
+    found = []
+    for index, pair in enumerate(pairs):
+        if len(pair) != 2:
+            raise ValueRangeError(f"foreign[{index}]", "a name and a text are wanted")
+        check_text(pair[0], f"foreign[{index}][0]", longest=200, lines=False, empty=False)
+        check_text(pair[1], f"foreign[{index}][1]", longest=1_000_000, lines=True, empty=True)
+        found.append((pair[0], pair[1]))
+    return tuple(found)
+
+
+def _check_colour(value: object) -> None:
+    if value != "" and (not isinstance(value, str) or not _COLOUR.fullmatch(value)):
+        raise ValueRangeError("colour", f"#rrggbb in lower case is wanted, not {describe(value)}")
+
+
+def _check_date(value: object) -> None:
+    if value == "":
+        return
+    if isinstance(value, str) and _DATE.fullmatch(value):
+        try:
+            datetime.fromisoformat(value)
+        except ValueError:
+            pass
+        else:
+            return
+    raise ValueRangeError("date", f"a date as in 2024-05-31 is wanted, not {describe(value)}")
+
+
+def _items(value: object, place: str, kind: type | tuple[type, ...], most: int) -> tuple[Any, ...]:
     if not isinstance(value, (tuple, list)):
         raise ValueRangeError(place, f"a list is wanted, not {describe(value)}")
     if len(value) > most:
         raise ValueRangeError(place, f"{len(value)} are more than the {most} allowed")
     for index, item in enumerate(value):
         if not isinstance(item, kind):
-            raise ValueRangeError(
-                f"{place}[{index}]", f"a {kind.__name__.lower()} is wanted, not {describe(item)}"
-            )
+            word = "list" if isinstance(kind, tuple) else "text" if kind is str else kind.__name__.lower()
+            raise ValueRangeError(f"{place}[{index}]", f"a {word} is wanted, not {describe(item)}")
     return tuple(value)

@@ -1,33 +1,76 @@
 """Palettes as JSON files: ``.brdfpalette``, with their paints inline.
 
 A paint within is the object of a ``.brdfpaint`` file, its format and version with it: each is brought up to date by
-its own migrations, whatever the palette's version.
+its own migrations, whatever the palette's version. An entry is a line of the file, so that two versions of a palette
+can be compared line by line; fields that have their default are left out.
 """
 
 from __future__ import annotations
 
+import dataclasses
+import gc
+import json
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
 
-from brdf_suite.documents.atomic import encode, write_atomically
+from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.migrations import VERSIONS, open_envelope
-from brdf_suite.documents.palette import Group, Palette, Swatch
+from brdf_suite.documents.palette import MOST_ENTRIES, Entry, Group, Palette
+from brdf_suite.documents.parameter import describe
+from brdf_suite.documents.quick_paint import quick_paint
 from brdf_suite.documents.reading import FieldReader, fill, read_json
 from brdf_suite.documents.store import any_paint_from_json, paint_to_json
 from brdf_suite.errors import DocumentError
 
 PALETTE_ENDING = ".brdfpalette"
+LARGEST_PALETTE = 128 << 20
+"""Bytes; ten thousand paints of six readings have eight million."""
 
 _Path = str | os.PathLike[str]
 
 
 def load_palette(path: _Path) -> Palette:
     """Read a ``.brdfpalette`` file; raise :class:`DocumentError` with the place, or :class:`FileError`."""
-    return palette_from_json(read_json(path), path)
+    with _no_collection():
+        return palette_from_json(read_json(path, LARGEST_PALETTE), path)
 
 
 def save_palette(palette: Palette, path: _Path) -> None:
     """Write a ``.brdfpalette`` file, whole or not at all; raise :class:`FileError` where that fails."""
-    write_atomically(path, encode(palette_to_json(palette)))
+    write_atomically(path, encode_palette(palette))
+
+
+def encode_palette(palette: Palette) -> bytes:
+    """Return the bytes of a palette's file: an entry and a group per line."""
+    with _no_collection():
+        document = palette_to_json(palette)
+        rows = []
+        for name, value in document.items():
+            if name in ("groups", "entries") and isinstance(value, list) and value:
+                lines = ",\n    ".join(_compact(item) for item in value)
+                rows.append(f'  "{name}": [\n    {lines}\n  ]')
+            else:
+                rows.append(f'  "{name}": {_compact(value)}')
+        return ("{\n" + ",\n".join(rows) + "\n}\n").encode("utf-8")
+
+
+def _compact(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+
+
+@contextmanager
+def _no_collection() -> Iterator[None]:
+    """Hold the collector of cycles: half a million new objects make it look through all of them again and again."""
+    running = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if running:
+            gc.enable()
 
 
 def palette_to_json(palette: Palette) -> dict[str, object]:
@@ -36,17 +79,57 @@ def palette_to_json(palette: Palette) -> dict[str, object]:
         "format": "brdfpalette",
         "version": VERSIONS["brdfpalette"],
         "name": palette.name,
-        "notes": palette.notes,
-        "swatches": [_swatch_to_json(swatch) for swatch in palette.swatches],
+        **_changed(palette, ("notes", "colour", "columns", "foreign")),
         "groups": [
-            {
-                "name": group.name,
-                "notes": group.notes,
-                "swatches": [_swatch_to_json(swatch) for swatch in group.swatches],
-            }
+            {"path": list(group.path), **_changed(group, ("notes", "colour", "foreign"))}
             for group in palette.groups
         ],
+        "entries": [entry_to_json(entry) for entry in palette.entries],
     }
+
+
+def entry_to_json(entry: Entry) -> dict[str, object]:
+    """Return the JSON object of an entry; for palettes, the clipboard and drags."""
+    content = entry.content
+    kind = "flat" if isinstance(content, FlatColour) else "paint"
+    inside = flat_to_json(content) if isinstance(content, FlatColour) else paint_to_json(content)
+    return {
+        "id": entry.id,
+        kind: inside,
+        **_changed(entry, ("group", "code", "tags", "notes", "usage", "date", "foreign")),
+    }
+
+
+def flat_to_json(colour: FlatColour) -> dict[str, object]:
+    """Return the JSON object of a flat colour."""
+    return {
+        "name": colour.name,
+        "model": colour.model,
+        "values": list(colour.values),
+        **_changed(colour, ("space", "illuminant", "observer_deg", "wavelengths_nm")),
+        **({"others": [flat_to_json(other) for other in colour.others]} if colour.others else {}),
+    }
+
+
+_DEFAULTS: dict[type, dict[str, object]] = {
+    kind: {field.name: field.default for field in dataclasses.fields(kind)}
+    for kind in (Palette, Group, Entry, FlatColour)
+}
+
+
+def _changed(value: Any, names: tuple[str, ...]) -> dict[str, object]:
+    """The named fields that do not have their default."""
+    defaults = _DEFAULTS[type(value)]
+    found = {name: getattr(value, name) for name in names}
+    return {
+        name: _lists(item) if isinstance(item, tuple) else item
+        for name, item in found.items()
+        if item != defaults[name]
+    }
+
+
+def _lists(value: tuple[Any, ...]) -> list[Any]:
+    return [_lists(item) if isinstance(item, tuple) else item for item in value]
 
 
 def palette_from_json(value: object, path: _Path = "the message") -> Palette:
@@ -59,30 +142,41 @@ def palette_from_json(value: object, path: _Path = "the message") -> Palette:
     """
     reader = open_envelope(value, "brdfpalette", path)
     name = reader.take("name")
-    swatches = _swatches(reader)
     groups = tuple(
-        fill(item, Group, taken={"name": item.take("name"), "swatches": _swatches(item)})
+        fill(item, Group, required=("path",))
         for item in (reader.take_objects("groups") if reader.has("groups") else [])
     )
-    return fill(reader, Palette, taken={"name": name, "swatches": swatches, "groups": groups})
+    items = reader.take_or("entries", [])
+    if not isinstance(items, list):
+        reader.fail(f"a list is wanted, not {describe(items)}", "entries")
+    if len(items) > MOST_ENTRIES:
+        reader.fail(f"{len(items)} are more than the {MOST_ENTRIES} allowed", "entries")
+    entries = tuple(entry_from_json(item, path, f"entries[{index}]") for index, item in enumerate(items))
+    return fill(reader, Palette, taken={"name": name, "groups": groups, "entries": entries})
 
 
-def _swatches(reader: FieldReader) -> tuple[Swatch, ...]:
-    return tuple(
-        fill(item, Swatch, taken={"paint": _paint(item)})
-        for item in (reader.take_objects("swatches") if reader.has("swatches") else [])
-    )
+def entry_from_json(value: object, path: _Path = "the message", place: str = "") -> Entry:
+    """Return the entry in a JSON value; errors as :func:`palette_from_json`."""
+    reader = FieldReader(value, path, place)
+    if reader.has("flat") == reader.has("paint"):
+        reader.fail('one of "paint" and "flat" is wanted')
+    content = _flat(reader.take_object("flat")) if reader.has("flat") else _paint(reader)
+    return fill(reader, Entry, taken={"content": content})
+
+
+def _flat(reader: FieldReader) -> FlatColour:
+    others = tuple(_flat(item) for item in reader.take_objects("others")) if reader.has("others") else ()
+    return fill(reader, FlatColour, required=("name", "model", "values"), taken={"others": others})
 
 
 def _paint(reader: FieldReader) -> object:
     value = reader.take("paint")
+    quick = quick_paint(value)
+    if quick is not None:
+        return quick
     try:
         return any_paint_from_json(value, reader.path)
     except DocumentError as error:
         place = (error.place or "").removeprefix("the top level")
         where = reader.where(f"paint.{place}" if place else "paint")
         raise DocumentError(reader.path, error.reason, where) from error
-
-
-def _swatch_to_json(swatch: Swatch) -> dict[str, object]:
-    return {"paint": paint_to_json(swatch.paint), "tags": list(swatch.tags), "notes": swatch.notes}

@@ -79,6 +79,9 @@ def check_text(value: object, place: str, *, longest: int, lines: bool, empty: b
         raise ValueRangeError(place, f"{len(value)} characters are more than the {longest} allowed")
     if not empty and not value.strip():
         raise ValueRangeError(place, "the text is empty")
+    # What is printable holds no character that is refused, and asking so is a hundred times faster.
+    if value.isprintable():
+        return value
     allowed = "\n\t" if lines else ""
     for character in value:
         # Cc: control characters; Cs: half of a surrogate pair, which UTF-8 cannot hold.

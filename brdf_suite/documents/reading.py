@@ -6,6 +6,7 @@ refused, so that a misspelt field is never silently ignored.
 
 from __future__ import annotations
 
+import functools
 import inspect
 import json
 import os
@@ -93,7 +94,7 @@ def fill(
     values = dict(taken or {})
     for name in required:
         values[name] = reader.take(name)
-    for name in inspect.signature(kind).parameters:
+    for name in _fields_of(kind):
         if name not in values:
             found = reader.take_or(name, _ABSENT)
             if found is not _ABSENT:
@@ -103,8 +104,14 @@ def fill(
         return kind(**values)
 
 
-def read_json(path: str | os.PathLike[str]) -> object:
-    """Return the value in a JSON file.
+@functools.cache
+def _fields_of(kind: Callable[..., object]) -> tuple[str, ...]:
+    """The names that ``kind`` takes; asked once, as a palette holds thousands of objects of a few kinds."""
+    return tuple(inspect.signature(kind).parameters)
+
+
+def read_json(path: str | os.PathLike[str], largest: int = LARGEST_FILE) -> object:
+    """Return the value in a JSON file of at most ``largest`` bytes.
 
     NaN and infinities are let through as floats: the field that holds one refuses it by name, which is a
     better place than a line. A key given twice is refused, since one of the two would be lost.
@@ -116,7 +123,7 @@ def read_json(path: str | os.PathLike[str]) -> object:
     DocumentError
         It is not UTF-8, not JSON, too large or nested too deep; with line and column where they are known.
     """
-    content = _read_bytes(path)
+    content = _read_bytes(path, largest)
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -125,8 +132,8 @@ def read_json(path: str | os.PathLike[str]) -> object:
     def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
         found = dict(pairs)
         if len(found) != len(pairs):
-            names = [name for name, _ in pairs]
-            twice = next(name for name in names if names.count(name) > 1)
+            seen: set[str] = set()
+            twice = next(name for name, _ in pairs if name in seen or seen.add(name))  # type: ignore[func-returns-value]  # None
             raise DocumentError(path, "the field is given twice", twice[:80])
         return found
 
@@ -142,18 +149,16 @@ def read_json(path: str | os.PathLike[str]) -> object:
     return value
 
 
-def _read_bytes(path: str | os.PathLike[str]) -> bytes:
+def _read_bytes(path: str | os.PathLike[str], largest: int) -> bytes:
     try:
         # A pipe or a device would be waited for without end.
         if not stat.S_ISREG(Path(path).stat().st_mode):
             raise FileError(path, "is not a plain file")
         with Path(path).open("rb") as file:
-            content = file.read(LARGEST_FILE + 1)
+            content = file.read(largest + 1)
     except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise FileError(path, f"cannot be read: {reason}") from error
-    if len(content) > LARGEST_FILE:
-        raise DocumentError(
-            path, f"is larger than {LARGEST_FILE // 2**20} MB, too large to be a document of ours"
-        )
+    if len(content) > largest:
+        raise DocumentError(path, f"is larger than {largest // 2**20} MB, too large to be a document of ours")
     return content

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.appearance.flat_colours import paint_of
 from brdf_suite.appearance.flop import flop_index
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint
@@ -79,9 +80,10 @@ def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
         return source.absolute().name, [_item_of(file) for file in files]
     if source.suffix.lower() == PALETTE_ENDING:
         palette = load_palette(source)
-        items = [SheetItem(swatch.name, "", swatch.paint) for swatch in palette.swatches]
-        for group in palette.groups:
-            items += [SheetItem(swatch.name, group.name, swatch.paint) for swatch in group.swatches]
+        items = []
+        for group, entries in palette.sections():
+            title = "" if group is None else ", ".join(group.path)
+            items += [SheetItem(paint.name, title, paint) for paint in (paint_of(e.content) for e in entries)]
         if not items:
             raise FileError(source, "holds no paint")
         return palette.name, items

@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from brdf_suite.appearance.flat_colours import paint_of
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
-from brdf_suite.documents.palette import Swatch
+from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
 from brdf_suite.errors import FileError, SuiteError, ValueRangeError
 from brdf_suite.pipeline.measuring import is_measured_file, load_measurable
@@ -70,16 +71,14 @@ def _of_reflectance(name: str, origin: str, reflectance: Reflectance, notices: t
 
 def _of_palette(path: Path) -> tuple[Standard, ...]:
     palette = load_palette(path)
-    found = [_of_swatch(swatch, f"{path.name}") for swatch in palette.swatches]
-    for group in palette.groups:
-        found += [_of_swatch(swatch, f"{path.name}, {group.name}") for swatch in group.swatches]
+    found = [_of_entry(entry, ", ".join((path.name, *entry.group))) for entry in palette]
     if not found:
         raise FileError(path, "holds no paint, so there is no standard in it")
     return tuple(found)
 
 
-def _of_swatch(swatch: Swatch, origin: str) -> Standard:
-    return _of_paint(swatch.paint, origin)
+def _of_entry(entry: Entry, origin: str) -> Standard:
+    return _of_paint(paint_of(entry.content), origin)
 
 
 def _of_handover(path: Path) -> tuple[Standard, ...]:

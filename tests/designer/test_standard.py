@@ -15,7 +15,7 @@ from brdf_suite.appearance.difference import delta_e_2000, delta_e_cmc
 from brdf_suite.appearance.tolerance import Limits
 from brdf_suite.appearance.words import PATTERNS, WORDS
 from brdf_suite.documents.paint import Measurement
-from brdf_suite.documents.palette import Palette, Swatch
+from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import ValueRangeError
@@ -169,7 +169,7 @@ def test_a_palette_is_loaded_and_one_of_its_paints_chosen(
     designer, control, dialogs, qtbot, tmp_path
 ) -> None:
     path = tmp_path / "season.brdfpalette"
-    save_palette(Palette("Season", tuple(Swatch(load_shipped_paint(n)) for n in ("red", "blue"))), path)
+    save_palette(Palette("Season", tuple(Entry(load_shipped_paint(n)) for n in ("red", "blue"))), path)
     dialogs.path = path
     entry(control, "From a &File…").trigger()
     qtbot.waitUntil(lambda: control.standard is not None)

@@ -16,7 +16,7 @@ from PIL import Image, ImageCms, ImageDraw
 
 from brdf_suite.appearance.colorimetry import REC709_TO_WORKING
 from brdf_suite.documents.paint import Gloss, solid_paint
-from brdf_suite.documents.palette import Group, Palette, Swatch
+from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint, view_from_json
 from brdf_suite.documents.view import Camera, View
@@ -270,7 +270,8 @@ def feed_black(feed, size: tuple[int, int]) -> None:
 
 def palette() -> Palette:
     impossible = solid_paint("Impossible", (20.0, 0.0, 0.0), Gloss(5.0, 95.0))
-    return Palette("Summer", (Swatch(WHITE),), (Group("Blues", (Swatch(BLUE), Swatch(impossible))),))
+    blues = [Entry(paint, group=("Blues",)) for paint in (BLUE, impossible)]
+    return Palette("Summer", (Entry(WHITE), *blues))
 
 
 def test_a_sheet_of_a_palette(tmp_path: Path) -> None:
@@ -297,7 +298,7 @@ def test_a_sheet_of_a_palette(tmp_path: Path) -> None:
 def test_the_head_of_a_narrow_sheet_takes_the_lines_that_it_needs(tmp_path: Path) -> None:
     source, path = tmp_path / "a.brdfpalette", tmp_path / "sheet.png"
     long = "What our customers asked for in the summer of this year and of the one before"
-    save_palette(Palette(long, (Swatch(WHITE),)), source)
+    save_palette(Palette(long, (Entry(WHITE),)), source)
     narrow = write_sheet(source, VIEW, (80, 60), path, 1)
     with Image.open(path) as image:
         rows = np.flatnonzero((np.asarray(image)[: narrow.height - 120] == 0).all(axis=2).any(axis=1))

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from brdf_suite.appearance.difference import delta_e_2000, delta_e_cmc
 from brdf_suite.appearance.tolerance import Limits, Tolerances
 from brdf_suite.documents.paint import Gloss, Measurement, Paint, solid_paint
-from brdf_suite.documents.palette import Group, Palette, Swatch
+from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import FileError, SuiteError
@@ -121,9 +121,8 @@ def test_standards_of_paint_files_and_names(blue: Paint, tmp_path: Path) -> None
 
 def test_every_paint_of_a_palette(blue: Paint, tmp_path: Path) -> None:
     path = tmp_path / "season.brdfpalette"
-    swatches = (Swatch(solid_paint("white", (95.0, 0.0, 1.0))),)
-    group = Group("metallics", (Swatch(blue), Swatch(find_any_paint("table1_blue"))))
-    save_palette(Palette("Season", swatches, (group,)), path)
+    metallics = [Entry(paint, group=("metallics",)) for paint in (blue, find_any_paint("table1_blue"))]
+    save_palette(Palette("Season", (Entry(solid_paint("white", (95.0, 0.0, 1.0))), *metallics)), path)
     found = load_standards(path)
     assert [standard.name for standard in found] == ["white", blue.name, "Blue"]
     assert found[1].origin == "season.brdfpalette, metallics"

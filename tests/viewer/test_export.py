@@ -15,7 +15,7 @@ from PIL import Image
 from PySide6.QtGui import QAction
 
 from brdf_suite.documents.paint import solid_paint
-from brdf_suite.documents.palette import Palette, Swatch
+from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.view import View
 
@@ -90,7 +90,7 @@ def test_exr_turntable_and_sheet(exporting, tmp_path) -> None:
         "frame_0002.png",
     ]
     palette = tmp_path / "Two.brdfpalette"
-    save_palette(Palette("Two", (Swatch(solid_paint("White", (95.0, 0.0, 1.0))),)), palette)
+    save_palette(Palette("Two", (Entry(solid_paint("White", (95.0, 0.0, 1.0))),)), palette)
     run(exporting, ExportSettings("sheet", FORMATS["sheet"][0], (40, 30), source=str(palette)))
     with Image.open(exporting.folder / "Two.png") as image:
         assert image.info["Title"] == "Two"

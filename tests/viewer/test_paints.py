@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from brdf_suite.documents.paint import solid_paint
-from brdf_suite.documents.palette import Group, Palette, Swatch
+from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.pipeline.scene import paint_names
 
@@ -17,9 +17,13 @@ COLOURS = {"white": (95.0, 0.0, 1.0), "sky": (60.0, -10.0, -30.0), "brick": (40.
 
 @pytest.fixture
 def palette(tmp_path):
-    swatches = [Swatch(solid_paint(name, lab)) for name, lab in COLOURS.items()]
+    groups = ((), ("Warm",), ("Warm",), ("Warm",))
+    entries = [
+        Entry(solid_paint(name, lab), group=group)
+        for (name, lab), group in zip(COLOURS.items(), groups, strict=False)
+    ]
     path = tmp_path / "summer.brdfpalette"
-    save_palette(Palette("Summer", (swatches[0],), (Group("Warm", tuple(swatches[1:])),)), path)
+    save_palette(Palette("Summer", tuple(entries)), path)
     return path
 
 
@@ -71,7 +75,7 @@ def test_a_paint_of_a_palette_that_cannot_be_is_told_and_gone_past(viewer, tmp_p
     good, other = (solid_paint(name, COLOURS[name]) for name in ("sky", "brick"))
     impossible = replace(other, name="too glossy", gloss=replace(other.gloss, gu_20=200.0, gu_60=1.0))
     path = tmp_path / "mixed.brdfpalette"
-    save_palette(Palette("Mixed", (Swatch(good), Swatch(impossible), Swatch(other))), path)
+    save_palette(Palette("Mixed", (Entry(good), Entry(impossible), Entry(other))), path)
     viewer.controller.open_file(str(path))
     viewer.window.commands.step_wanted.emit(1)
     assert "paint" in viewer.messages()
