@@ -20,7 +20,8 @@ from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.context import Context, create_context
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.light_block import NO_LIGHTS, DistantLights
-from brdf_suite.realtime.renderer import SECOND_PAINT, Renderer
+from brdf_suite.realtime.offscreen import SECOND_PAINT
+from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.values import (
     CubeFaces,
     EnvironmentMaps,

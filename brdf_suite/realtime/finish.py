@@ -10,7 +10,7 @@ import numpy as np
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.display import Display, Unshowable
 from brdf_suite.realtime.gpu_objects import GpuObjects
-from brdf_suite.realtime.programs import Programs, assign
+from brdf_suite.realtime.programs import Programs, ScreenProgram, assign
 from brdf_suite.realtime.tone_curves import TONE_CURVE_NUMBERS
 
 _LIGHT_UNIT, _CODES_UNIT = 0, 1
@@ -48,6 +48,18 @@ class FinishPass:
         assign(program, values | self._display_uniforms(view, display))
         light.use(_LIGHT_UNIT)
         screen.render(moderngl.TRIANGLES, vertices=3)
+
+    def captured(self, view: View, display: Display, samples: int) -> ScreenProgram:
+        """Return the program that finishes pictures out of a shaded list (:mod:`.captured`), ready but for the list."""
+        program, screen = self._programs.finish(samples, captured=True)
+        values = {
+            "exposure": 2.0**view.exposure_ev,
+            "as_radiance": display.linear,
+            "dithered": display.dithered,
+            "transparent": False,
+        }
+        assign(program, values | self._display_uniforms(view, display))
+        return program, screen
 
     def count(self, light: moderngl.Texture, view: View, display: Display) -> Unshowable:
         """Count the object's pixels that ``display`` cannot show, by occlusion queries into the bound framebuffer."""

@@ -5,6 +5,7 @@ The counts are the proof that a path makes none: an edit of a paint must write a
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
@@ -88,6 +89,13 @@ class GpuObjects:
         """Make a framebuffer of one colour texture."""
         with graphics_errors(self.context, "making a framebuffer"):
             return self._keep("framebuffer", self.context.framebuffer([colour], depth))
+
+    def framebuffer_of(
+        self, colours: Sequence[moderngl.Texture], depth: moderngl.Renderbuffer
+    ) -> moderngl.Framebuffer:
+        """Make a framebuffer of several colour textures."""
+        with graphics_errors(self.context, "making a framebuffer of several images"):
+            return self._keep("framebuffer", self.context.framebuffer(list(colours), depth))
 
     def query(self) -> Any:
         """Make a query that counts samples; it goes with the context."""

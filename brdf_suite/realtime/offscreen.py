@@ -12,13 +12,19 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.realtime.captured import LARGEST_EDGE, CapturedForm, Drawing, capture
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.display import LINEAR, SRGB, Display, Unshowable
+from brdf_suite.realtime.features import surface_features
 from brdf_suite.realtime.finish import FinishPass
+from brdf_suite.realtime.programs import Features
 from brdf_suite.realtime.strips import LARGEST_TILE, draw_strips, tile_limit
 from brdf_suite.realtime.target import LightTarget, PictureTarget
 
 DEFAULT_SAMPLES = 4
+
+PAINT, SECOND_PAINT = "paint", "paint_two"
+"""The material that relief and masks belong to, and the one that is blended over it."""
 
 Size = tuple[int, int]
 Corner = tuple[int, int]
@@ -36,6 +42,9 @@ class OffscreenPictures:
     _picture: PictureTarget
     _finish: FinishPass
     _draw_light: Callable[..., moderngl.Texture]
+
+    _drawing: Drawing
+    _drawn_parts: Callable[..., list[tuple[int, str, Features]]]
 
     def _bind(self, target: moderngl.Framebuffer, size: Size, region: Region | None = None) -> None:
         """Make ``target`` the one that the second pass writes into."""
@@ -76,6 +85,36 @@ class OffscreenPictures:
     def linear_image(self, view: View, size: Size, samples: int = DEFAULT_SAMPLES) -> NDArray[Any]:
         """Return radiance of the working space and the object's share of each pixel, (h, w, 4) float32."""
         return self.render_image(view, size, samples, display=LINEAR)
+
+    def capture(self, view: View, size: Size, samples: int = DEFAULT_SAMPLES) -> CapturedForm:
+        """Return the mesh as this view shows it, to be shaded with many paints at little cost each.
+
+        Its pictures are those of :meth:`render_image` at the same size. It is sound until mesh or light change, and
+        the caller releases it.
+
+        Raises
+        ------
+        ValueRangeError
+            The picture is larger than 512 pixels, or the view has what belongs to one paint's picture: lamps, a
+            normal map, orange peel, a second paint.
+        """
+        size = checked_size(size)
+        if max(size) > LARGEST_EDGE:
+            raise ValueRangeError("size", f"at most {LARGEST_EDGE} pixels along an edge are captured")
+        if view.lamps or view.relief.normal_map is not None or view.relief.orange_peel > 0.0:
+            raise ValueRangeError(
+                "view", "lamps and relief are not captured; draw such a view paint by paint"
+            )
+        if view.two_tone.mask is not None and view.two_tone.paint is not None:
+            raise ValueRangeError("view", "two paints on one form are not captured")
+        with graphics_errors(self.context, "capturing a form"):
+            light = self._draw_light(view, self._tile, size, min(samples, 4), size)
+            features = surface_features(
+                view, knows_light=self._drawing.mesh.knows_light, smooth=light.samples > 1
+            )
+            drawn = self._drawn_parts(view, features)
+            parts = [(part, name == PAINT) for part, name, _ in drawn]
+            return capture(self._drawing, view, size, features, parts, light)
 
     def linear_tile(
         self,

@@ -12,12 +12,14 @@ from brdf_suite.realtime.gpu_objects import GpuObjects
 from brdf_suite.realtime.light_lobes import COLUMNS
 from brdf_suite.realtime.look_up_table import RAMP_NODES
 from brdf_suite.realtime.material_ramp import MAX_BROAD, MAX_ROWS, MAX_SHARP
-from brdf_suite.realtime.shader_source import SHADERS, compose, look_up_defines
+from brdf_suite.realtime.shader_source import SHADERS, ShaderSource, compose, look_up_defines
 
 MATERIAL_BINDING = 0
 LIGHTS_BINDING = 3
 _BLOCKS = {"Material": MATERIAL_BINDING, "Lights": LIGHTS_BINDING}
 LIGHT_LOBES_UNIT = 15
+PLACES_UNIT = 12
+"""Of a captured form's list; a form is captured without a normal map, whose unit it is otherwise."""
 RELIEF_UNITS = {"normal_slopes": 12, "peel_slopes": 13, "paint_mask": 14}
 
 ScreenProgram = tuple[moderngl.Program, moderngl.VertexArray]
@@ -41,6 +43,9 @@ def assign(program: moderngl.Program, values: Mapping[str, object]) -> None:
 
 Features = frozenset[str]
 """What of the surface shader is compiled in, by the words that its files test with ``#ifdef``."""
+
+CAPTURED = "CAPTURED"
+"""The feature of a program that shades a list of places instead of a mesh (:mod:`.captured`)."""
 
 
 @dataclass(frozen=True)
@@ -79,52 +84,81 @@ class Programs:
         self._objects = objects
         self._surface_shader = surface_shader or SHADERS / "mesh.frag.glsl"
         self._surfaces: dict[tuple[LookUps, Features], moderngl.Program] = {}
-        self._screen: dict[tuple[str, int], ScreenProgram] = {}
+        self._captured: dict[tuple[LookUps, Features], ScreenProgram] = {}
+        self._screen: dict[tuple[str, int, bool], ScreenProgram] = {}
 
     def surface(self, look_ups: LookUps, features: Features = frozenset()) -> moderngl.Program:
         """Return the program that shades surfaces with so many look-ups and these features."""
         key = (look_ups, features)
         if key not in self._surfaces:
             words = dict.fromkeys(sorted(features), "1")
-            limits = {
-                "MAX_BROAD": str(MAX_BROAD),
-                "MAX_SHARP": str(MAX_SHARP),
-                "RAMP_ROWS": str(MAX_ROWS),
-                "RAMP_NODES": str(RAMP_NODES),
-                "LIGHT_LOBE_COLUMNS": str(COLUMNS),
-            }
-            fragment = compose(
-                self._surface_shader.name,
-                look_up_defines(look_ups.broad, look_ups.sharp) | limits | words,
-                (self._surface_shader.parent, SHADERS),
-            )
-            program = self._objects.program(compose("mesh.vert.glsl", words), fragment)
-            for name, binding in _BLOCKS.items():
-                block = program.get(name, None)
-                if isinstance(block, moderngl.UniformBlock):
-                    block.binding = binding
-            # At once: two kinds of samplers must never stand at one unit, not even while a program warms up.
-            assign(program, {"light_lobes": LIGHT_LOBES_UNIT} | RELIEF_UNITS)
-            self._surfaces[key] = program
+            vertex = compose("screen.vert.glsl" if CAPTURED in features else "mesh.vert.glsl", words)
+            self._surfaces[key] = self._shading(vertex, look_ups, words)
         return self._surfaces[key]
+
+    def _shading(self, vertex: ShaderSource, look_ups: LookUps, words: Mapping[str, str]) -> moderngl.Program:
+        limits = {
+            "MAX_BROAD": str(MAX_BROAD),
+            "MAX_SHARP": str(MAX_SHARP),
+            "RAMP_ROWS": str(MAX_ROWS),
+            "RAMP_NODES": str(RAMP_NODES),
+            "LIGHT_LOBE_COLUMNS": str(COLUMNS),
+        }
+        fragment = compose(
+            self._surface_shader.name,
+            look_up_defines(look_ups.broad, look_ups.sharp) | limits | dict(words),
+            (self._surface_shader.parent, SHADERS),
+        )
+        program = self._objects.program(vertex, fragment)
+        for name, binding in _BLOCKS.items():
+            block = program.get(name, None)
+            if isinstance(block, moderngl.UniformBlock):
+                block.binding = binding
+        # At once: two kinds of samplers must never stand at one unit, not even while a program warms up.
+        assign(program, {"light_lobes": LIGHT_LOBES_UNIT, "places": PLACES_UNIT} | RELIEF_UNITS)
+        return program
+
+    def capture(self, features: Features) -> moderngl.Program:
+        """Return the program that draws what shading asks of a surface's places, for those features."""
+        key = (LookUps(0, 0), features)
+        if key not in self._surfaces:
+            words = dict.fromkeys(sorted(features), "1")
+            self._surfaces[key] = self._objects.program(
+                compose("mesh.vert.glsl", words), compose("capture.frag.glsl", words)
+            )
+        return self._surfaces[key]
+
+    def captured(self, look_ups: LookUps, features: Features) -> ScreenProgram:
+        """Return the program that shades a list of captured places, and its vertex array."""
+        key = (look_ups, features)
+        if key not in self._captured:
+            program = self.surface(look_ups, features | {CAPTURED})
+            self._captured[key] = (program, self._objects.vertex_array(program))
+        return self._captured[key]
+
+    def unpack(self, samples: int) -> ScreenProgram:
+        """Return the program that lays the ``samples`` of each pixel side by side, and its vertex array."""
+        return self._full_screen("unpack.frag.glsl", samples)
 
     def background(self) -> ScreenProgram:
         """Return the program of the background and the vertex array to draw it with."""
         return self._full_screen("background.frag.glsl", 0)
 
-    def finish(self, samples: int) -> ScreenProgram:
-        """Return the program that takes ``samples`` to the screen, and its vertex array."""
-        return self._full_screen("finish.frag.glsl", samples)
+    def finish(self, samples: int, *, captured: bool = False) -> ScreenProgram:
+        """Return the program that takes ``samples`` to the screen, and its vertex array.
+
+        ``captured``: the samples are those of a list that was shaded apart (samples.glsl).
+        """
+        return self._full_screen("finish.frag.glsl", samples, captured)
 
     def count(self, samples: int) -> ScreenProgram:
         """Return the program whose fragments are counted, and its vertex array."""
         return self._full_screen("count.frag.glsl", samples)
 
-    def _full_screen(self, fragment: str, samples: int) -> ScreenProgram:
-        key = (fragment, samples)
+    def _full_screen(self, fragment: str, samples: int, captured: bool = False) -> ScreenProgram:
+        key = (fragment, samples, captured)
         if key not in self._screen:
-            program = self._objects.program(
-                compose("screen.vert.glsl"), compose(fragment, {"SAMPLES": str(samples)})
-            )
+            words = {"SAMPLES": str(samples)} | ({CAPTURED: "1"} if captured else {})
+            program = self._objects.program(compose("screen.vert.glsl"), compose(fragment, words))
             self._screen[key] = (program, self._objects.vertex_array(program))
         return self._screen[key]

@@ -28,6 +28,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.backdrop import backdrop
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
+from brdf_suite.realtime.captured import Drawing
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.display import SRGB, Display, Unshowable
 from brdf_suite.realtime.environment_textures import RAMP_UNIT, EnvironmentTextures
@@ -41,6 +42,8 @@ from brdf_suite.realtime.mesh_buffers import MeshBuffers
 from brdf_suite.realtime.offscreen import (
     AS_THEY_ARE,
     DEFAULT_SAMPLES,
+    PAINT,
+    SECOND_PAINT,
     Corner,
     OffscreenPictures,
     Region,
@@ -59,9 +62,7 @@ from brdf_suite.realtime.relief_textures import ReliefTextures
 from brdf_suite.realtime.single_lights import SingleLights
 from brdf_suite.realtime.target import LightTarget, PictureTarget
 from brdf_suite.realtime.values import EnvironmentMaps, GroundField, MaterialWeights, MeshPart
-
-PAINT, SECOND_PAINT = "paint", "paint_two"
-"""The material that relief and masks belong to, and the one that is blended over it."""
+from brdf_suite.realtime.view_uniforms import columns, view_uniforms
 
 
 class Renderer(OffscreenPictures):
@@ -86,6 +87,15 @@ class Renderer(OffscreenPictures):
         self.screen: Display = SRGB
         self._ground = GroundShadow(self._objects)
         self._relief = ReliefTextures(self._objects)
+        self._drawing = Drawing(
+            self._objects,
+            self._programs,
+            self._environment,
+            self._mesh,
+            self._materials,
+            self._single_lights,
+            self._finish,
+        )
         self._warm: tuple[int, int, Features] | None = None
 
     @property
@@ -288,9 +298,9 @@ class Renderer(OffscreenPictures):
     ) -> None:
         common = (
             self._environment.uniforms()
-            | _view_uniforms(view)
+            | view_uniforms(view)
             | {
-                "world_to_clip": _columns(cropping @ camera.world_to_clip),
+                "world_to_clip": columns(cropping @ camera.world_to_clip),
                 "eye": tuple(camera.eye),
                 "grounded": view.surface_look.ground,
             }
@@ -350,7 +360,7 @@ class Renderer(OffscreenPictures):
         height = self._ground.height
         if view.surface_look.ground and height is not None and camera.eye[1] > height:
             self._ground.draw(
-                _columns(cropping @ camera.world_to_clip),
+                columns(cropping @ camera.world_to_clip),
                 float(np.radians(view.rotation_deg)),
                 light_matrix(view.light_colour.illuminant, view.light_colour.adapted),
             )
@@ -372,24 +382,10 @@ class Renderer(OffscreenPictures):
     def _draw_background(self, view: View, camera: CameraMatrices, size: Size, corner: Corner) -> None:
         program, screen = self._programs.background()
         own = {
-            "view_to_world": _columns(camera.view_to_world),
+            "view_to_world": columns(camera.view_to_world),
             "half_tangents": camera.half_tangents,
             "frame": (*corner, 1.0 / size[0], 1.0 / size[1]),
             **backdrop(view, self._environment.ladder),
         }
-        assign(program, self._environment.uniforms() | _view_uniforms(view) | own)
+        assign(program, self._environment.uniforms() | view_uniforms(view) | own)
         screen.render(moderngl.TRIANGLES, vertices=3)
-
-
-def _view_uniforms(view: View) -> dict[str, object]:
-    turn = np.radians(view.rotation_deg)
-    return {
-        "light_turn": (float(np.cos(turn)), float(np.sin(turn))),
-        "light_colour": _columns(light_matrix(view.light_colour.illuminant, view.light_colour.adapted)),
-        "exposure": 2.0**view.exposure_ev,
-    }
-
-
-def _columns(matrix: NDArray[np.float64]) -> tuple[float, ...]:
-    # OpenGL wants a matrix column by column.
-    return tuple(matrix.T.ravel().tolist())

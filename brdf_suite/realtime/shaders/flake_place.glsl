@@ -14,6 +14,9 @@ struct FlakePlace
 
 FlakePlace flake_place(SurfacePoint p)
 {
+#ifdef CAPTURED
+    return FlakePlace(p.place, p.place_across, p.place_down);
+#else
     vec3 across = 1e3 * dFdx(p.position), down = 1e3 * dFdy(p.position);
     if (has_uv)
         return FlakePlace(p.uv, dFdx(p.uv), dFdy(p.uv));
@@ -24,6 +27,7 @@ FlakePlace flake_place(SurfacePoint p)
     if (size.y >= size.z)
         return FlakePlace(place.xz + 4096.0, across.xz, down.xz);
     return FlakePlace(place.xy - 4096.0, across.xy, down.xy);
+#endif
 }
 
 // Rows: two tangents and the normal, without a square root or a branch (Duff et al., JCGT 6(1), 2017). It stands still

@@ -25,9 +25,9 @@ uniform vec3 sharp_lobes[SHARP];        // scale of the map, log2(texels per rad
 
 // The cosine below which one pixel cannot tell angles apart: its normals turn by so much. An edge rounded within
 // a pixel shows the mean of F over its angles, not the F near 1 of the one that the pixel's middle happens to hit.
-float finest_cosine(vec3 n)
+float finest_cosine(SurfacePoint p)
 {
-    vec3 across = dFdx(n), down = dFdy(n);
+    vec3 across = ACROSS(p.normal, p.normal_across), down = DOWN(p.normal, p.normal_down);
     return min(0.5 * sqrt(max(dot(across, across), dot(down, down))), 0.7);
 }
 
@@ -74,7 +74,7 @@ vec3 looked_at(vec3 r, vec3 n, float c, vec4 b)
 
 vec3 reflected_radiance(SurfacePoint p)
 {
-    float finest = finest_cosine(p.normal);
+    float finest = finest_cosine(p);
     float c = max(dot(p.normal, p.view), finest);
     vec3 n = to_environment(p.normal);
     vec3 r = to_environment(2.0 * dot(p.normal, p.view) * p.normal - p.view);
@@ -106,7 +106,7 @@ vec3 reflected_radiance(SurfacePoint p)
 #endif
     // How far the mirror direction turns from pixel to pixel, in radians; in texels of a map it is 2^level times as
     // much, and the mip level follows. Taken once, not per map, and not fooled by the edges of faces.
-    vec3 across = dFdx(r), down = dFdy(r);
+    vec3 across = ACROSS(r, p.mirror_across), down = DOWN(r, p.mirror_down);
     float turns = max(dot(across, across), dot(down, down));
 #ifdef SMOOTH_REFLECTIONS
     // Multisampling shades once a pixel: an edge of light seen in the coat would be a stair where an edge of the body

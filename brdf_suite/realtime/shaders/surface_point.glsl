@@ -3,14 +3,25 @@
 //
 // Everything that shading asks of the place that a pixel shows. What a feature does not provide has the value of a
 // plain surface: an open place, and a coat that lies flat on the base.
+//
+// With CAPTURED the places come from captured.glsl instead of a mesh: a form's fragments, drawn once and shaded with many
+// paints. What derivatives they had is kept with them; ACROSS and DOWN take the one or the other.
 #include "facing.glsl"
 #include "relief.glsl"
+
+#ifdef CAPTURED
+#define ACROSS(value, kept) (kept)
+#define DOWN(value, kept) (kept)
+#else
+#define ACROSS(value, kept) dFdx(value)
+#define DOWN(value, kept) dFdy(value)
 
 in vec3 world_position;
 in vec3 world_normal;
 in vec2 surface_uv;
 #ifdef OCCLUSION
 in vec4 arriving_light;
+#endif
 #endif
 
 struct SurfacePoint
@@ -24,8 +35,16 @@ struct SurfacePoint
     float occlusion;     // share of a uniform light's irradiance that arrives, 0 to 1
     float base_spread;   // root mean square slope of relief too fine for this pixel, of the base
     float coat_spread;   // and of the coat
+#ifdef CAPTURED
+    vec3 normal_across, normal_down;    // from pixel to pixel: of the normal
+    vec3 mirror_across, mirror_down;    // of the mirror direction, in the environment's axes
+    vec2 place, place_across, place_down;    // of the flakes, mm (flake_place.glsl)
+#endif
 };
 
+#ifdef CAPTURED
+#include "captured.glsl"
+#else
 SurfacePoint surface_point(vec3 eye)
 {
     SurfacePoint p;
@@ -66,3 +85,4 @@ SurfacePoint surface_point(vec3 eye)
 #endif
     return p;
 }
+#endif

@@ -1,0 +1,24 @@
+"""What of a view every surface and the background are drawn with, by the names of the shaders' uniforms."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.light_matrix import light_matrix
+from brdf_suite.documents.view import View
+
+
+def view_uniforms(view: View) -> dict[str, object]:
+    """Return turn and colour of the light, and the exposure as a factor."""
+    turn = np.radians(view.rotation_deg)
+    return {
+        "light_turn": (float(np.cos(turn)), float(np.sin(turn))),
+        "light_colour": columns(light_matrix(view.light_colour.illuminant, view.light_colour.adapted)),
+        "exposure": 2.0**view.exposure_ev,
+    }
+
+
+def columns(matrix: NDArray[np.float64]) -> tuple[float, ...]:
+    """Return a matrix column by column, as OpenGL wants it."""
+    return tuple(matrix.T.ravel().tolist())
