@@ -125,7 +125,7 @@ class Designer:
     def is_complete(self) -> bool:
         """Whether all that follows by itself is there: slow work after the last edit, pictures, small and large."""
         parts = [part for part in self.sections if isinstance(part, Unhurried)]
-        return self.desk.is_quiet and all(part.is_complete for part in parts)
+        return self.controller.is_complete and self.desk.is_quiet and all(part.is_complete for part in parts)
 
     def start(self) -> None:
         """Do what can wait until the window is painted: plot, link, and unsaved work of earlier runs."""

@@ -17,6 +17,8 @@ class Caption(QLabel):
     def __init__(self, *forms: str) -> None:
         super().__init__()
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        # Filled, it is drawn without all that lies behind it.
+        self.setAutoFillBackground(True)
         self._forms: tuple[str, ...] = ("",)
         self._widths: dict[str, int] = {}
         self.set_forms(*forms)

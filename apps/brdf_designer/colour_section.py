@@ -132,6 +132,7 @@ class Swatch(QAbstractButton):
         self._colour = QColor()
         self._in_gamut = True
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setAutoFillBackground(True)
 
     def show_colour(self, colour: AngleColour) -> None:
         """Show the colour of a measurement."""

@@ -7,10 +7,18 @@ from typing import Any, Protocol
 
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.translation import tr
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 
 from brdf_designer.desk import Desk
-from brdf_designer.desk_state import Colours, FitState, TabState, colours_of, fit_state_of
+from brdf_designer.desk_state import (
+    Colours,
+    Curves,
+    FitState,
+    TabState,
+    colours_of,
+    curves_of,
+    fit_state_of,
+)
 from brdf_designer.fields import Key, edited, step_name
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
@@ -24,7 +32,10 @@ class View(Protocol):
         """Show the document."""
 
     def show_fit(self, state: FitState) -> None:
-        """Show reflectance and fit, fresh."""
+        """Show reflectance and fit, fresh; what lies between the angles comes by :meth:`show_curves`."""
+
+    def show_curves(self, curves: Curves) -> None:
+        """Show what model and lobes give over the aspecular angle, fresh."""
 
     def mark_fit_stale(self) -> None:
         """Say that what is drawn of reflectance and fit is of the last paint that could be."""
@@ -58,6 +69,13 @@ class Controller(QObject):
         super().__init__(parent)
         self._view, self._desk, self._documents = view, desk, desk.documents
         self._refused = False
+        # Numbers and patches are set and painted first; strip and curves follow in the next turn of the event loop,
+        # once for all the edits of one turn.
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.setInterval(0)
+        self._later.timeout.connect(self._show_curves)
+        self._uncurved: PaintFit | None = None
         desk.document_switched.connect(self._switch)
         desk.paint_changed.connect(self._show_paint)
         desk.fit_changed.connect(self._show_fit)
@@ -68,6 +86,11 @@ class Controller(QObject):
         self._documents.front_changed.connect(self._show_tabs)
         self._documents.failed.connect(view.show_message)
         self._documents.succeeded.connect(view.dismiss_message)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether strip and curves are of the paint that the numbers are of, or of the last one that can be."""
+        return self._uncurved is None
 
     def start(self) -> None:
         """Show everything for the first time."""
@@ -141,8 +164,18 @@ class Controller(QObject):
     def _show_fit(self, fit: PaintFit) -> None:
         self._view.dismiss_message("fit")
         self._view.show_fit(fit_state_of(fit))
+        self._uncurved = fit
+        if not self._later.isActive():
+            self._later.start()
+
+    def _show_curves(self) -> None:
+        fit, self._uncurved = self._uncurved, None
+        if fit is not None:
+            self._view.show_curves(curves_of(fit))
 
     def _show_refusal(self, error: SuiteError) -> None:
+        # What stays, as stale, is the last paint that could be.
+        self._show_curves()
         self._view.mark_fit_stale()
         self._view.show_message(_refusal(error))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -20,7 +21,6 @@ from brdf_suite.pipeline.paint import PaintFit
 
 FLOP_ANGLES_DEG = (15.0, 45.0, 110.0)
 _CURVE_STEP_DEG = 1.0
-_STRIP_SAMPLES = 96
 Floats = NDArray[np.float64]
 
 
@@ -85,7 +85,6 @@ class FitState:
     ``time_limited``: the limit came before the optimum; ``exact_follows``: which is still looked for.
     """
 
-    curves: Curves
     given: tuple[GivenColour, ...]
     delta_e: tuple[float, ...]
     worst_delta_e: float
@@ -126,7 +125,6 @@ def colours_of(paint: Paint) -> Colours:
 def fit_state_of(fit: PaintFit) -> FitState:
     """Return what the reflectance and its lobes give."""
     return FitState(
-        curves=_curves(fit),
         given=_given(fit),
         delta_e=tuple(row.delta_e_2000 for row in fit.angles),
         worst_delta_e=fit.worst_delta_e,
@@ -157,14 +155,16 @@ def _flop(paint: Paint) -> FlopIndex | None:
 @lru_cache(maxsize=8)
 def _directions(
     light_deg: float, nearest_deg: float, first_deg: float, last_deg: float
-) -> tuple[Floats, Floats, Floats]:
-    """Return γ (k,) of curve and strip together, wi (3,), wo (k, 3): the same from edit to edit."""
-    gamma = np.arange(nearest_deg, last_deg + _CURVE_STEP_DEG / 2, _CURVE_STEP_DEG)
-    gamma = np.concatenate((gamma, np.linspace(first_deg, last_deg, _STRIP_SAMPLES)))
-    return gamma, illumination(light_deg), aspecular_view(light_deg, gamma)
+) -> tuple[int, Floats, Floats, Floats]:
+    """Return where the strip begins in γ, γ (k,), wi (3,), wo (k, 3): the same from edit to edit."""
+    before = np.arange(nearest_deg, first_deg, _CURVE_STEP_DEG)
+    steps = max(1, math.ceil((last_deg - first_deg) / _CURVE_STEP_DEG))
+    gamma = np.concatenate((before, np.linspace(first_deg, last_deg, steps + 1)))
+    return len(before), gamma, illumination(light_deg), aspecular_view(light_deg, gamma)
 
 
-def _curves(fit: PaintFit) -> Curves:
+def curves_of(fit: PaintFit) -> Curves:
+    """Return what the model and its lobes give over the aspecular angle: half a millisecond, so not of a state."""
     readings = fit.paint.measurements
     # The light that most readings have is the one whose curve the rule was found for.
     light = fit.paint.main_light_deg
@@ -172,17 +172,15 @@ def _curves(fit: PaintFit) -> Curves:
     # The strip lies on the normal's side of the mirror direction, where near and far are.
     this_side = [angle for angle in angles if angle >= 0.0] or angles
     first, last = min(this_side), max(this_side)
-    gamma, wi, wo = _directions(light, min(0.0, *angles), first, last)
+    begin, gamma, wi, wo = _directions(light, min(0.0, *angles), first, last)
     base = np.pi * fit.reflectance.base.eval(wi, wo)
     rho = base + np.pi * fit.reflectance.coat.eval(wi, wo)
     fitted = np.pi * fit.weights.eval(wi, wo)
-    count = len(gamma) - _STRIP_SAMPLES
-    model, lobes, under = working_to_lab(np.stack((rho[:count], fitted[:count], base[:count])))
-    inside_deg = (gamma[:count] >= first) & (gamma[:count] <= last)
-    between = delta_e_2000(model[inside_deg], lobes[inside_deg])
-    codes, inside = working_to_codes(np.stack((rho[count:], fitted[count:])))
+    model, lobes, under = working_to_lab(np.stack((rho, fitted, base)))
+    between = delta_e_2000(model[begin:], lobes[begin:])
+    codes, inside = working_to_codes(np.stack((rho[begin:], fitted[begin:])))
     return Curves(
-        gamma_deg=gamma[:count],
+        gamma_deg=gamma,
         model=model,
         fitted=lobes,
         ceiling=float(under[:, 0].max()),

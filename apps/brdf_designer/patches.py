@@ -57,6 +57,8 @@ class ColourField(QWidget):
         self._standard: QColor | None = None
         self._standard_in_gamut = True
         self.setMinimumSize(72, 16)
+        # It covers all of its place: what lies behind need not be drawn.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def show_colour(self, colour: AngleColour) -> None:
@@ -286,6 +288,7 @@ class _Band(QWidget):
         self._marks: tuple[float, ...] = ()
         self._outside = False
         self.setFixedHeight(64)
+        self.setAutoFillBackground(True)
         self.setAccessibleName(tr("Flop strip"))
 
     def show_curves(self, curves: Curves) -> None:

@@ -8,7 +8,7 @@ from brdf_qt.fit_error import fit_tips, is_large, marked
 from brdf_qt.status_line import StatusLine
 from brdf_qt.translation import tr
 
-from brdf_designer.desk_state import FLOP_ANGLES_DEG, AngleColour, Colours, FitState
+from brdf_designer.desk_state import FLOP_ANGLES_DEG, AngleColour, Colours, Curves, FitState
 from brdf_suite.appearance.flop import FlopIndex, flop_index
 from brdf_suite.documents.paint import Lab
 
@@ -38,6 +38,7 @@ class DeskStatus:
         )
         self._link = line.cell("Link", tr("Programs that follow this paint while it is edited."), right=True)
         self._colours: Colours | None = None
+        self._fitted: tuple[Colours | None, FitState] | None = None
         self._fit_text = ""
         self.show_peers(())
 
@@ -50,22 +51,29 @@ class DeskStatus:
         )
 
     def show_fit(self, state: FitState) -> None:
-        """Show the worst difference, the time, whether the time limit came first, and the flop that is reached."""
+        """Show the flop that is reached; what the fit gives is told with what it gives between the angles."""
+        self._fitted = (self._colours, state)
+        if self._colours is not None:
+            self._show_flop(self._colours.flop, _reached_flop(self._colours, state))
+
+    def show_curves(self, curves: Curves) -> None:
+        """Show the worst differences, the time, and whether the time limit came first; after :meth:`show_fit`."""
+        if self._fitted is None:
+            return
+        colours, state = self._fitted
         worst = state.worst_delta_e
         text = tr("Fit ΔE00 ≤ {worst}, between ≤ {between}, {time} ms, {kind}").format(
             worst=_upward(worst),
-            between=_upward(state.curves.between_delta_e),
+            between=_upward(curves.between_delta_e),
             time=f"{state.milliseconds:.1f}",
             kind=tr("time-limited") if state.time_limited else tr("exact"),
         )
         self._fit_text = marked(text, worst)
         large = is_large(worst)
         tip = fit_tips(worst, state.time_limited, state.exact_follows)
-        rows = [] if self._colours is None else [_row(angle, state) for angle in self._colours.angles]
+        rows = [] if colours is None else [_row(angle, state) for angle in colours.angles]
         told = "\n".join((*rows, tip) if tip else rows)
         self._fit.set(self._fit_text, told, "warning" if large or state.time_limited else "fresh")
-        if self._colours is not None:
-            self._show_flop(self._colours.flop, _reached_flop(self._colours, state))
 
     def mark_stale(self) -> None:
         """Say that the fit is of an earlier paint."""

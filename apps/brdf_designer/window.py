@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QDockWidget, QMenu, QSplitter, QVBoxLayout, QWidge
 from brdf_designer.angle_plot import AnglePlot
 from brdf_designer.coat_section import CoatSection
 from brdf_designer.colour_editors import ColourEditors
-from brdf_designer.desk_state import Colours, FitState, TabState
+from brdf_designer.desk_state import Colours, Curves, FitState, TabState
 from brdf_designer.flakes_section import FlakesSection
 from brdf_designer.paint_sections import ModelSection, TextSection
 from brdf_designer.patches import FlopStrip, PatchRow
@@ -184,8 +184,6 @@ class DesignerWindow(SuiteWindow):
     def show_fit(self, state: FitState) -> None:
         """See :class:`brdf_designer.controller.View`."""
         assert self._colours is not None
-        self.strip.show_curves(state.curves)
-        self.plot.show_curves(state.curves)
         shown = [angle.index for angle in self._colours.angles]
         self.patches.show_differences(
             [state.delta_e[index] for index in shown],
@@ -196,6 +194,11 @@ class DesignerWindow(SuiteWindow):
         self.coat.show_fit(state)
         self.model.show_notices(state.notices)
         self.desk_status.show_fit(state)
+
+    def show_curves(self, curves: Curves) -> None:
+        """See :class:`brdf_designer.controller.View`."""
+        for part in (self.strip, self.plot, self.desk_status):
+            part.show_curves(curves)
 
     def mark_fit_stale(self) -> None:
         """See :class:`brdf_designer.controller.View`."""

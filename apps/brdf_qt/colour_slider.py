@@ -67,6 +67,8 @@ class ColourSlider(QAbstractSlider):
         self.setOrientation(Qt.Orientation.Horizontal)
         self.set_reach(minimum, maximum, step)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        # Filled edge to edge, it is drawn without all that lies behind it.
+        self.setAutoFillBackground(True)
         self.setAccessibleName(f"{name}, {unit}" if unit else name)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._burst = Burst(self)

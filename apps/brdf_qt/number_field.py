@@ -24,6 +24,7 @@ from PySide6.QtGui import (
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
+    QPalette,
     QValidator,
     QWheelEvent,
 )
@@ -85,6 +86,9 @@ class NumberField(QDoubleSpinBox):
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        # Filled behind its round corners too, it is drawn without the window behind it.
+        self.setBackgroundRole(QPalette.ColorRole.Window)
+        self.setAutoFillBackground(True)
         self.setDecimals(decimals)
         self.setRange(minimum, maximum)
         self.setSingleStep(step)
@@ -124,7 +128,11 @@ class NumberField(QDoubleSpinBox):
 
     def set_value(self, value: float) -> None:
         """Show ``value`` without a signal."""
-        if value == self.value() and self.text() == self.textFromValue(value) + self.suffix():
+        # The field itself keeps no more decimals than it shows.
+        if (
+            round(value, self.decimals()) == self.value()
+            and self.text() == self.textFromValue(value) + self.suffix()
+        ):
             return  # drawn anew it would be the same, and a drag sets every number a hundred times a second
         self._quiet = True
         try:

@@ -28,6 +28,8 @@ class StatusCell(QLabel):
         self.setAccessibleName(name)
         self.setToolTip(tip)
         self.setMargin(3)
+        # Filled, a cell is drawn without the window behind it, a hundred times a second in a drag.
+        self.setAutoFillBackground(True)
         self._tip = tip
         self.hide()
 

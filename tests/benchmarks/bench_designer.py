@@ -25,11 +25,21 @@ BOUNDS = {
     "update_p99_ms": ("<=", 12.0, "ms", "the same, 99th percentile"),
     "update_cpu_median_ms": ("", None, "ms", "the processor's time of it on the window's thread, median"),
     "update_cpu_p99_ms": ("", None, "ms", "the same, 99th percentile"),
+    "followed_median_ms": (
+        "",
+        None,
+        "ms",
+        "slider event until strip, curves and the fit's figures in the status bar are painted too, median",
+    ),
+    "followed_p99_ms": ("", None, "ms", "the same, 99th percentile"),
     "values_median_ms": ("", None, "ms", "the part of it until all values are set, before the painting"),
     "idle_median_ms": ("", None, "ms", "a piece of the work that is done once the edits pause"),
     "idle_max_ms": ("", None, "ms", "the longest of them: what an event that comes just then waits for"),
 }
-NOTES = {"update_p99_ms": "without the small picture, which this platform cannot draw"}
+NOTES = {
+    "update_median_ms": "strip and curves follow in the next turn of the event loop: followed_median_ms",
+    "update_p99_ms": "without the small picture, which this platform cannot draw",
+}
 _WARM_UP = 30
 
 
@@ -42,12 +52,15 @@ def run(progress=None):
         [sys.executable, str(script)], capture_output=True, text=True, check=True, timeout=300
     )
     times = json.loads(done.stdout.splitlines()[-1])
-    update, cpu, values = (times[name][_WARM_UP:] for name in ("update", "cpu", "values"))
+    names = ("update", "cpu", "values", "followed")
+    update, cpu, values, followed = (times[name][_WARM_UP:] for name in names)
     return {
         "update_median_ms": median(update),
         "update_p99_ms": float(np.percentile(update, 99)),
         "update_cpu_median_ms": median(cpu),
         "update_cpu_p99_ms": float(np.percentile(cpu, 99)),
+        "followed_median_ms": median(followed),
+        "followed_p99_ms": float(np.percentile(followed, 99)),
         "values_median_ms": median(values),
         "idle_median_ms": median(times["idle"]),
         "idle_max_ms": max(times["idle"]),

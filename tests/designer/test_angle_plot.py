@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from brdf_designer.angle_plot import AnglePlot
-from brdf_designer.desk_state import colours_of, fit_state_of
+from brdf_designer.desk_state import colours_of, curves_of
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -44,7 +44,7 @@ def plot(qtbot, fitter) -> AnglePlot:
 
 def show(plot: AnglePlot, shown: Paint, fitter: PaintFitter) -> None:
     plot.show_colours(colours_of(shown))
-    plot.show_curves(fit_state_of(fitter.fit(shown)).curves)
+    plot.show_curves(curves_of(fitter.fit(shown)))
     plot.draw_now()
 
 

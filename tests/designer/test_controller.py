@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from unittest.mock import create_autospec
 
+import numpy as np
 import pytest
 from brdf_designer.assembly import paint_format, shipped_paint
 from brdf_designer.controller import Controller, View
 from brdf_designer.desk import Desk
+from brdf_designer.desk_state import curves_of
 from brdf_designer.patches import PatchRow
 from brdf_designer.status import DeskStatus
 from brdf_designer.tabs import Documents
@@ -66,6 +68,27 @@ def test_many_changes_of_one_turn_are_published_once_the_newest(desk, qtbot):
     qtbot.wait(20)
     assert len(desk.published) == 1
     assert desk.published[0][1]["measurements"][1]["lab"][0] == 32.0
+
+
+def test_the_curves_follow_the_numbers_once_a_turn(desk, qtbot):
+    for lightness in (30.0, 31.0, 32.0):
+        desk.controller.edit(("lab", 1, 0), lightness)
+    assert desk.view.show_fit.call_count == 3
+    desk.view.show_curves.assert_not_called()
+    qtbot.waitUntil(lambda: desk.view.show_curves.called)
+    desk.view.show_curves.assert_called_once()
+    shown, due = desk.view.show_curves.call_args.args[0], curves_of(desk.desk.fit)
+    assert np.array_equal(shown.strip_rgb, due.strip_rgb)
+    assert np.array_equal(shown.fitted, due.fitted)
+
+
+def test_what_stays_of_a_refused_paint_is_the_last_one_that_can_be(desk):
+    desk.controller.edit(("lab", 1, 0), 30.0)
+    due = curves_of(desk.desk.fit)
+    desk.controller.edit(("gloss", "gu_20"), 199.0)
+    names = [call[0] for call in desk.view.method_calls]
+    assert names.index("show_curves") < names.index("mark_fit_stale")
+    assert np.array_equal(desk.view.show_curves.call_args.args[0].strip_rgb, due.strip_rgb)
 
 
 def test_a_paint_that_the_link_refuses_is_told(desk, qtbot):
@@ -150,6 +173,7 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
         before = desk.view.show_fit.call_args.args[0]
         assert (before.time_limited, before.exact_follows) == (True, True)
     qtbot.waitUntil(lambda: desk.view.show_fit.call_count == 2)
+    qtbot.waitUntil(lambda: desk.view.show_curves.called)
     after = desk.view.show_fit.call_args.args[0]
     assert (after.time_limited, after.exact_follows) == (True, False)
     assert after.delta_e == before.delta_e
@@ -162,6 +186,7 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
     large = [2.0] * len(after.delta_e)
     for state, told in ((before, "follows by itself"), (after, "no exact")):
         status.show_fit(state)
+        status.show_curves(desk.view.show_curves.call_args.args[0])
         assert told in status._fit.toolTip()
         row.show_differences(large, time_limited=True, exact_follows=state.exact_follows)
         assert told in row._cells[0][3].toolTip()

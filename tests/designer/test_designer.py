@@ -157,8 +157,9 @@ def test_a_picker_goes_with_its_document(designer):
     assert designer.store.is_clean
 
 
-def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer):
+def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer, qtbot):
     window = designer.window
+    qtbot.waitUntil(lambda: designer.controller.is_complete)
     strip = window.strip._band.grab().toImage()
     gloss = window.coat.panel.fields["gloss.gu_20"]
     type_in(gloss, "199")
@@ -172,6 +173,7 @@ def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer):
         assert any(word in window.plot.caption.text() for word in ("last paint", "Earlier"))
         assert "last paint" in window.plot.caption.accessibleName()
     type_in(gloss, "88")
+    qtbot.waitUntil(lambda: designer.controller.is_complete)
     assert "last paint" not in window.plot.caption.accessibleName()
     assert window.messages.shown() == {}
     assert "last paint" not in window.strip.caption.text()
@@ -327,7 +329,7 @@ def test_a_shipped_paint_opens_as_a_document_without_a_file(designer):
     assert "outside" in designer.window.status.cell("Gamut").text().lower()
 
 
-def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer):
+def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer, qtbot):
     cells, fit = designer.window.patches._cells, designer.window.status.cell("Fit")
     assert not any(cell[3].font().bold() or cell[3].text().startswith("!") for cell in cells)
     action(designer, "Paint ▸ Make Solid From ▸ 45°").trigger()
@@ -337,11 +339,13 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer):
     assert cells[1][3].text().startswith("! fit ΔE00 ")
     assert "no non-negative sum of the lobes" in cells[1][3].toolTip()
     assert "no non-negative sum" not in cells[0][3].toolTip()
+    qtbot.waitUntil(lambda: designer.controller.is_complete)
     assert fit.text().startswith("! Fit")
     assert fit.font().bold()
     assert "no non-negative sum of the lobes" in fit.toolTip()
     designer.controller.undo()
     assert not any(cell[3].font().bold() for cell in cells)
+    qtbot.waitUntil(lambda: designer.controller.is_complete)
     assert not fit.font().bold()
 
 
@@ -351,7 +355,8 @@ def test_make_solid(designer):
     assert designer.window.status.cell("Flop index").text() == "Flop 0.0, reached 0.0"
 
 
-def test_the_status_bar_tells_what_the_fit_gives_beside_what_was_asked(designer):
+def test_the_status_bar_tells_what_the_fit_gives_beside_what_was_asked(designer, qtbot):
+    qtbot.waitUntil(lambda: designer.controller.is_complete)
     flop, fit = (designer.window.status.cell(name) for name in ("Flop index", "Fit"))
     assert flop.text() == "Flop 13.9, reached 13.9"
     assert fit.text().endswith(", exact")
@@ -359,6 +364,7 @@ def test_the_status_bar_tells_what_the_fit_gives_beside_what_was_asked(designer)
     assert rows[0] == "15°: asked 62.0 / −4.0 / −45.0, fit 62.0 / −4.0 / −45.0, ΔE00 0.00"
     # Darker towards the mirror direction than away from it cannot be reached: the flop that is shown says so.
     type_in(field(designer, 2, 0), "55")
+    qtbot.waitUntil(lambda: designer.controller.is_complete)
     asked, reached = flop.text().rstrip(" ?").split(", reached ")
     lightness = [row.fitted[0] for row in designer.desk.fit.angles]
     assert asked == f"Flop {flop_index(62.0, 25.0, 55.0).value:.1f}"

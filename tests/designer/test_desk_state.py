@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 import pytest
 from brdf_designer.assembly import new_paint, shipped_paint
-from brdf_designer.desk_state import colours_of, fit_state_of
+from brdf_designer.desk_state import colours_of, curves_of
 from brdf_designer.display import component_tracks, lab_to_codes
 
 from brdf_suite.documents.paint import solid_paint
@@ -23,7 +23,7 @@ def fitter() -> PaintFitter:
 def test_the_curve_passes_through_the_readings(fitter):
     for name in resource_names("paints", ".brdfpaint"):
         paint = shipped_paint(name)
-        curves = fit_state_of(fitter.fit(paint)).curves
+        curves = curves_of(fitter.fit(paint))
         for m in paint.measurements:
             if m.illumination_deg != 45.0:
                 continue  # the curves are those of the light that most readings have
@@ -33,7 +33,7 @@ def test_the_curve_passes_through_the_readings(fitter):
 
 def test_the_strip_begins_and_ends_with_the_readings(fitter):
     paint = shipped_paint("blue")
-    curves = fit_state_of(fitter.fit(paint)).curves
+    curves = curves_of(fitter.fit(paint))
     ends, _ = lab_to_codes([paint.lab_at(15.0), paint.lab_at(110.0)])
     assert np.abs(curves.strip_rgb[[0, -1]].astype(int) - ends.astype(int)).max() <= 1
     assert curves.measured_deg == (15.0, 110.0)
