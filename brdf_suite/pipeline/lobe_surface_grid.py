@@ -84,8 +84,9 @@ def lobe_grid(wi: npt.ArrayLike, rows: int = ROWS, columns: int = COLUMNS) -> Lo
     light = np.array([x, y, z])
     top = mirror(light)
     cos_t = max(z, math.cos(math.radians(MOST_THETA_DEG)))
-    sin_t = math.sqrt(1.0 - cos_t * cos_t)
+    # From the part across, which keeps its digits near the normal.
     flat = math.hypot(x, y)
+    sin_t = flat if cos_t == z else math.sqrt(1.0 - cos_t * cos_t)
     # At normal incidence any azimuth serves; that of a light which comes down to it from the -x side stays.
     cos_a, sin_a = (-x / flat, -y / flat) if flat > 1e-12 else (1.0, 0.0)
     psi = _columns(cos_t, columns)
