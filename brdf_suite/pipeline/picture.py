@@ -17,6 +17,7 @@ from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.pipeline.surface_images import SurfaceImages, peel_tile
 from brdf_suite.realtime.camera import Bounds
+from brdf_suite.realtime.captured import Swatch
 from brdf_suite.realtime.context import Context, create_context
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.light_block import NO_LIGHTS, DistantLights
@@ -79,6 +80,11 @@ class SceneRenderer:
         self._renderer.set_material(material, weights)
         self._renderer.set_flakes(material, fit.flakes)
         self._renderer.relief.set_own_peel(material, fit.orange_peel)
+
+    def swatch(self, fit: PaintFit | AnyFit) -> Swatch:
+        """Return this paint as a captured form takes it (:meth:`Renderer.capture`), with the same weights."""
+        weights = material_weights(fit.weights, self._angles.of(fit), self._angles.by_view(fit))
+        return Swatch(weights, fit.flakes)
 
     def set_environment(self, prepared: PreparedEnvironment) -> None:
         """Show this environment; its maps must have been made for the exponents of the paint's fit."""

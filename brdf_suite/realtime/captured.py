@@ -15,8 +15,9 @@ Not captured, since they belong to one paint's picture: lamps, a normal map, ora
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any
 
 import moderngl
@@ -121,8 +122,11 @@ class CapturedForm:
         """How many paints are drawn at once."""
         return max(1, min(64, MOST_ROWS // max(self._rows, self.size[1])))
 
-    def draw(self, swatches: Sequence[Swatch], display: Display = SRGB) -> NDArray[np.uint8]:
+    def draw(self, swatches: Iterable[Swatch], display: Display = SRGB) -> NDArray[np.uint8]:
         """Return the pictures (n, h, w, 3) of paints, top row first; ``display`` must be one of 8 bits.
+
+        Paints may come one by one: a driver with threads of its own shades one while the next is got ready. Who gets
+        them ready must leave the graphics context alone.
 
         Raises
         ------
@@ -132,8 +136,9 @@ class CapturedForm:
         if not display.dithered:
             raise ValueRangeError("display", "pictures of palettes have 8 bits")
         found = [np.empty((0, self.size[1], self.size[0], 3), np.uint8)]
-        for start in range(0, len(swatches), self.most):
-            found.append(self._batch(swatches[start : start + self.most], display))
+        waiting = iter(swatches)
+        while len(pictures := self._batch(islice(waiting, self.most), display)):
+            found.append(pictures)
         return np.concatenate(found)
 
     def release(self) -> None:
@@ -146,9 +151,9 @@ class CapturedForm:
             objects.release(texture)
         self._shaded = self._pictures = None
 
-    def _batch(self, swatches: Sequence[Swatch], display: Display) -> NDArray[np.uint8]:
+    def _batch(self, swatches: Iterable[Swatch], display: Display) -> NDArray[np.uint8]:
         width, height = self.size
-        count = len(swatches)
+        count = 0
         context = self._drawing.objects.context
         with graphics_errors(context, "drawing pictures of paints"):
             light, target = self._target_of_list()
@@ -158,9 +163,12 @@ class CapturedForm:
             self._drawing.environment.bind()
             self._list.use(PLACES_UNIT)
             ready: set[tuple[LookUps, Features]] = set()
-            for number, swatch in enumerate(swatches):
-                context.viewport = (0, number * self._rows, LIST_WIDTH, self._rows)
-                self._shade(number, swatch, ready)
+            for swatch in swatches:
+                context.viewport = (0, count * self._rows, LIST_WIDTH, self._rows)
+                self._shade(count, swatch, ready)
+                count += 1
+            if count == 0:
+                return np.empty((0, height, width, 3), np.uint8)
             _, framebuffer = self._target_of_pictures()
             framebuffer.use()
             program, screen = self._drawing.finish.captured(self._view, display, self._samples)
