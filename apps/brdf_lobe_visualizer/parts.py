@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.slices import Slices
 from brdf_lobe_visualizer.window import LobeWindow
 
-PARTS: tuple[Callable[[Desk, LobeWindow], object], ...] = ()
+MakePart = Callable[[Desk, LobeWindow], object]
+
+PARTS: tuple[MakePart, ...] = (Slices,)
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 
 Parts are made before the window is shown: what is heavy to import or to make waits for ``window.first_painted``. A part
@@ -15,6 +18,6 @@ may have ``is_complete`` (whether all that it shows is there) and ``close()``.
 """
 
 
-def build_parts(desk: Desk, window: LobeWindow) -> list[object]:
+def build_parts(desk: Desk, window: LobeWindow, parts: Sequence[MakePart] = PARTS) -> list[object]:
     """Make every part and return them; their owner keeps them."""
-    return [part(desk, window) for part in PARTS]
+    return [part(desk, window) for part in parts]

@@ -21,7 +21,7 @@ import numpy.typing as npt
 from brdf_suite.geometry.concentric import hemisphere_to_square, square_to_hemisphere
 from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates, mirror
 from brdf_suite.pipeline.slices import Bools, light_at
-from brdf_suite.pipeline.slices_values import Evaluated
+from brdf_suite.pipeline.slices_values import Cosine, Evaluated, cosine_of
 
 SEED_INCIDENCES_DEG = (10.0, 40.0, 70.0)
 """Those of the paper's figure 4."""
@@ -82,13 +82,13 @@ def share_of_theta_h(theta_h: npt.ArrayLike, *, by_root: bool) -> Floats:
     return np.asarray(np.sqrt(share) if by_root else share)
 
 
-def image_of(reflectance: Evaluated, pairs: Pairs, *, cosine: bool) -> Floats:
-    """Return f_r (rows, columns, 3) in 1/sr, times N·L with ``cosine``; NaN below the horizon and where not finite."""
+def image_of(reflectance: Evaluated, pairs: Pairs, *, cosine: Cosine) -> Floats:
+    """Return f_r (rows, columns, 3) in 1/sr, times ``cosine``; NaN below the horizon and where not finite."""
     wi = np.broadcast_to(pairs.wi, pairs.wo.shape)
     with np.errstate(all="ignore"):  # holes of NaN are shown as holes
         value = np.array(reflectance.eval(wi, pairs.wo), np.float64)
-    if cosine:
-        value *= wi[..., 2:]
+    if cosine != "none":
+        value *= cosine_of(cosine, wi, pairs.wo)[..., None]
     value[~(pairs.above & np.isfinite(value).all(axis=-1))] = np.nan
     return value
 

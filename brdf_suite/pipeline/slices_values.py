@@ -15,6 +15,8 @@ from brdf_suite.pipeline.slices import Slice
 
 Channel = Literal["colour", "r", "g", "b", "luminance"]
 Scale = Literal["linear", "cbrt", "log"]
+Cosine = Literal["none", "light", "both"]
+"""What f_r is multiplied with: nothing (1/sr), N·L (reflected radiance), N·L and N·V (intensity)."""
 _CHANNELS = ("r", "g", "b")
 
 LOG_DECADES = 5.0
@@ -29,8 +31,8 @@ class Evaluated(Protocol):
         ...
 
 
-def evaluate(reflectance: Evaluated, slices: Sequence[Slice], *, cosine: bool) -> list[Floats]:
-    """Return f_r (n, 3) in 1/sr along each cut, times N·L with ``cosine``; NaN below the horizon.
+def evaluate(reflectance: Evaluated, slices: Sequence[Slice], *, cosine: Cosine) -> list[Floats]:
+    """Return f_r (n, 3) in 1/sr along each cut, times ``cosine``; NaN below the horizon.
 
     One call of ``eval`` for all cuts: what a model does before it looks at directions is done once. What the
     reflectance itself gives as not finite becomes NaN.
@@ -42,11 +44,19 @@ def evaluate(reflectance: Evaluated, slices: Sequence[Slice], *, cosine: bool) -
     above = np.concatenate([cut.above for cut in slices])
     with np.errstate(all="ignore"):  # a reflectance with holes of NaN is shown, and its holes with it
         value = np.array(reflectance.eval(wi, wo), np.float64)
-    if cosine:
-        value *= wi[:, 2:]
+    if cosine != "none":
+        value *= cosine_of(cosine, wi, wo)[:, None]
     value[~(above & np.isfinite(value).all(axis=1))] = np.nan
     ends = np.cumsum([len(cut.angle_deg) for cut in slices])[:-1]
     return np.split(value, ends)
+
+
+def cosine_of(cosine: Cosine, wi: Floats, wo: Floats) -> Floats:
+    """Return what f_r is multiplied with, (...), for directions (..., 3) that broadcast."""
+    light, view = np.broadcast_arrays(wi[..., 2], wo[..., 2])
+    if cosine == "both":
+        return np.asarray(light * view)
+    return np.asarray(light) if cosine == "light" else np.ones(light.shape)
 
 
 def channel_of(value: Floats, channel: Channel) -> Floats:
@@ -98,3 +108,19 @@ def slice_error(angle_deg: Floats, target: Floats, fit: Floats) -> SliceError | 
     worst = int(np.argmax(np.abs(difference)))
     relative = rms / own if own > 0.0 else (0.0 if rms == 0.0 else np.inf)
     return SliceError(rms, relative, float(difference[worst]), float(angle_deg[worst]))
+
+
+_NICE = (1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0)
+
+
+def nice_above(value: float) -> float:
+    """Return the smallest round number at or above ``value`` > 0: ends of axes that stay while a line moves a little.
+
+    >>> nice_above(0.0123), nice_above(5.0)
+    (0.015, 5.0)
+    """
+    decade = 10.0 ** np.floor(np.log10(value))
+    for step in _NICE:
+        if value <= step * decade * (1.0 + 1e-9):
+            return float(f"{step * decade:.3g}")
+    return float(f"{10.0 * decade:.3g}")

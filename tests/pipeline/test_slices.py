@@ -60,11 +60,11 @@ def test_the_plane_of_incidence_has_its_angles(theta: float, phi: float) -> None
 def test_a_spike_is_met_however_sharp() -> None:
     for theta in (0.0, 12.3456, 45.0, 77.7):
         cut = plane_slice(theta, 20.0)
-        (value,) = evaluate(Spike(), [cut], cosine=False)
+        (value,) = evaluate(Spike(), [cut], cosine="none")
         assert value.max() == pytest.approx(1.0, abs=1e-9)
         # The line follows its flanks: many points stand between a twentieth and nineteen.
         assert ((value[:, 0] > 0.05) & (value[:, 0] < 0.95)).sum() >= 8
-    (value,) = evaluate(Spike(), [half_slice(45.0, 90.0, 0.0)], cosine=False)
+    (value,) = evaluate(Spike(), [half_slice(45.0, 90.0, 0.0)], cosine="none")
     assert np.nanmax(value) == pytest.approx(1.0, abs=1e-9)
 
 
@@ -93,7 +93,7 @@ def test_values_are_those_of_eval_with_and_without_the_cosine() -> None:
         Model(),
         [plane_slice(40.0, 70.0), half_slice(40.0, 90.0, 70.0), difference_slice(0.0, 90.0, 0.0)],
     )
-    plain, lit = evaluate(model, cuts, cosine=False), evaluate(model, cuts, cosine=True)
+    plain, lit = evaluate(model, cuts, cosine="none"), evaluate(model, cuts, cosine="light")
     assert model.calls == 2  # once for all cuts
     for cut, value, with_cosine in zip(cuts, plain, lit, strict=True):
         wanted = np.where(cut.above[:, None], Model().eval(cut.wi, cut.wo), np.nan)
@@ -103,17 +103,17 @@ def test_values_are_those_of_eval_with_and_without_the_cosine() -> None:
 
 def test_holes_of_nan_are_gaps_and_no_warning() -> None:
     cut = plane_slice(30.0, 0.0)
-    (value,) = evaluate(Holed(), [cut], cosine=True)
+    (value,) = evaluate(Holed(), [cut], cosine="light")
     assert np.isnan(value[cut.angle_deg < 0.0]).all()
     assert np.isfinite(value[cut.angle_deg > 0.0]).all()
     assert slice_error(cut.angle_deg, value[:, 0], 0.0 * value[:, 0] + 1.0) is not None
     assert slice_error(cut.angle_deg, np.full(len(value), np.nan), value[:, 0]) is None
-    assert evaluate(Holed(), [], cosine=True) == []
+    assert evaluate(Holed(), [], cosine="light") == []
 
 
 def test_anisotropy_shows_in_the_azimuth_of_the_incidence() -> None:
     model = PoulinFournier(kd=0.0, exponent=200.0)
-    along, across = (evaluate(model, [plane_slice(30.0, phi)], cosine=False)[0] for phi in (0.0, 90.0))
+    along, across = (evaluate(model, [plane_slice(30.0, phi)], cosine="none")[0] for phi in (0.0, 90.0))
     away = np.abs(plane_slice(30.0, 0.0).angle_deg + 30.0).argmin()
     # The cylinders lie along x: across them they send light to either side, along them they do not.
     assert across[away, 0] > 100.0 * along[away, 0]

@@ -34,7 +34,7 @@ class Spike:
 )
 def test_the_peak_of_the_unrolled_hemisphere_is_at_the_mirror_direction(theta: float, phi: float) -> None:
     pairs = unrolled_pairs(theta, phi, SIZE)
-    image = image_of(Spike(), pairs, cosine=False)
+    image = image_of(Spike(), pairs, cosine="none")
     row, column = np.unravel_index(np.argmax(image[..., 0]), (SIZE, SIZE))
     assert image[row, column, 0] == pytest.approx(1.0)
     assert (column, row) == place_of(mirror(light_at(theta, phi)), SIZE)
@@ -49,7 +49,7 @@ def test_every_pixel_has_its_view() -> None:
     for row, column in ((0, 0), (5, 20), (31, 31), (16, 3)):
         assert np.allclose(pairs.wo[row, column], view_of((column + 0.5) / SIZE, (row + 0.5) / SIZE))
         assert place_of(pairs.wo[row, column], SIZE) == (column, row)
-    flat = image_of(Lambertian((0.5, 0.25, 0.75)), pairs, cosine=True)
+    flat = image_of(Lambertian((0.5, 0.25, 0.75)), pairs, cosine="light")
     assert flat[3, 4] == pytest.approx(np.array([0.5, 0.25, 0.75]) / np.pi * np.cos(np.radians(40.0)))
     # Equal areas are equal solid angles: the mean of the views' cosine is a half.
     assert pairs.wo[..., 2].mean() == pytest.approx(0.5, abs=2e-3)
@@ -65,7 +65,7 @@ def test_half_angle_images_have_their_angles(by_root: bool) -> None:
     assert share_of_theta_h(theta_h, by_root=by_root) == pytest.approx(share)
     assert np.degrees(theta_d) == pytest.approx(90.0 * (1.0 - (row + 0.5) / SIZE))
     assert (np.degrees(phi_h), np.degrees(phi_d)) == pytest.approx((15.0, 70.0))
-    image = image_of(Spike(), pairs, cosine=False)
+    image = image_of(Spike(), pairs, cosine="none")
     assert image[:, 0, 0] == pytest.approx(1.0)
     assert np.isnan(image[0, -1]).all()  # grazing and tipped: one of the two is below the horizon
 

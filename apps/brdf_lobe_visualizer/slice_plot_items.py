@@ -1,0 +1,121 @@
+"""The parts of the slices' plots that are pyqtgraph's; imported only when the plots are built."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QMouseEvent, QPalette, QPen
+from PySide6.QtWidgets import QGraphicsItem
+
+from brdf_lobe_visualizer.slice_lines import Line
+from brdf_lobe_visualizer.slice_pens import colour_of, grey_pen, pen_of
+from brdf_suite.geometry.directions import Floats
+
+
+class SlicePlot(pg.PlotWidget):
+    """A plot of lines: drag moves it, the wheel zooms, a double click frames all again.
+
+    Signals: ``moved_over(x, y)`` in the plot's own numbers while the mouse is over it, ``left()``; ``framed()`` after a
+    double click, ``zoomed()`` when the user has moved or zoomed.
+    """
+
+    moved_over = Signal(float, float)
+    left = Signal()
+    framed = Signal()
+    zoomed = Signal()
+
+    def __init__(self, *, with_axes: bool) -> None:
+        super().__init__()
+        self.setAntialiasing(True)
+        self.setMenuEnabled(False)
+        self.hideButtons()
+        self.setFrameShape(self.Shape.NoFrame)
+        self.getPlotItem().vb.setDefaultPadding(0)
+        self.getPlotItem().vb.disableAutoRange()
+        self.getPlotItem().vb.sigRangeChangedManually.connect(lambda _mask: self.zoomed.emit())
+        self.setMouseTracking(True)
+        self.viewport().setMouseTracking(True)
+        if with_axes:
+            self.getAxis("left").setWidth(54)
+            for side in ("bottom", "left"):
+                # Playing an axis with its grid back costs 3 ms a frame; as a kept picture it costs nothing.
+                self.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)
+                self.getAxis(side).enableAutoSIPrefix(False)
+        else:
+            self.hideAxis("left")
+            self.hideAxis("bottom")
+        self._lines: list[pg.PlotCurveItem] = []
+        self._pens: list[tuple[object, ...]] = []
+        self._points: list[pg.ScatterPlotItem] = []
+
+    def dress(self) -> None:
+        """Take the greys of the theme."""
+        palette = self.palette()
+        self.setBackground(palette.color(QPalette.ColorRole.Base))
+        for side in ("bottom", "left"):
+            axis = self.getAxis(side)
+            axis.setPen(grey_pen(palette, 1.0))
+            axis.setTextPen(grey_pen(palette, 1.0))
+        self._pens.clear()
+
+    def show_lines(self, drawn: Sequence[tuple[Line, Floats, Floats]]) -> None:
+        """Draw lines at x (n,) and y (n,), NaN being gaps; those before are taken away."""
+        while len(self._lines) < len(drawn):
+            item = pg.PlotCurveItem(antialias=True, connect="finite", skipFiniteCheck=False)
+            item.setSegmentedLineMode("off")
+            self.addItem(item)
+            self._lines.append(item)
+        base = self.palette().color(QPalette.ColorRole.Base)
+        for number, (line, x, y) in enumerate(drawn):
+            item = self._lines[number]
+            look = (line.colour, line.dash, line.kind, line.is_front, base.rgb())
+            if number >= len(self._pens):
+                self._pens.append(())
+            if self._pens[number] != look:
+                item.setPen(pen_of(line, base))
+                self._pens[number] = look
+            item.setData(x, y, connect="all" if np.isfinite(y).all() else "finite")
+            item.setVisible(True)
+        for item in self._lines[len(drawn) :]:
+            item.setVisible(False)
+
+    def show_points(self, drawn: Sequence[tuple[Line, Floats, Floats]]) -> None:
+        """Draw measured samples as rings at x (n,) and y (n,), in their line's colour."""
+        while len(self._points) < len(drawn):
+            item = pg.ScatterPlotItem(size=7, pxMode=True, symbol="o")
+            item.setZValue(5)
+            self.addItem(item)
+            self._points.append(item)
+        base = self.palette().color(QPalette.ColorRole.Base)
+        for item, (line, x, y) in zip(self._points, drawn, strict=False):
+            pen = QPen(colour_of(line.colour, base), 1.2)
+            item.setData(x=x, y=y, pen=pen, brush=None)
+            item.setVisible(True)
+        for item in self._points[len(drawn) :]:
+            item.setVisible(False)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        super().mouseMoveEvent(event)
+        point = self.getPlotItem().vb.mapSceneToView(self.mapToScene(event.position().toPoint()))
+        self.moved_over.emit(point.x(), point.y())
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.left.emit()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            event.accept()
+            self.framed.emit()
+        else:
+            super().mouseDoubleClickEvent(event)
+
+
+def upright(pen: QPen) -> pg.InfiniteLine:
+    """Return a line from top to bottom that stands for an angle."""
+    line = pg.InfiniteLine(angle=90, movable=False, pen=pen)
+    line.setZValue(-5)
+    return line
