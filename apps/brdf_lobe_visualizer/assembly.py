@@ -1,54 +1,178 @@
-"""Puts Lobe Visualizer together: window, desk, parts."""
+"""Puts Lobe Visualizer together: window, desk, sources, fits, legend, parts, link."""
 
 from __future__ import annotations
 
-from brdf_qt.message_bar import message_of
-from PySide6.QtCore import QCoreApplication
+from collections.abc import Callable, Sequence
+from pathlib import Path
 
+from brdf_qt.link import LiveLink
+from brdf_qt.settings import settings
+from brdf_qt.translation import mark, tr
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtWidgets import QFileDialog
+
+from brdf_lobe_visualizer import remembered
 from brdf_lobe_visualizer.desk import Desk
-from brdf_lobe_visualizer.parts import build_parts
-from brdf_lobe_visualizer.subjects import Subject
+from brdf_lobe_visualizer.fits import Fits
+from brdf_lobe_visualizer.legend_control import LegendControl
+from brdf_lobe_visualizer.link_follow import KEY as DESIGNER
+from brdf_lobe_visualizer.link_follow import FollowedPaint
+from brdf_lobe_visualizer.parts import PARTS, MakePart, build_parts
+from brdf_lobe_visualizer.sources_control import Sources
+from brdf_lobe_visualizer.sources_panel import SourcesPanel
+from brdf_lobe_visualizer.status import Status
 from brdf_lobe_visualizer.window import LobeWindow
-from brdf_suite.errors import SuiteError
-from brdf_suite.pipeline.scene import default_paint
-from brdf_suite.reflectance.build import build_paint
+from brdf_suite.pipeline.scene import default_paint_name
+
+_FOLDER_KEY = "folder/open"
+_ENDINGS = (
+    "*.brdfpaint *.brdfpalette *.brdftable *.binary *.bsdf *.brdf *.dat *.bin *.json *.astm *.alta *.txt"
+)
+
+AskFiles = Callable[[LobeWindow, str, str], Sequence[str]]
+"""``(window, folder, filters) -> paths``: asks which files to open; tests answer for the user."""
 
 
 class LobeVisualizer:
-    """The program's parts, joined; ``window`` is not yet shown."""
+    """The program's parts, joined; ``window`` is not yet shown.
 
-    def __init__(self) -> None:
+    ``parts`` are what makes views, plots and sections: all, unless others are given.
+    """
+
+    def __init__(self, parts: Sequence[MakePart] = PARTS, *, ask_files: AskFiles | None = None) -> None:
         self.window = LobeWindow()
         self.desk = Desk(self.window, self.window)
-        self.parts = build_parts(self.desk, self.window)
+        self.sources = Sources(self.desk, self.window)
+        self.fits = Fits(self.desk, self.window)
+        self.legend = LegendControl(self.desk, self.window)
+        self.link = LiveLink("lobes", parent=self.window)
+        self.followed = FollowedPaint(self.desk, self.window, self.sources, self.fits)
+        self.status = Status(self.desk, self.window)
+        self.panel = SourcesPanel()
+        self.panel_dock = self.window.add_dock(
+            "reflectances", mark("Reflectances"), self.panel, Qt.DockWidgetArea.LeftDockWidgetArea
+        )
+        self._ask_files = ask_files or _ask_files
+        self._started = self._closed = False
+        self._default = ""
+        self._build_commands()
+        self.parts = build_parts(self.desk, self.window, parts)
         self.window.add_quit()
         self.window.complete()
-        self._closed = False
-        app = QCoreApplication.instance()
-        if app is not None:
-            app.aboutToQuit.connect(self.close)
+        remembered.recall(self.desk, self.window)
+        self._join()
 
     @property
     def is_complete(self) -> bool:
-        """Whether all that follows by itself is there: files, fits, figures, pictures."""
-        return not self.desk.tasks.busy and all(getattr(part, "is_complete", True) for part in self.parts)
+        """Whether all that follows by itself is there: files, fits, errors, figures, pictures."""
+        return (
+            self._started
+            and not self.desk.tasks.busy
+            and not self.sources.busy
+            and self.fits.is_complete
+            and self.legend.is_complete
+            and self.followed.is_complete
+            and all(getattr(part, "is_complete", True) for part in self.parts)
+        )
 
-    def start(self) -> None:
-        """Show the default paint where nothing else was asked for."""
-        if not self.desk.subjects:
-            try:
-                paint = default_paint()
-                self.desk.add(Subject("default", paint.name, build_paint(paint), paint=paint))
-            except SuiteError as error:
-                self.window.show_message(message_of(error, "open"))
+    def start(self, asked: Sequence[str] = ()) -> None:
+        """Open what was asked for, or the default paint where nothing was, and look for the other programs."""
+        if self._started:
+            return
+        self._started = True
+        for one in asked:
+            self.sources.open(one)
+        if not asked and not self.desk.subjects:
+            self._default = default_paint_name()
+            self.sources.open(self._default, remember=False)
+        self.window.show_recent(self.sources.recent())
+        self.link.start()
 
     def close(self) -> None:
-        """End what runs."""
+        """Leave the link and end what runs; called once or more."""
         if self._closed:
             return
         self._closed = True
+        self.link.close()
         for part in self.parts:
             close = getattr(part, "close", None)
             if close is not None:
                 close()
+        for owner in (self.sources, self.fits, self.legend, self.followed):
+            owner.close()
         self.desk.tasks.stop()
+
+    def ask_files(self) -> None:
+        """Ask which files to open, and open them."""
+        folder = str(settings().value(_FOLDER_KEY, ""))
+        filters = f"{tr('Paints, palettes and measured files')} ({_ENDINGS});;{tr('All files')} (*)"
+        paths = self._ask_files(self.window, folder, filters)
+        if paths:
+            settings().setValue(_FOLDER_KEY, str(Path(paths[0]).parent))
+            self.sources.open_many(paths)
+
+    def show_list(self) -> None:
+        """Show the list of reflectances, ready to be searched."""
+        self.panel_dock.show()
+        self.panel_dock.raise_()
+        self.panel.query.setFocus()
+        self.panel.query.selectAll()
+
+    def _join(self) -> None:
+        window, sources = self.window, self.sources
+        window.open_asked.connect(lambda path: self.ask_files() if path is None else sources.open(path))
+        window.dropped.connect(sources.open_many)
+        window.recent_cleared.connect(sources.clear_recent)
+        window.closing.connect(lambda: remembered.remember(self.desk, window))
+        sources.recent_changed.connect(lambda: window.show_recent(sources.recent()))
+        sources.palette_opened.connect(self.panel.add_palette)
+        self.panel.asked.connect(sources.open_many)
+        self.legend.open_asked.connect(self.ask_files)
+        self.legend.list_asked.connect(self.show_list)
+        self.link.received.connect(self.followed.received)
+        self.link.peers_changed.connect(lambda _count: self.status.show_peers(self.link.peers))
+        self.followed.arrived.connect(self._drop_default)
+        sources.opened.connect(self._opened)
+        app = QCoreApplication.instance()
+        if app is not None:
+            app.aboutToQuit.connect(self.close)
+
+    def _build_commands(self) -> None:
+        add = self.window.add_command
+        add(
+            "file",
+            mark("Reflectances from the &List…"),
+            "Ctrl+L",
+            self.show_list,
+            icon="list-plus",
+            tip=mark("Shipped paints, measured paints of Table 1, models, opened palettes"),
+        )
+        add(
+            "view",
+            mark("Reset &View Options"),
+            "Ctrl+0",
+            self._reset_views,
+            icon="arrow-counter-clockwise",
+            tip=mark("Put incidence, channel, radius, cosine and lobes back"),
+        )
+
+    def _reset_views(self) -> None:
+        self.desk.reset_options()
+        self.desk.reset_incidence()
+
+    def _opened(self, asked: str, keys: Sequence[str]) -> None:
+        if asked == self._default and keys:
+            self._default = keys[0]
+            if self.desk.subject(DESIGNER) is not None:
+                self._drop_default()
+
+    def _drop_default(self) -> None:
+        """Take the paint of an empty start away: Designer's has come in its place."""
+        if self._default and self.desk.subject(self._default) is not None:
+            self.desk.remove(self._default)
+            self._default = ""
+
+
+def _ask_files(window: LobeWindow, folder: str, filters: str) -> Sequence[str]:
+    paths, _ = QFileDialog.getOpenFileNames(window, tr("Open"), folder, filters)
+    return paths

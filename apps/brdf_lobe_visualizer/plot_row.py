@@ -64,10 +64,11 @@ class PlotRow(QWidget):
         """Return the keys of those that are shown."""
         return tuple(key for key, button in self._buttons.items() if button.isChecked())
 
-    def set_shown(self, key: str, shown: bool) -> None:
-        """Show or hide a plot, and remember it."""
+    def set_shown(self, key: str, shown: bool, *, remember: bool = True) -> None:
+        """Show or hide a plot, and remember it, unless it is for this run alone."""
         self._buttons[key].setChecked(shown)
         self._plots[key].setVisible(shown)
         self._split.setVisible(bool(self.shown()))
-        settings().setValue(_SHOWN_KEY, " ".join(self.shown()))
+        if remember:
+            settings().setValue(_SHOWN_KEY, " ".join(self.shown()))
         self.shown_changed.emit(key, shown)

@@ -2,27 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
 
 from brdf_qt.main_window import Shortcut, SuiteWindow
 from brdf_qt.message_bar import Message
 from brdf_qt.section import Section
-from brdf_qt.translation import tr
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QKeySequence, QShortcut
-from PySide6.QtWidgets import QDockWidget, QLabel, QSplitter, QVBoxLayout, QWidget
+from brdf_qt.translation import mark, tr
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent, QKeySequence, QShortcut
+from PySide6.QtWidgets import QDockWidget, QLabel, QMenu, QSplitter, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.plot_row import PlotRow
 
+_VIEW_WIDTH = 400
+
 
 class LobeWindow(SuiteWindow):
-    """The window of Lobe Visualizer; parts add to it by the ``add_`` methods and :meth:`set_centre`."""
+    """The window of Lobe Visualizer; parts add to it by the ``add_`` methods and :meth:`set_centre`.
+
+    Intents: ``open_asked(Path | None)``, a file or that one be asked for; ``dropped(list[Path])``;
+    ``recent_cleared``; ``closing``, just before it closes.
+    """
+
+    open_asked = Signal(object)
+    dropped = Signal(object)
+    recent_cleared = Signal()
+    closing = Signal()
 
     def __init__(self) -> None:
         super().__init__("Lobe Visualizer")
+        self.setAcceptDrops(True)
         self.paint_menu.setTitle(tr("&Reflectance"))
         self._sections: dict[str, Section] = {}
+        self.docks: dict[str, QDockWidget] = {}
         self._menus = {
             "file": self.file_menu,
             "edit": self.edit_menu,
@@ -32,6 +46,7 @@ class LobeWindow(SuiteWindow):
             "help": self.help_menu,
         }
         self._build_centre()
+        self._build_file_menu()
 
     # What a part adds.
 
@@ -50,6 +65,7 @@ class LobeWindow(SuiteWindow):
     def add_beside(self, widget: QWidget) -> None:
         """Put a widget at the right of the view: the legend."""
         self.top_split.addWidget(widget)
+        self.top_split.setStretchFactor(self.top_split.count() - 1, 0)
 
     def add_plot(self, key: str, title: str, widget: QWidget) -> None:
         """Add a plot below the view, which its button shows or hides; ``title`` is translated already."""
@@ -85,6 +101,7 @@ class LobeWindow(SuiteWindow):
         dock = self.add_panel(title, widget, area)
         dock.setObjectName(f"panel_{key}")
         dock.setVisible(visible)
+        self.docks[key] = dock
         return dock
 
     def add_command(
@@ -125,7 +142,45 @@ class LobeWindow(SuiteWindow):
 
     def complete(self) -> None:
         """Settle what depends on every part: size and place of the panels."""
+        beside = [self.top_split.widget(place) for place in range(1, self.top_split.count())]
+        widths = [widget.sizeHint().width() for widget in beside]
+        self.top_split.setSizes([max(self.width() - sum(widths), _VIEW_WIDTH), *widths])
+        self.centre_split.setSizes([3 * self.height() // 5, 2 * self.height() // 5])
         self.restore_layout()
+
+    def show_recent(self, paths: Sequence[Path]) -> None:
+        """Fill File ▸ Open Recent."""
+        self.recent_menu.clear()
+        for number, path in enumerate(paths, 1):
+            action = self.recent_menu.addAction(f"&{number % 10} {path.name}")
+            action.setToolTip(str(path))
+            action.triggered.connect(lambda _=False, path=path: self.open_asked.emit(path))
+        self.recent_menu.addSeparator()
+        self.recent_menu.addAction(tr("&Clear"), self.recent_cleared.emit)
+        self.recent_menu.setEnabled(bool(paths))
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        event.acceptProposedAction()
+        self.dropped.emit([Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()])
+
+    def may_close(self) -> bool:
+        """See :meth:`SuiteWindow.may_close`: nothing here is unsaved."""
+        self.closing.emit()
+        return True
+
+    def _build_file_menu(self) -> None:
+        keys = QKeySequence.StandardKey
+        opened = self.add_action(
+            self.file_menu, mark("&Open…"), lambda: self.open_asked.emit(None), keys.Open, "folder-open"
+        )
+        self.toolbar.addAction(opened)
+        self.recent_menu = QMenu(tr("Open &Recent"), self.file_menu)
+        self.recent_menu.setToolTipsVisible(True)
+        self.file_menu.addMenu(self.recent_menu)
 
     def _build_centre(self) -> None:
         self.top_split = QSplitter(Qt.Orientation.Horizontal)

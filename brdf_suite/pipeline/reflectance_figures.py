@@ -131,7 +131,7 @@ def reflectance_figures(request: FiguresRequest, progress: Progress | None = Non
     report(progress, 0.8, "errors")
     fit = None if request.fit is None else turned(request.fit, request.azimuth_deg)
     reference = None if request.reference is None else turned(request.reference, request.azimuth_deg)
-    readings = _readings(whole, fit, reference, request.geometry_set)
+    readings = angle_readings(whole, fit, reference, request.geometry_set)
     return ReflectanceFigures(
         AlbedoCurve(np.array(INCIDENCES_DEG), np.array(albedo)),
         Reciprocity(worst, where if worst else "", typical),
@@ -223,9 +223,10 @@ def _even_pairs() -> tuple[Floats, Floats]:
     return directions[0], directions[1]
 
 
-def _readings(
+def angle_readings(
     whole: Reflectance, fit: Reflectance | None, reference: Reflectance | None, angles: GeometrySet
 ) -> tuple[AngleReading, ...]:
+    """Return the colour at every geometry, and ΔE00 of fit and of reference to it; azimuth 0."""
     lights = illumination([g.illumination_deg for g in angles.geometries])
     views = aspecular_view(
         [g.illumination_deg for g in angles.geometries], [g.aspecular_deg for g in angles.geometries]

@@ -1,0 +1,130 @@
+"""Lobes for every subject, fitted off the main thread: a paint within its time limit and then exactly, others once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from brdf_qt.message_bar import message_of
+from brdf_qt.tasks import TaskRunner
+from brdf_qt.translation import tr
+from PySide6.QtCore import QObject
+
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.subjects import Subject, SubjectFit
+from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.documents.paint import Paint
+from brdf_suite.progress import Progress
+from brdf_suite.reflectance.protocol import Reflectance
+
+if TYPE_CHECKING:
+    from brdf_suite.documents.store import AnyPaint
+    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.paint import PaintFit
+
+
+@dataclass(frozen=True, eq=False)
+class _Wanted:
+    title: str
+    reflectance: Reflectance
+    paint: AnyPaint | None
+
+
+class Fits(QObject):
+    """Gives each subject its fit as soon as there is one; a subject whose reflectance changes is fitted anew.
+
+    The fit of before stays until the new one is there: a picture that is late by a frame is better than one that
+    flickers.
+    """
+
+    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        # One thread: HiGHS takes a core, and a fit of samples takes a second or two.
+        self.tasks = TaskRunner(self, threads=1)
+        self._of: dict[str, Reflectance] = {}
+        desk.subjects_changed.connect(self._look)
+        self._look()
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether every subject has its fit, or is known to have none."""
+        return not self.tasks.busy
+
+    def close(self) -> None:
+        """End what is being fitted."""
+        self.tasks.stop()
+
+    def taken(self, key: str, reflectance: Reflectance) -> None:
+        """Say that the subject's fit is brought by somebody else, as with a paint that is followed."""
+        self._of[key] = reflectance
+
+    def _look(self) -> None:
+        subjects = self._desk.subjects
+        for key in set(self._of) - {s.key for s in subjects}:
+            del self._of[key]
+            self.tasks.cancel(key)
+            self._window.progress.end_job(f"fit {key}")
+            self._window.dismiss_message(f"fit {key}")
+        for subject in subjects:
+            if self._of.get(subject.key) is not subject.reflectance:
+                self._of[subject.key] = subject.reflectance
+                self._fit(subject)
+
+    def _fit(self, subject: Subject) -> None:
+        key, reflectance = subject.key, subject.reflectance
+        wanted = _Wanted(subject.title, reflectance, subject.paint)
+        job = f"fit {key}"
+        strip = self._window.progress
+        text = tr("Fitting lobes to {name}").format(name=subject.title)
+
+        def moved(fraction: float, _what: str) -> None:
+            strip.set_job(job, fraction, text, lambda: self.tasks.cancel(key))
+
+        def done(fit: SubjectFit) -> None:
+            strip.end_job(job)
+            self._window.dismiss_message(job)
+            now = self._desk.subject(key)
+            if now is not None and now.reflectance is reflectance:
+                self._desk.change(key, fit=fit)
+
+        def failed(error: Exception) -> None:
+            strip.end_job(job)
+            todo = tr("It is shown without a fit.")
+            self._window.show_message(message_of(error, job, todo=todo))
+
+        self.tasks.submit(key, _fitted, wanted, done, failed, moved)
+
+
+def _fitted(wanted: _Wanted, progress: Progress) -> SubjectFit:
+    # Deferred: the fit of measured data is much to import, and nothing of it is needed for the first picture.
+    from brdf_suite.pipeline.any_fit import fit_document, fit_reflectance
+
+    if isinstance(wanted.paint, Paint):
+        return fit_of_any(fit_document(wanted.paint))
+    return fit_of_any(fit_reflectance(wanted.title, wanted.reflectance, progress=progress))
+
+
+def fit_of_any(found: AnyFit) -> SubjectFit:
+    """Return what the desk keeps of a fit of anything."""
+    return SubjectFit(
+        found.weights,
+        found.fit_seconds,
+        time_limited=found.time_limited,
+        worst_delta_e=found.worst_delta_e,
+        notices=found.notices,
+        source=found,
+    )
+
+
+def fit_of_paint(found: PaintFit) -> SubjectFit:
+    """Return what the desk keeps of a fit of a paint."""
+    return SubjectFit(
+        found.weights,
+        found.fit_seconds,
+        time_limited=found.time_limited,
+        exact_follows=found.exact_follows,
+        worst_delta_e=found.worst_delta_e,
+        notices=found.notices,
+        source=found,
+    )

@@ -1,0 +1,116 @@
+"""Options of the command line that say how a run without a user looks: the light, the radius, what is shown."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from brdf_lobe_visualizer.options import CHANNELS, COSINES, RADII, SHOWN, Shown
+
+if TYPE_CHECKING:
+    from brdf_lobe_visualizer.assembly import LobeVisualizer
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    view = parser.add_argument_group("the view of this run")
+    view.add_argument(
+        "--incidence", type=incidence, metavar="THETA,PHI", help="the light, degrees: as in 45,0 or 60,90"
+    )
+    view.add_argument("--radius", choices=RADII, help="how values become lengths")
+    view.add_argument("--channel", choices=CHANNELS, help="what the surface is coloured by, and plots draw")
+    view.add_argument(
+        "--cosine", choices=COSINES, help="what f_r is multiplied with: N·L, N·L and N·V, or nothing"
+    )
+    view.add_argument(
+        "--show",
+        type=shown,
+        metavar="WHAT",
+        help="target, fit, both of them as target,fit, side-by-side, or difference",
+    )
+    view.add_argument(
+        "--reference", type=int, metavar="N", help="the N-th reflectance is the reference, from 1"
+    )
+    view.add_argument("--front", type=int, metavar="N", help="the N-th reflectance is selected, from 1")
+    view.add_argument("--plots", metavar="KEY,KEY", help="the plots that are shown below, and no others")
+    view.add_argument("--panels", metavar="KEY,KEY", help="panels that are shown: numbers, reflectances")
+    view.add_argument("--no-inspector", action="store_true", help="leave the inspector out")
+    view.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        type=_pair,
+        metavar="KEY=VALUE",
+        help="an option of a view of its own; may be given more than once",
+    )
+
+
+def incidence(text: str) -> tuple[float, float]:
+    """Parse ``THETA,PHI`` in degrees (an argparse type); the azimuth may be left out."""
+    parts = text.split(",")
+    try:
+        theta, phi = float(parts[0]), float(parts[1]) if len(parts) > 1 else 0.0
+    except ValueError:
+        theta = phi = float("nan")
+    if len(parts) > 2 or not 0.0 <= theta < 90.0 or not abs(phi) <= 360.0:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no incidence; give a polar angle below 90 and an azimuth, as in 45,0"
+        )
+    return theta, phi
+
+
+def shown(text: str) -> Shown:
+    """Parse what is shown of each reflectance (an argparse type)."""
+    words = frozenset(text.replace("-", " ").split(","))
+    if words == {"target", "fit"}:
+        return "both"
+    word = next(iter(words))
+    if len(words) != 1 or word not in SHOWN:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not shown; give target, fit, target,fit, side-by-side or difference"
+        )
+    return word
+
+
+def apply_view(program: LobeVisualizer, options: argparse.Namespace) -> None:
+    """Set what the options ask for and no subject is needed for; call before the window is shown."""
+    desk, window = program.desk, program.window
+    wanted = {name: getattr(options, name) for name in ("radius", "channel", "cosine")}
+    if options.show is not None:
+        wanted["shown"] = options.show
+    desk.set_options(**{name: value for name, value in wanted.items() if value is not None})
+    if options.incidence is not None:
+        desk.set_incidence(*options.incidence)
+    if options.plots is not None:
+        keys = options.plots.split(",") if options.plots else []
+        for key in window.plots.plots:
+            window.plots.set_shown(key, key in keys, remember=False)
+    for key in options.panels.split(",") if options.panels else ():
+        dock = window.docks.get(key)
+        if dock is not None:
+            dock.show()
+    if options.no_inspector:
+        window.inspector_dock.hide()
+    for key, value in options.set:
+        for part in program.parts:
+            take = getattr(part, "set_from_script", None)
+            if take is not None and take(key, value):
+                break
+        else:
+            raise SystemExit(f"brdf-lobes: --set {key}={value}: no view has this option.")
+
+
+def apply_subjects(program: LobeVisualizer, options: argparse.Namespace) -> None:
+    """Choose front and reference by their places, once the subjects are there."""
+    subjects = program.desk.subjects
+    if options.front is not None and 1 <= options.front <= len(subjects):
+        program.desk.set_front(subjects[options.front - 1].key)
+    if options.reference is not None and 1 <= options.reference <= len(subjects):
+        program.desk.set_compared(subjects[options.reference - 1].key)
+
+
+def _pair(text: str) -> tuple[str, str]:
+    key, found, value = text.partition("=")
+    if not found or not key:
+        raise argparse.ArgumentTypeError(f"{text!r} sets nothing; give KEY=VALUE")
+    return key, value

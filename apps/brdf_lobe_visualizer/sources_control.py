@@ -1,0 +1,185 @@
+"""Opening what is looked at: read on a thread, with progress and cancel, shown in the legend, remembered as recent."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import count
+from pathlib import Path
+
+from brdf_qt.message_bar import Message, message_of
+from brdf_qt.settings import settings
+from brdf_qt.tasks import TaskRunner
+from brdf_qt.translation import tr
+from PySide6.QtCore import QObject, Signal
+
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.sources import ENTRY_MARK, Opened, open_source
+from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, Subject
+from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.progress import Progress
+
+RECENT_KEY = "recent/files"
+MOST_RECENT = 10
+
+
+class Sources(QObject):
+    """Opens names and files, any number at a time.
+
+    Signals
+    -------
+    opened(asked, keys)
+        What was asked is on the desk, as subjects of these keys.
+    failed(asked)
+        It could not be opened; the message is shown.
+    recent_changed()
+        The recent files are others.
+    idle()
+        All that was asked for is on the desk, or has failed.
+    palette_opened(title, entries)
+        A palette was read; ``entries`` are pairs of name and origin, each of which can be opened.
+    """
+
+    opened = Signal(str, object)
+    failed = Signal(str)
+    recent_changed = Signal()
+    idle = Signal()
+    palette_opened = Signal(str, object)
+
+    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        # Its own, so that a long fit keeps no file waiting; files are read at once, two at a time.
+        self.tasks = TaskRunner(self)
+        self._numbers = count(1)
+        self._waiting: dict[str, str] = {}
+
+    @property
+    def busy(self) -> bool:
+        """Whether anything is being read."""
+        return self.tasks.busy
+
+    def open(self, asked: str | Path, *, alone: bool = False, remember: bool = True) -> str:
+        """Begin to open a name or a file; it comes after the subjects that are there, or ``alone`` in their place.
+
+        Returns the key of the job.
+        """
+        name = str(asked)
+        job = f"open {next(self._numbers)}"
+        self._waiting[job] = name
+        strip = self._window.progress
+        shown = Path(name.partition(ENTRY_MARK)[0]).name
+
+        def moved(fraction: float, _what: str) -> None:
+            strip.set_job(
+                job, fraction, tr("Reading {name}").format(name=shown), lambda: self._cancelled(job)
+            )
+
+        def done(found: Opened) -> None:
+            self._ended(job)
+            self._take(name, found, alone=alone, remember=remember)
+
+        def failed(error: Exception) -> None:
+            self._ended(job)
+            self._window.show_message(message_of(error, f"open {name}", todo=tr("What was shown stays.")))
+            self.failed.emit(name)
+            self._look_idle()
+
+        moved(0.0, "")
+        self.tasks.submit(job, _read, name, done, failed, moved)
+        return job
+
+    def open_many(self, asked: Iterable[str | Path]) -> None:
+        """Begin to open several."""
+        for one in asked:
+            self.open(one)
+
+    def add(self, subject: Subject) -> str:
+        """Put a subject that is there already on the desk, with a key and a line of its own; return the key."""
+        key = f"subject {next(self._numbers)}"
+        colour, dash = self.next_line()
+        self._desk.add(replace(subject, key=key, colour=colour, dash=dash))
+        return key
+
+    def next_line(self) -> tuple[tuple[float, float, float], str]:
+        """Return colour and dash that the fewest subjects have: each colour with a dash of its own first."""
+        used = [(s.colour, s.dash) for s in self._desk.subjects]
+        lines = [
+            (colour, DASHES[(place + turn) % len(DASHES)])
+            for turn in range(len(DASHES))
+            for place, colour in enumerate(LINE_COLOURS)
+        ]
+        return min(lines, key=used.count)
+
+    # Recent files.
+
+    def recent(self) -> Sequence[Path]:
+        """Return the files that were opened last and are still there, newest first."""
+        stored = settings().value(RECENT_KEY, [])
+        stored = [stored] if isinstance(stored, str) else list(stored or [])
+        return [Path(path) for path in stored if isinstance(path, str) and Path(path).is_file()]
+
+    def clear_recent(self) -> None:
+        """Forget them."""
+        settings().remove(RECENT_KEY)
+        self.recent_changed.emit()
+
+    def close(self) -> None:
+        """End what is being read."""
+        self.tasks.stop()
+
+    def _take(self, name: str, found: Opened, *, alone: bool, remember: bool) -> None:
+        if alone:
+            self._desk.set_subjects(())
+        keys = [self.add(subject) for subject in found.subjects]
+        if keys:
+            self._desk.set_front(keys[0])
+        if remember:
+            self._remember(name)
+        if found.entries:
+            self.palette_opened.emit(found.title, found.entries)
+        self._tell(name, found, len(keys))
+        self.opened.emit(name, keys)
+        self._look_idle()
+
+    def _tell(self, name: str, found: Opened, shown: int) -> None:
+        key = f"open {name}"
+        self._window.dismiss_message(key)
+        if found.notes:
+            what = tr("{count} entries of {title} cannot be shown.").format(
+                count=len(found.notes), title=found.title
+            )
+            self._window.show_message(Message(key, what, where=found.notes[0], severity="warning"))
+        elif shown < len(found.entries):
+            what = tr("{title} has {count} paints; the first {shown} are shown.").format(
+                title=found.title, count=len(found.entries), shown=shown
+            )
+            self._window.show_message(
+                Message(key, what, todo=tr("The others stand in the panel Reflectances (Ctrl+L)."))
+            )
+
+    def _remember(self, name: str) -> None:
+        if not Path(name).is_file():
+            return
+        path = str(Path(name).absolute())
+        kept = [path, *(str(p) for p in self.recent() if str(p) != path)]
+        settings().setValue(RECENT_KEY, kept[:MOST_RECENT])
+        self.recent_changed.emit()
+
+    def _cancelled(self, job: str) -> None:
+        name = self._waiting.pop(job, "")
+        self.tasks.cancel(job)
+        self.failed.emit(name)
+        self._look_idle()
+
+    def _look_idle(self) -> None:
+        if not self._waiting:
+            self.idle.emit()
+
+    def _ended(self, job: str) -> None:
+        self._waiting.pop(job, None)
+        self._window.progress.end_job(job)
+
+
+def _read(name: str, progress: Progress) -> Opened:
+    return open_source(name, progress)
