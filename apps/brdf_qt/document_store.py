@@ -194,6 +194,10 @@ class DocumentStore(QObject, Generic[T]):
         self.stack.setClean()
         self._set_path(path)
 
+    def note_stamp(self, stamp: FileStamp | None) -> None:
+        """Note what the file holds now, where the value was merged with it and is not saved yet."""
+        self._stamp = stamp
+
     def _is_alive(self) -> bool:
         """Return false while Qt destroys the stack, which clears it with all its signals first."""
         return isValid(self) and isValid(self.stack)

@@ -1,0 +1,1 @@
+"""Color Swatch: the program that keeps collections of paints."""

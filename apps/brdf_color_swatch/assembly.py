@@ -1,0 +1,175 @@
+"""Puts Color Swatch together: library, desk, window, parts, pictures, link."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from brdf_qt.application import error_relay
+from brdf_qt.dialogs import Dialogs, QtDialogs
+from brdf_qt.document_files import DocumentFormat
+from brdf_qt.link import LiveLink
+from brdf_qt.message_bar import Message
+from brdf_qt.recovery import Recovered
+from brdf_qt.translation import tr
+from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QWidget
+
+from brdf_color_swatch.controller import Controller
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.file_part import new_palette
+from brdf_color_swatch.library import Library
+from brdf_color_swatch.parts import build_parts
+from brdf_color_swatch.view_state import Scope
+from brdf_color_swatch.window import SwatchWindow
+from brdf_suite.documents.palette import Palette
+from brdf_suite.documents.palette_store import (
+    PALETTE_ENDING,
+    load_palette,
+    palette_from_json,
+    palette_to_json,
+    save_palette,
+)
+from brdf_suite.resources import resource_names
+
+_MOST_NAMED = 4
+
+
+def palette_format() -> DocumentFormat[Palette]:
+    """Return how palettes are made, read and written."""
+    return DocumentFormat(
+        kind="palette",
+        ending=PALETTE_ENDING,
+        new=new_palette,
+        load=load_palette,
+        save=save_palette,
+        to_json=palette_to_json,
+        from_json=palette_from_json,
+        name_of=lambda palette: palette.name,
+    )
+
+
+class ColorSwatch:
+    """The program's parts, joined; ``window`` is not yet shown."""
+
+    def __init__(self, dialogs: Callable[[QWidget], Dialogs] = QtDialogs) -> None:
+        lights = resource_names("environments", ".exr")
+        self.window = SwatchWindow(lights, lambda _pane, _row: None)
+        self.library = Library(palette_format(), dialogs(self.window), self._autosave_failed, self.window)
+        self.desk = Desk(self.library, self.window)
+        self.desk.recall()
+        self.link = LiveLink("swatch", parent=self.window)
+        self.controller = Controller(self.desk, self.window, self.window)
+        self.parts = build_parts(self.desk, self.window)
+        self.window.complete()
+        self.controller.start()
+        self._closed = False
+        self.window.close_asked.connect(self._may_close)
+        self.window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
+        app = QCoreApplication.instance()
+        if app is not None:
+            app.aboutToQuit.connect(self.close)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all that follows by itself is there."""
+        return not self.library.tasks.busy and all(getattr(part, "is_complete", True) for part in self.parts)
+
+    def start(self) -> None:
+        """Do what can wait until the window is painted: the library of the last run, link, unsaved work."""
+        self.library.restore()
+        self.link.start()
+        for part in self.parts:
+            begin = getattr(part, "begin", None)
+            if begin is not None:
+                begin()
+        self._offer_recovery()
+
+    def open(self, name: str) -> None:
+        """Open a file, or with ``shipped`` the paints that come with the suite."""
+        if name == "shipped":
+            self.part("open_shipped")()
+        else:
+            self.window.open_asked.emit(Path(name))
+
+    def do(self, action: str) -> bool:
+        """Do what a script asks for: ``search=TEXT`` and the like, or a command by its key; False: none such."""
+        from dataclasses import replace
+
+        key, _, value = action.partition("=")
+        desk = self.desk
+        if key == "search":
+            desk.set_state(replace(desk.state, text=value))
+        elif key == "sort":
+            desk.set_state(replace(desk.state, sort=value))
+        elif key == "palette":
+            desk.show_scope(Scope(self.library.items[int(value)].key))
+        elif key == "group":
+            desk.show_scope(replace(desk.state.scope, group=tuple(value.split("/")) if value else ()))
+        elif key == "select":
+            pane = self.window.panes[desk.front]
+            pane.grid.select_rows([int(number) for number in value.split(",")])
+        elif key == "section":
+            self.window.section(value).set_open(True)
+        else:
+            command = self.window.command(key)
+            if command is None or not command.isEnabled():
+                return False
+            command.trigger()
+        return True
+
+    def part(self, method: str) -> Callable[..., object]:
+        """Return a method of whichever part has it."""
+        found = next(part for part in self.parts if hasattr(part, method))
+        return getattr(found, method)  # type: ignore[no-any-return]  # parts differ
+
+    def close(self) -> None:
+        """Leave the link; unsaved work of a program that is told to end is kept for the next start."""
+        self.link.close()
+        for part in self.parts:
+            end = getattr(part, "close_part", None)
+            if end is not None:
+                end()
+        if not self._closed:
+            self._closed = True
+            self.library.keep_unsaved()
+
+    def _may_close(self, question: QCloseEvent) -> None:
+        if self.library.may_close_all():
+            self.library.remember()
+            question.accept()
+        else:
+            question.ignore()
+
+    def _autosave_failed(self, error: BaseException) -> None:
+        error_relay().report(error, "autosave")
+
+    def _offer_recovery(self) -> None:
+        found = self.library.unsaved_work()
+        if not found:
+            return
+        names = [tr("“{name}”").format(name=_name(item)) for item in found]
+        if len(names) > _MOST_NAMED:
+            names = [*names[: _MOST_NAMED - 1], tr("{count} more").format(count=len(names) - _MOST_NAMED + 1)]
+        newest = max(item.when for item in found)
+        what = tr("Unsaved work was found, the newest from {when}: {names}.").format(
+            when=f"{newest:%d %B, %H:%M}", names=", ".join(names)
+        )
+        todo = tr("An earlier run ended before it was saved. Recover opens it; no file is changed.")
+        actions = (
+            (tr("Recover"), lambda: self._recover(found)),
+            (tr("Discard"), lambda: [self.library.drop_recovered(item) for item in found] and None),
+        )
+        self.window.show_message(Message("recovery", what, todo=todo, actions=actions))
+
+    def _recover(self, found: list[Recovered[Palette]]) -> None:
+        key = ""
+        # The newest was worked at last, and is shown.
+        for item in reversed(found):
+            key = self.library.recover(item)
+        self.desk.show_scope(Scope(key))
+
+
+def _name(item: Recovered[Palette]) -> str:
+    return item.path.name if item.path else item.value.name

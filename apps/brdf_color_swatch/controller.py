@@ -1,0 +1,276 @@
+"""Between desk and window: what is shown goes in, what the user does comes out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from brdf_qt.translation import tr
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction
+
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.library import Item
+from brdf_color_swatch.pane import Pane
+from brdf_color_swatch.rows import group_title
+from brdf_color_swatch.swatch_panel import readings_of
+from brdf_color_swatch.view_state import Look, PaneState, Scope
+from brdf_color_swatch.window import SwatchWindow
+from brdf_suite.appearance.flat_colours import display_notes
+from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.palette import Entry
+
+
+class Controller(QObject):
+    """Keeps the window in step with the desk."""
+
+    def __init__(self, desk: Desk, window: SwatchWindow, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._desk, self._window = desk, window
+        self._join()
+
+    def start(self) -> None:
+        """Show everything for the first time."""
+        self._show_items()
+        for pane in self._window.panes:
+            self._show_shown(pane.number)
+        self._show_state(self._desk.front)
+        self._show_look(None, self._desk.look)
+        self._show_history()
+
+    def _join(self) -> None:
+        desk, window, library = self._desk, self._window, self._desk.library
+        desk.shown_changed.connect(self._show_shown)
+        desk.state_changed.connect(self._show_state)
+        desk.front_changed.connect(self._show_front)
+        desk.selection_changed.connect(self._show_selection)
+        desk.look_changed.connect(self._show_look)
+        desk.reveal_asked.connect(lambda pane, ids: window.panes[pane].reveal(ids))
+        library.items_changed.connect(self._show_items)
+        library.palette_changed.connect(lambda _key: self._show_selection(desk.front))
+        library.message.connect(window.show_message)
+        library.settled.connect(window.dismiss_message)
+        library.history.changed.connect(self._show_history)
+        window.tree.scope_chosen.connect(self._choose_scope)
+        bar = window.bar
+        bar.searched.connect(lambda text: desk.set_state(replace(desk.state, text=text)))
+        bar.left_downwards.connect(lambda: window.panes[desk.front].view.setFocus())
+        bar.sort_chosen.connect(lambda key: desk.set_state(replace(desk.state, sort=key)))
+        bar.turned.connect(lambda: desk.set_state(replace(desk.state, descending=not desk.state.descending)))
+        bar.form_chosen.connect(lambda form: desk.set_look(form=form, as_list=False))
+        bar.size_chosen.connect(lambda size: desk.set_look(size=size))
+        bar.light_chosen.connect(lambda name: desk.set_look(booth=name))
+        bar.list_chosen.connect(lambda on: desk.set_look(as_list=on))
+        filters = window.filters
+        filters.range_edited.connect(
+            lambda key, low, high: desk.set_state(desk.state.with_range(key, low, high))
+        )
+        filters.duplicates_asked.connect(lambda value: desk.set_state(replace(desk.state, duplicates=value)))
+        filters.cleared.connect(lambda: desk.set_state(desk.state.cleared()))
+        for pane in window.panes:
+            number = pane.number
+            pane.worked_in.connect(lambda number=number: desk.set_front(number))
+            pane.selected.connect(lambda ids, number=number: desk.set_selected(number, ids))
+            pane.size_asked.connect(lambda size: desk.set_look(size=size))
+            pane.sort_asked.connect(
+                lambda key, descending, number=number: desk.set_state(
+                    replace(desk.states[number], sort=key, descending=descending), number
+                )
+            )
+            pane.close_asked.connect(lambda: self.show_second(False))
+
+    def show_second(self, shown: bool) -> None:
+        """Show a second pane, of the same palette at first, or one alone."""
+        desk = self._desk
+        if shown and not desk.states[1].scope.palette:
+            desk.set_state(PaneState(Scope(desk.states[0].scope.palette)), 1)
+        self._window.show_second(shown)
+        desk.set_front(1 if shown else 0)
+        for pane in self._window.panes:
+            self._show_title(pane)
+
+    # What is shown.
+
+    def _choose_scope(self, scope: Scope) -> None:
+        self._desk.show_scope(scope)
+
+    def _show_items(self) -> None:
+        desk, window = self._desk, self._window
+        window.tree.show_items(desk.library.items)
+        window.tree.show_scope(desk.state.scope)
+        for pane in window.panes:
+            self._show_title(pane)
+            self._show_note(pane)
+        self._show_window_title()
+
+    def _show_window_title(self) -> None:
+        item = self._desk.item
+        if item is None:
+            self._window.show_title("", None, clean=True)
+        else:
+            self._window.show_title(item.title[:200], item.path, clean=item.is_clean)
+
+    def _show_shown(self, number: int) -> None:
+        pane, shown = self._window.panes[number], self._desk.shown[number]
+        pane.show_shown(shown)
+        self._show_title(pane)
+        self._show_note(pane)
+        if number == self._desk.front:
+            self._show_counts()
+
+    def _show_state(self, number: int) -> None:
+        state, window = self._desk.states[number], self._window
+        window.panes[number].show_sort(state.sort, descending=state.descending)
+        if number == self._desk.front:
+            window.bar.show_state(state)
+            window.filters.show_state(state)
+            window.tree.show_scope(state.scope)
+            self._show_palette_fields()
+            self._show_window_title()
+
+    def _show_front(self) -> None:
+        self._show_state(self._desk.front)
+        self._show_selection(self._desk.front)
+        for pane in self._window.panes:
+            self._show_title(pane)
+
+    def _show_title(self, pane: Pane) -> None:
+        state, item = self._desk.states[pane.number], self._item(pane)
+        title = "" if item is None else item.title[:200]
+        if state.scope.group:
+            title = f"{title} › {group_title(state.scope.group)[:200]}"
+        if state.scope.tag:
+            title = tr("{palette}, tag {tag}").format(palette=title, tag=state.scope.tag)
+        if state.near is not None:
+            title = tr("{palette}, nearest to {paint}").format(palette=title, paint=state.near.name[:80])
+        shown, whole = len(pane.model.shown.places), len(pane.model.shown.rows)
+        if shown == whole:
+            count = tr("{count} swatches").format(count=whole) if item is not None else ""
+        else:
+            count = tr("{shown} of {count}").format(shown=shown, count=whole)
+        two = self._window.has_two_panes
+        pane.show_title(
+            title, count, front=pane.number == self._desk.front, closable=two and pane.number == 1
+        )
+
+    def _item(self, pane: Pane) -> Item | None:
+        return self._desk.library.item(self._desk.states[pane.number].scope.palette)
+
+    def _show_note(self, pane: Pane) -> None:
+        """Say why there are no swatches, and offer what to do."""
+        item, state = self._item(pane), self._desk.states[pane.number]
+        new, opened = (tr("New Palette"), "new"), (tr("Open…"), "open")
+        if item is None:
+            text = tr(
+                "Choose a palette in the library, open one, or begin a new one.\nFiles can be dropped here."
+            )
+            pane.show_note(text, (new, opened, (tr("The Shipped Paints"), "shipped")))
+        elif item.state == "reading":
+            text = tr("Reading {name}").format(name=item.title[:200])
+            pane.show_note(text, ((tr("Cancel"), "cancel"),), busy=True)
+        elif item.state == "wrong":
+            text = tr("{problem}\nRepair the file or take it from its backup, and read it again.").format(
+                problem=item.problem[:500]
+            )
+            pane.show_note(text, ((tr("Read Again"), "again"), (tr("Take out of the Library"), "close")))
+        elif item.state == "closed":
+            pane.show_note(tr("This palette is not read yet."), ((tr("Read It"), "again"),))
+        elif pane.model.rowCount():
+            pane.show_note("")
+        elif len(self._desk.library.rows(item.key)) == 0:
+            text = tr(
+                "This palette is empty. Drop paints here, paste colours, or take the paint being edited."
+            )
+            pane.show_note(text, ((tr("Add Paints…"), "add"), (tr("Take the Paint Being Edited"), "take")))
+        elif state.is_narrowed or state.near is not None:
+            text = tr("No swatch fits the search and the filters.")
+            pane.show_note(text, ((tr("Let All Pass"), "clear"),))
+        else:
+            pane.show_note(tr("Nothing is in this group yet. Drop swatches here."))
+
+    def _show_counts(self) -> None:
+        desk = self._desk
+        shown, selected = len(desk.shown[desk.front].places), len(desk.selected)
+        text = tr("{count} shown").format(count=shown)
+        if selected:
+            text = tr("{count} shown, {selected} selected").format(count=shown, selected=selected)
+        self._window.count_cell.set(text)
+        flat = [e.content for e in desk.shown[desk.front].rows.entries if isinstance(e.content, FlatColour)]
+        notes = display_notes(flat) if flat else ()
+        self._window.note_cell.set(notes[0] if notes else "", "\n".join(notes))
+
+    def _show_selection(self, number: int) -> None:
+        if number == self._desk.front:
+            entries = self._desk.selected_entries
+            self._window.swatch.show_entries(entries, figures_of(entries[0]) if len(entries) == 1 else "")
+            self._show_palette_fields()
+            self._show_counts()
+
+    def _show_palette_fields(self) -> None:
+        palette, scope = self._desk.palette, self._desk.state.scope
+        panel = self._window.palette_panel
+        group = None
+        if palette is not None and scope.group:
+            group = next((one for one in palette.groups if one.path == scope.group), None)
+        if group is not None:
+            panel.show_palette(group.name, group.colour, group.notes, there=True)
+        elif palette is not None:
+            panel.show_palette(palette.name, palette.colour, palette.notes, there=True)
+        else:
+            panel.show_palette("", "", "", there=False)
+
+    def _show_look(self, _old: Look | None, look: Look) -> None:
+        self._window.bar.show_look(look)
+        for pane in self._window.panes:
+            pane.grid.form = look.form
+            pane.grid.set_size(look.size)
+            pane.show_as_list(look.as_list)
+            pane.grid.viewport().update()
+
+    def _show_history(self) -> None:
+        history, window = self._desk.library.history, self._window
+        for key, word, name, can in (
+            ("undo", tr("&Undo"), history.undo_name, history.can_undo),
+            ("redo", tr("&Redo"), history.redo_name, history.can_redo),
+        ):
+            action = window.findChild(QAction, f"action_{key}")
+            if action is not None:
+                action.setText(f"{word} {name}".rstrip())
+                action.setIconText(word.replace("&", ""))
+                action.setToolTip(f"{action.text().replace('&', '')} ({action.shortcut().toString()})")
+                action.setEnabled(can)
+
+
+def figures_of(entry: Entry) -> str:
+    """Return the figures of an entry with their units, a line each."""
+    lines = [
+        f"{name}  L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}".strip()
+        for name, lab in readings_of(entry)
+    ]
+    content = entry.content
+    if isinstance(content, Paint):
+        from brdf_color_swatch.columns import rows_of
+
+        flop = rows_of((entry,)).flop[0]
+        if flop == flop:
+            lines.append(tr("Flop {flop}").format(flop=f"{flop:.1f}"))
+        gloss = tr("Gloss 20°: {gloss} GU").format(gloss=f"{content.gloss.gu_20:g}")
+        if content.gloss.gu_60 is not None:
+            gloss += ", " + tr("60°: {gloss} GU").format(gloss=f"{content.gloss.gu_60:g}")
+        lines.append(gloss)
+        if content.flakes is not None:
+            lines.append(
+                tr("Flakes: {density} /mm², {size} µm").format(
+                    density=f"{content.flakes.density_per_mm2:g}", size=f"{content.flakes.size_um:g}"
+                )
+            )
+    elif isinstance(content, FlatColour):
+        numbers = ", ".join(f"{value:.4g}" for value in content.values[:6])
+        numbers += "…" if len(content.values) > 6 else ""
+        lines.append(f"{content.model}  {numbers}" + (f"  ({content.space})" if content.space else ""))
+        lines += display_notes([content])
+    if entry.usage != "process":
+        lines.append(tr("Spot colour") if entry.usage == "spot" else tr("Global colour"))
+    if entry.date:
+        lines.append(tr("Date {date}").format(date=entry.date[:10]))
+    return "\n".join(lines)

@@ -1,0 +1,247 @@
+"""What the window shows of the library: the panes' states, the look, and which pane is in front. No widget here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from brdf_qt.settings import settings
+from brdf_qt.translation import tr
+from PySide6.QtCore import QObject, Signal
+
+from brdf_color_swatch.grid_layout import Part
+from brdf_color_swatch.library import Item, Library
+from brdf_color_swatch.model import Shown
+from brdf_color_swatch.narrowing import narrowed
+from brdf_color_swatch.rows import Rows, group_title
+from brdf_color_swatch.view_state import Look, PaneState, Scope
+from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.errors import SuiteError
+
+Edit = Callable[[Palette], Palette]
+
+
+class Desk(QObject):
+    """The state between library and window.
+
+    Signals
+    -------
+    shown_changed(pane)
+        A pane shows other swatches, or the same in another order.
+    state_changed(pane)
+        What narrows or orders a pane is something else.
+    front_changed()
+        The other pane is worked in.
+    selection_changed(pane)
+        Other swatches are selected in a pane.
+    look_changed(old, new)
+        Form, size, light, or list for grid.
+    reveal_asked(pane, ids)
+        These swatches are to be selected and seen.
+    """
+
+    shown_changed = Signal(int)
+    state_changed = Signal(int)
+    front_changed = Signal()
+    selection_changed = Signal(int)
+    look_changed = Signal(object, object)
+    reveal_asked = Signal(int, object)
+
+    def __init__(self, library: Library, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.library = library
+        self.states = [PaneState(), PaneState()]
+        self.shown = [Shown(Rows.empty()), Shown(Rows.empty())]
+        self._selected: list[tuple[str, ...]] = [(), ()]
+        self._front = 0
+        self.look = Look()
+        library.palette_changed.connect(self._palette_changed)
+        library.items_changed.connect(self._items_changed)
+        library.history.travelled.connect(lambda step: self._show_step(library.keys_of(step)))
+
+    # The pane in front.
+
+    @property
+    def front(self) -> int:
+        """The number of the pane that is worked in: 0, or 1 for the second."""
+        return self._front
+
+    @property
+    def state(self) -> PaneState:
+        """The state of the pane in front."""
+        return self.states[self._front]
+
+    @property
+    def item(self) -> Item | None:
+        """The item of the library that the pane in front shows."""
+        return self.library.item(self.state.scope.palette)
+
+    @property
+    def palette(self) -> Palette | None:
+        """The palette of the pane in front; ``None`` where none is open there."""
+        return self.library.palette(self.state.scope.palette)
+
+    def set_front(self, pane: int) -> None:
+        """Work in a pane."""
+        if pane != self._front:
+            self._front = pane
+            self.front_changed.emit()
+
+    # What is shown.
+
+    def set_state(self, state: PaneState, pane: int | None = None) -> None:
+        """Show a pane in another way."""
+        pane = self._front if pane is None else pane
+        before = self.states[pane]
+        if state == before:
+            return
+        self.states[pane] = state
+        if state.scope.palette != before.scope.palette and self.library.item(state.scope.palette) is not None:
+            self.library.want(state.scope.palette)
+        self.state_changed.emit(pane)
+        self.refresh(pane)
+
+    def show_scope(self, scope: Scope, pane: int | None = None) -> None:
+        """Show a palette, a group or a tag; what narrowed the pane before stays only within one palette."""
+        pane = self._front if pane is None else pane
+        state = self.states[pane]
+        if scope.palette != state.scope.palette:
+            state = state.cleared()
+        self.set_state(replace(state, scope=scope), pane)
+
+    def set_look(self, **changes: Any) -> None:
+        """Show all swatches in another way."""
+        old, self.look = self.look, replace(self.look, **changes)
+        if old != self.look:
+            self.look_changed.emit(old, self.look)
+            self.remember()
+
+    def refresh(self, pane: int) -> None:
+        """Work out anew what a pane shows."""
+        state = self.states[pane]
+        rows = self.library.rows(state.scope.palette)
+        palette = self.library.palette(state.scope.palette)
+        self.shown[pane] = _with_empty_groups(narrowed(rows, state), state, palette)
+        self.shown_changed.emit(pane)
+
+    def _palette_changed(self, key: str) -> None:
+        for pane, state in enumerate(self.states):
+            if state.scope.palette == key:
+                palette = self.library.palette(key)
+                scope = _still_there(state.scope, palette)
+                if scope != state.scope:
+                    self.states[pane] = replace(state, scope=scope)
+                    self.state_changed.emit(pane)
+                self.refresh(pane)
+
+    def _items_changed(self) -> None:
+        for pane, state in enumerate(self.states):
+            if state.scope.palette and self.library.item(state.scope.palette) is None:
+                self.set_state(PaneState(), pane)
+
+    def _show_step(self, keys: list[str]) -> None:
+        """Let what was undone or done again be seen."""
+        shown = {state.scope.palette for state in self.states}
+        if keys and not shown.intersection(keys):
+            self.show_scope(Scope(keys[0]))
+
+    # What is selected.
+
+    def set_selected(self, pane: int, ids: tuple[str, ...]) -> None:
+        """Note what is selected in a pane, in the order of its rows."""
+        if ids != self._selected[pane]:
+            self._selected[pane] = ids
+            self.selection_changed.emit(pane)
+
+    @property
+    def selected(self) -> tuple[str, ...]:
+        """The ids that are selected in the pane in front."""
+        palette = self.palette
+        if palette is None:
+            return ()
+        return tuple(key for key in self._selected[self._front] if key in palette.by_id)
+
+    @property
+    def selected_entries(self) -> list[Entry]:
+        """The entries that are selected in the pane in front, in the order of its rows."""
+        palette = self.palette
+        return [] if palette is None else [palette.entry(key) for key in self.selected]
+
+    def selected_in(self, pane: int) -> list[Entry]:
+        """Return the entries that are selected in a pane."""
+        palette = self.library.palette(self.states[pane].scope.palette)
+        if palette is None:
+            return []
+        return [palette.entry(key) for key in self._selected[pane] if key in palette.by_id]
+
+    def reveal(self, ids: tuple[str, ...], pane: int | None = None) -> None:
+        """Select swatches of a pane and let them be seen."""
+        self.reveal_asked.emit(self._front if pane is None else pane, ids)
+
+    # Edits.
+
+    def edit(self, name: str, change: Edit, key: str | None = None) -> bool:
+        """Change a palette (that in front) in one step; a refusal is told, and nothing changes."""
+        key = self.state.scope.palette if key is None else key
+        return self.edit_many(name, {key: change})
+
+    def edit_many(self, name: str, changes: dict[str, Edit]) -> bool:
+        """Change some palettes, all of it one step; where one is refused, none changes."""
+        edits = []
+        try:
+            for key, change in changes.items():
+                palette = self.library.palette(key)
+                if palette is None:
+                    return False
+                edits.append((key, change(palette)))
+        except SuiteError as error:
+            self.library.fails(error, "edit", tr("The palette is as it was."))
+            return False
+        self.library.settled.emit("edit")
+        return self.library.edit(name, *edits)
+
+    # What is remembered.
+
+    def remember(self) -> None:
+        """Keep the look for the next start."""
+        store = settings()
+        for key, value in self.look.to_json().items():
+            store.setValue(f"look/{key}", value)
+
+    def recall(self) -> None:
+        """Take up the look of the last run; what is damaged there is left as it is at a first start."""
+        store, known = settings(), self.look.to_json()
+        found = {key: store.value(f"look/{key}", value, type=type(value)) for key, value in known.items()}
+        self.look = Look.from_json(found)
+
+
+def _still_there(scope: Scope, palette: Palette | None) -> Scope:
+    if palette is None or not scope.group:
+        return scope
+    known = {group.path for group in palette.groups}
+    group = scope.group
+    while group and group not in known:
+        group = group[:-1]
+    return replace(scope, group=group)
+
+
+def _with_empty_groups(shown: Shown, state: PaneState, palette: Palette | None) -> Shown:
+    """Show the headings of empty groups too, so that something can be put there; not while a search narrows."""
+    if palette is None or state.is_narrowed or not state.keeps_order or state.scope.tag:
+        return shown
+    depth = len(state.scope.group)
+    titles = {part.title for part in shown.parts}
+    end = shown.parts[-1].first + shown.parts[-1].count if shown.parts else 0
+    more = tuple(
+        Part(title, end, 0)
+        for group in palette.groups
+        if group.path[:depth] == state.scope.group
+        and len(group.path) > depth
+        and (title := group_title(group.path)) not in titles
+        and not any(
+            other.path[: len(group.path)] == group.path and other.path != group.path
+            for other in palette.groups
+        )
+    )
+    return replace(shown, parts=(*shown.parts, *more)) if more else shown

@@ -1,0 +1,22 @@
+"""The parts of the program that come as commands, sections or panels of their own, in the order of the menus."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.edit_part import EditPart
+from brdf_color_swatch.file_part import FilePart
+from brdf_color_swatch.window import SwatchWindow
+
+PARTS: tuple[Callable[[Desk, SwatchWindow], Any], ...] = (
+    FilePart,
+    EditPart,
+)
+"""What makes each part: called with desk and window, it adds itself to the window and listens to the desk."""
+
+
+def build_parts(desk: Desk, window: SwatchWindow) -> list[Any]:
+    """Make every part and return them; their owner keeps them."""
+    return [part(desk, window) for part in PARTS]

@@ -1,0 +1,94 @@
+"""What a pane shows of the library, and how: frozen values, remembered between runs."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, fields, replace
+from typing import Any, Literal
+
+Form = Literal["sphere", "panel", "strip", "chips"]
+SORTS = ("own", "hue", "lightness", "flop", "gloss", "name", "code", "date", "tags", "nearest")
+"""The orders of a pane; ``own`` is the user's. A column of the list may be any of these or ``L_15`` … ``b_110``."""
+
+RANGES: dict[str, tuple[float, float]] = {
+    "hue": (0.0, 360.0),
+    "lightness": (0.0, 150.0),
+    "chroma": (0.0, 120.0),
+    "flop": (0.0, 30.0),
+    "gloss": (0.0, 120.0),
+}
+"""The ends of the filters' sliders: degrees, L* at 45°, C* at 45°, flop index, GU at 20°. The ends let all pass."""
+
+
+@dataclass(frozen=True)
+class Scope:
+    """Which swatches: of one palette of the library, all of it, one group with those within, or one tag."""
+
+    palette: str = ""
+    group: tuple[str, ...] = ()
+    tag: str = ""
+
+
+@dataclass(frozen=True)
+class PaneState:
+    """A scope with what narrows and orders it. ``ranges`` holds those alone that are narrower than :data:`RANGES`."""
+
+    scope: Scope = Scope()
+    text: str = ""
+    ranges: tuple[tuple[str, float, float], ...] = ()
+    sort: str = "own"
+    descending: bool = False
+    duplicates: float | None = None
+    near: Any = None
+    """The paint that the nearest are wanted of, with its name; ``None`` for none."""
+
+    @property
+    def is_narrowed(self) -> bool:
+        """Whether some of the scope may be hidden."""
+        return bool(self.text.strip() or self.ranges or self.duplicates is not None)
+
+    @property
+    def keeps_order(self) -> bool:
+        """Whether it shows the user's own order, in which swatches can be put elsewhere by hand."""
+        return self.sort == "own" and self.near is None and self.duplicates is None
+
+    def range_of(self, key: str) -> tuple[float, float]:
+        """Return the ends of a filter."""
+        for name, low, high in self.ranges:
+            if name == key:
+                return low, high
+        return RANGES[key]
+
+    def with_range(self, key: str, low: float, high: float) -> PaneState:
+        """Return this state with other ends of a filter; the whole range takes the filter away."""
+        kept = [one for one in self.ranges if one[0] != key]
+        if (low, high) != RANGES[key]:
+            kept.append((key, low, high))
+        return replace(self, ranges=tuple(sorted(kept)))
+
+    def cleared(self) -> PaneState:
+        """Return this state with nothing that hides a swatch."""
+        return replace(self, text="", ranges=(), duplicates=None, near=None, sort=_calm(self.sort))
+
+
+@dataclass(frozen=True)
+class Look:
+    """How all panes show their swatches."""
+
+    form: Form = "sphere"
+    size: int = 112
+    booth: str = "booth"
+    as_list: bool = False
+
+    def to_json(self) -> dict[str, Any]:
+        """Return it as plain values."""
+        return asdict(self)
+
+    @staticmethod
+    def from_json(value: dict[str, Any]) -> Look:
+        """Return the look of plain values; what is not known is left as it is at a first start."""
+        known = {field.name for field in fields(Look)}
+        return Look(**{key: item for key, item in value.items() if key in known})
+
+
+def _calm(sort: str) -> str:
+    return "own" if sort == "nearest" else sort
