@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 from collections.abc import Callable
@@ -57,6 +58,29 @@ def qtbot(qapp, request: pytest.FixtureRequest) -> QtBot:
 def own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """No test reads or writes the user's cache."""
     monkeypatch.setenv("BRDF_SUITE_CACHE", str(tmp_path / "cache"))
+
+
+@pytest.fixture
+def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The disk is full when a file that was written is to take the place of the old one."""
+
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "replace", full)
+
+
+@pytest.fixture(scope="session")
+def cache_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of :func:`shared_cache`."""
+    return tmp_path_factory.mktemp("cache")
+
+
+@pytest.fixture
+def shared_cache(own_cache: None, cache_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """One cache for all tests that ask for it: each light is filtered and each surface baked once a session."""
+    monkeypatch.setenv("BRDF_SUITE_CACHE", str(cache_folder))
+    return cache_folder
 
 
 @pytest.fixture(scope="session")

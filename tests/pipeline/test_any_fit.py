@@ -240,6 +240,7 @@ def test_the_fit_as_text(shared_data: Path, capsys: pytest.CaptureFixture[str]) 
         assert words in text
 
 
+@pytest.mark.usefixtures("shared_cache")
 def test_measured_and_cook_torrance_paints_render(
     shared_data: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

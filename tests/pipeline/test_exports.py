@@ -38,15 +38,7 @@ WHITE = solid_paint("Weiß", (95.0, 0.0, 1.0))
 BLUE = solid_paint("Blue", (30.0, 5.0, -40.0))
 
 
-@pytest.fixture(scope="module")
-def maps(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("maps")
-
-
-@pytest.fixture(autouse=True)
-def one_cache(own_cache: None, maps: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The light is prefiltered once for all tests here."""
-    monkeypatch.setenv("BRDF_SUITE_CACHE", str(maps))
+pytestmark = pytest.mark.usefixtures("shared_cache")
 
 
 def stop_at(fraction: float):

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import base64
-import errno
 import io
 import json
-import os
 import re
 from dataclasses import replace
 from html.parser import HTMLParser
@@ -73,15 +71,10 @@ def test_a_report_carries_the_paint(name: str, blue: Paint, tmp_path: Path) -> N
 
 @pytest.mark.parametrize("name", ["html", "pdf"])
 def test_a_report_leaves_the_old_file_on_a_full_disk(
-    name: str, blue: Paint, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    name: str, blue: Paint, tmp_path: Path, full_disk: None
 ) -> None:
     path = tmp_path / f"report.{name}"
     path.write_bytes(b"old")
-
-    def full(*_: object) -> None:
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-
-    monkeypatch.setattr(os, "replace", full)
     with pytest.raises(FileError, match="No space left"):
         export(format_named(name, PLAIN), [subject_of_paint(blue)], path)
     assert path.read_bytes() == b"old"

@@ -11,6 +11,8 @@ from PIL import Image
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.pipeline.still import render_to_file
 
+pytestmark = pytest.mark.usefixtures("shared_cache")
+
 
 @pytest.mark.parametrize("azimuth", [35.0, 200.0])
 def test_the_object_fills_the_picture_and_stands_in_its_middle(tmp_path: Path, azimuth: float) -> None:

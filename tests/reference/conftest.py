@@ -6,8 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from brdf_suite.documents.view import View
 from brdf_suite.errors import ReferenceUnavailableError
+from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.reference.variant import Variant, start
+from brdf_suite.surface.mesh import Mesh
 
 
 @pytest.fixture(scope="module")
@@ -23,11 +26,12 @@ def variant() -> Variant:
 
 
 @pytest.fixture(scope="session")
-def _cache_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("cache")
+def sphere() -> Mesh:
+    """The shipped sphere, as it is where a view says nothing of it."""
+    return load_shaped("sphere", View().surface_look)
 
 
 @pytest.fixture(autouse=True)
-def own_cache(_cache_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def own_cache(cache_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """One cache for the session: each light is prefiltered once, and never into the user's cache."""
-    monkeypatch.setenv("BRDF_SUITE_CACHE", str(_cache_folder))
+    monkeypatch.setenv("BRDF_SUITE_CACHE", str(cache_folder))

@@ -11,7 +11,6 @@ from brdf_suite.lighting.cubemap import texel_directions
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline.reference_scene import build_reference
-from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
 pytestmark = pytest.mark.usefixtures("variant")
@@ -21,11 +20,6 @@ SIZE = (40, 30)
 def light_of(function) -> Environment:
     d = direction(ring_angles(16)[:, None], column_angles(32)[None])
     return Environment("light", np.asarray(function(d) * np.ones(3), np.float32))
-
-
-@pytest.fixture(scope="module")
-def sphere():
-    return load_shaped("sphere", View().surface_look)
 
 
 def made(environment, sphere, *, ground: bool, reflectance=None, **changes):

@@ -14,7 +14,6 @@ from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles, sample
 from brdf_suite.pipeline.reference_paint import in_the_lamp, load_reflectance
 from brdf_suite.pipeline.reference_scene import ReferenceScene, build_reference
-from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.realtime.values import MaterialWeights
 from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.models.lambertian import Lambertian
@@ -31,11 +30,6 @@ def coloured(height: int = 32) -> Environment:
 
 def even(value: float = 1.0) -> Environment:
     return Environment("even", np.full((8, 16, 3), value, np.float32))
-
-
-@pytest.fixture(scope="module")
-def sphere():
-    return load_shaped("sphere", View().surface_look)
 
 
 def scene(reflectance, environment, sphere, **changes) -> ReferenceScene:
