@@ -55,7 +55,7 @@ class ColorSwatch:
 
     def __init__(self, dialogs: Callable[[QWidget], Dialogs] = QtDialogs) -> None:
         lights = resource_names("environments", ".exr")
-        self.window = SwatchWindow(lights, lambda _pane, _row: None)
+        self.window = SwatchWindow(lights)
         self.library = Library(palette_format(), dialogs(self.window), self._autosave_failed, self.window)
         self.desk = Desk(self.library, self.window)
         self.desk.recall()

@@ -233,15 +233,13 @@ def _with_empty_groups(shown: Shown, state: PaneState, palette: Palette | None) 
     depth = len(state.scope.group)
     titles = {part.title for part in shown.parts}
     end = shown.parts[-1].first + shown.parts[-1].count if shown.parts else 0
+    around = {other.path[:length] for other in palette.groups for length in range(1, len(other.path))}
     more = tuple(
         Part(title, end, 0)
         for group in palette.groups
         if group.path[:depth] == state.scope.group
         and len(group.path) > depth
         and (title := group_title(group.path)) not in titles
-        and not any(
-            other.path[: len(group.path)] == group.path and other.path != group.path
-            for other in palette.groups
-        )
+        and group.path not in around
     )
     return replace(shown, parts=(*shown.parts, *more)) if more else shown

@@ -200,7 +200,7 @@ class LibraryTree(QTreeWidget):
         if event.source() is self or can_take(event.mimeData()):
             event.acceptProposedAction()
 
-    def dragLeaveEvent(self, event: object) -> None:
+    def dragLeaveEvent(self, _event: object) -> None:
         self._drop_item = None
         self.viewport().update()
 

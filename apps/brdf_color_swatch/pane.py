@@ -36,9 +36,9 @@ _WIDTHS = {"name": 200, "code": 96, "tags": 140, "date": 90, "gloss": 96, "flop"
 class Pane(QFrame):
     """Grid and list over one model and one selection.
 
-    Signals: ``worked_in()``, ``selected(ids)``, ``opened(id)`` for Return or a double click, ``renamed(id, key, text)``,
-    ``sort_asked(key, descending)``, ``dropped(event, row)``, ``menu_asked(point)`` in screen coordinates,
-    ``close_asked()``, ``action_asked(key)`` for a button of the empty page, ``seen_changed()``, ``size_asked(size)``.
+    Signals: ``worked_in()``, ``selected(ids)``, ``opened(id)`` for Return or a double click,
+    ``renamed(id, key, text)``, ``sort_asked(key, descending)``, ``dropped(event, row)``,
+    ``menu_asked(point)`` in screen coordinates, ``close_asked()``, ``action_asked(key)`` for a button of the empty page, ``seen_changed()``, ``size_asked(size)``.
     """
 
     worked_in = Signal()

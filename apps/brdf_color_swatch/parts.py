@@ -8,11 +8,13 @@ from typing import Any
 from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.edit_part import EditPart
 from brdf_color_swatch.file_part import FilePart
+from brdf_color_swatch.picture_part import PicturePart
 from brdf_color_swatch.window import SwatchWindow
 
 PARTS: tuple[Callable[[Desk, SwatchWindow], Any], ...] = (
     FilePart,
     EditPart,
+    PicturePart,
 )
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk."""
 

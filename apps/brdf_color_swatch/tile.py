@@ -20,7 +20,7 @@ from PySide6.QtGui import (
     QRadialGradient,
 )
 
-FORMS = ("sphere", "panel", "strip", "chips")
+FORMS = ("sphere", "panel", "flop_strip", "chips")
 TEXT_LINES = 2
 _PAD = 4
 _GROUND = grey(50.0)
@@ -140,7 +140,7 @@ class TilePainter:
     def _stand_in(self, painter: QPainter, box: QRect, tile: Tile, form: str) -> None:
         """Draw the readings themselves until the picture is there: never mistaken for one, it has no light in it."""
         colours = [QColor(*(int(part) for part in code)) for code in tile.codes] or [_GROUND]
-        if form == "strip":
+        if form == "flop_strip":
             ramp = QLinearGradient(QPointF(box.topLeft()), QPointF(box.topRight()))
             for number, colour in enumerate(colours):
                 ramp.setColorAt(number / max(1, len(colours) - 1), colour)

@@ -38,7 +38,7 @@ SORT_TITLES = {
 _FORM_TITLES = {
     "sphere": (mark("Sphere"), "circle", mark("A sphere in the light booth")),
     "panel": (mark("Panel"), "rectangle", mark("A curved panel in the light booth")),
-    "strip": (mark("Flop"), "square-half", mark("The flop from 15° at the left to 110° at the right")),
+    "flop_strip": (mark("Flop"), "square-half", mark("The flop from 15° at the left to 110° at the right")),
     "chips": (mark("Chips"), "columns", mark("Flat chips: the measured colour at 15°, 45° and 110°")),
 }
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass, fields, replace
 from typing import Any, Literal
 
-Form = Literal["sphere", "panel", "strip", "chips"]
+Form = Literal["sphere", "panel", "flop_strip", "chips"]
 SORTS = ("own", "hue", "lightness", "flop", "gloss", "name", "code", "date", "tags", "nearest")
 """The orders of a pane; ``own`` is the user's. A column of the list may be any of these or ``L_15`` … ``b_110``."""
 

@@ -31,12 +31,14 @@ class SwatchWindow(SuiteWindow):
     recent_cleared = Signal()
     close_asked = Signal(QCloseEvent)
 
-    def __init__(self, lights: list[str], picture_of: Callable[[int, int], object]) -> None:
+    def __init__(self, lights: list[str]) -> None:
         super().__init__("Color Swatch")
         self.setAcceptDrops(True)
         self.tree = LibraryTree()
         self.bar = TopBar(lights)
-        self.panes = (Pane(0, picture_of), Pane(1, picture_of))
+        self.picture_of: Callable[[int, int], object] = lambda _pane, _row: None
+        """Set by what draws pictures: a QPixmap or None for a row of a pane."""
+        self.panes = tuple(Pane(number, self._picture) for number in (0, 1))
         self.swatch, self.palette_panel, self.filters = SwatchPanel(), PalettePanel(), FiltersPanel()
         self._sections: dict[str, Section] = {}
         self._build_centre()
@@ -61,6 +63,9 @@ class SwatchWindow(SuiteWindow):
         )
         self.note_cell = cells.cell("Note", tr("What there is to know of the colours shown"), elastic=True)
         self.link_cell = cells.cell("Link", tr("Other programs of the suite that are open"), right=True)
+
+    def _picture(self, pane: int, row: int) -> object:
+        return self.picture_of(pane, row)
 
     # What a part of the program adds.
 
