@@ -17,6 +17,7 @@ from brdf_lobe_visualizer.fits import Fits
 from brdf_lobe_visualizer.legend_control import LegendControl
 from brdf_lobe_visualizer.link_follow import KEY as DESIGNER
 from brdf_lobe_visualizer.link_follow import FollowedPaint
+from brdf_lobe_visualizer.numbers import AskPath, Numbers
 from brdf_lobe_visualizer.parts import PARTS, MakePart, build_parts
 from brdf_lobe_visualizer.sources_control import Sources
 from brdf_lobe_visualizer.sources_panel import SourcesPanel
@@ -39,7 +40,13 @@ class LobeVisualizer:
     ``parts`` are what makes views, plots and sections: all, unless others are given.
     """
 
-    def __init__(self, parts: Sequence[MakePart] = PARTS, *, ask_files: AskFiles | None = None) -> None:
+    def __init__(
+        self,
+        parts: Sequence[MakePart] = PARTS,
+        *,
+        ask_files: AskFiles | None = None,
+        ask_path: AskPath | None = None,
+    ) -> None:
         self.window = LobeWindow()
         self.desk = Desk(self.window, self.window)
         self.sources = Sources(self.desk, self.window)
@@ -57,6 +64,9 @@ class LobeVisualizer:
         self._default = ""
         self._build_commands()
         self.parts = build_parts(self.desk, self.window, parts)
+        self.numbers = Numbers(self.desk, self.window, ask_path=ask_path)
+        self.parts.append(self.numbers)
+        self.window.toolbar.addAction(self.numbers.action)
         self.window.add_quit()
         self.window.complete()
         remembered.recall(self.desk, self.window)
@@ -139,7 +149,7 @@ class LobeVisualizer:
 
     def _build_commands(self) -> None:
         add = self.window.add_command
-        add(
+        listed = add(
             "file",
             mark("Reflectances from the &List…"),
             "Ctrl+L",
@@ -147,7 +157,7 @@ class LobeVisualizer:
             icon="list-plus",
             tip=mark("Shipped paints, measured paints of Table 1, models, opened palettes"),
         )
-        add(
+        reset = add(
             "view",
             mark("Reset &View Options"),
             "Ctrl+0",
@@ -155,6 +165,9 @@ class LobeVisualizer:
             icon="arrow-counter-clockwise",
             tip=mark("Put incidence, channel, radius, cosine and lobes back"),
         )
+        for action, text in ((listed, mark("List")), (reset, mark("Reset View"))):
+            action.setIconText(tr(text))
+            self.window.toolbar.addAction(action)
 
     def _reset_views(self) -> None:
         self.desk.reset_options()

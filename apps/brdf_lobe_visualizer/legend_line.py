@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
 
 from brdf_lobe_visualizer.subjects import Dash, Srgb
 
-LINE_SIZE = QSize(32, 14)
+LINE_SIZE = QSize(28, 14)
 LINE_WIDTH = 2.0
 
 DASH_PATTERNS: dict[Dash, tuple[float, ...]] = {

@@ -56,6 +56,7 @@ class PlotRow(QWidget):
         button.clicked.connect(lambda: self.set_shown(key, button.isChecked()))
         self._head.insertWidget(self._head.count() - 1, button)
         self._split.addWidget(plot)
+        self._split.setStretchFactor(self._split.count() - 1, 1)
         plot.setVisible(first)
         self._plots[key], self._buttons[key] = plot, button
         self.show()
@@ -69,6 +70,8 @@ class PlotRow(QWidget):
         self._buttons[key].setChecked(shown)
         self._plots[key].setVisible(shown)
         self._split.setVisible(bool(self.shown()))
+        # All alike again: one that has just come would otherwise have what its least size is.
+        self._split.setSizes([self._split.width()] * self._split.count())
         if remember:
             settings().setValue(_SHOWN_KEY, " ".join(self.shown()))
         self.shown_changed.emit(key, shown)

@@ -12,50 +12,59 @@ import math
 import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.pipeline.reflectance_figures import CHANNELS, AngleReading, ReflectanceFigures
 from brdf_suite.pipeline.reflectance_figures_errors import ErrorSet
 
 Named = tuple[str, ReflectanceFigures]
+Group = Literal["overview", "albedo", "colours", "errors"]
+GROUPS: tuple[Group, ...] = ("overview", "albedo", "colours", "errors")
 
 
 @dataclass(frozen=True)
 class FigureRow:
     """One figure: what it is, its unit, and its value for each reflectance, None where it has none."""
 
+    group: Group
     name: str
     unit: str
     values: tuple[float | None, ...]
 
 
 def figure_rows(named: Sequence[Named]) -> tuple[FigureRow, ...]:
-    """Return every figure of the reflectances, albedo first; all must have the same geometries."""
+    """Return every figure of the reflectances, group by group; all must have the same geometries."""
     figures = [item for _, item in named]
     if not figures:
         return ()
     rows: list[FigureRow] = []
 
-    def add(name: str, unit: str, values: Iterable[float | None]) -> None:
-        rows.append(FigureRow(name, unit, tuple(_kept(value) for value in values)))
+    def add(group: Group, name: str, unit: str, values: Iterable[float | None]) -> None:
+        rows.append(FigureRow(group, name, unit, tuple(_kept(value) for value in values)))
 
-    for k, incidence in enumerate(figures[0].curve.incidence_deg):
-        add(f"albedo at {incidence:g}°", "", [f.curve.luminous[k] for f in figures])
-        for c, channel in enumerate(CHANNELS):
-            add(f"albedo at {incidence:g}°, {channel}", "", [f.curve.albedo[k, c] for f in figures])
     for c, channel in enumerate(CHANNELS):
-        add(f"hemispherical albedo, {channel}", "", [f.curve.hemispherical[c] for f in figures])
-    add("largest albedo of a channel", "", [f.curve.largest[0] for f in figures])
-    add("its incidence", "°", [f.curve.largest[1] for f in figures])
-    add("reciprocity error, worst", "", [f.reciprocity.worst for f in figures])
-    add("reciprocity error, median", "", [f.reciprocity.typical for f in figures])
-    add("directions without a number", "", [f.missing for f in figures])
+        add("overview", f"hemispherical albedo, {channel}", "", [f.curve.hemispherical[c] for f in figures])
+    add("overview", "largest albedo of a channel", "", [f.curve.largest[0] for f in figures])
+    add("overview", "its incidence", "°", [f.curve.largest[1] for f in figures])
+    add("overview", "reciprocity error, worst", "", [f.reciprocity.worst for f in figures])
+    add("overview", "reciprocity error, median", "", [f.reciprocity.typical for f in figures])
+    add("overview", "directions without a number", "", [f.missing for f in figures])
+    for k, incidence in enumerate(figures[0].curve.incidence_deg):
+        add("albedo", f"albedo at {incidence:g}°", "", [f.curve.luminous[k] for f in figures])
+        for c, channel in enumerate(CHANNELS):
+            add("albedo", f"albedo at {incidence:g}°, {channel}", "", [f.curve.albedo[k, c] for f in figures])
     for k, geometry in enumerate(g.name for g in figures[0].geometry_set.geometries):
         readings = [f.readings[k] for f in figures]
         for c, quantity in enumerate(("L*", "a*", "b*")):
-            add(f"{quantity} {geometry}", "", [_lab(reading, c) for reading in readings])
-        add(f"ΔE00 of the fit {geometry}", "", [reading.delta_e_fit for reading in readings])
-        add(f"ΔE00 to the reference {geometry}", "", [reading.delta_e_reference for reading in readings])
+            add("colours", f"{quantity} {geometry}", "", [_lab(reading, c) for reading in readings])
+        add("colours", f"ΔE00 of the fit {geometry}", "", [reading.delta_e_fit for reading in readings])
+        add(
+            "colours",
+            f"ΔE00 to the reference {geometry}",
+            "",
+            [reading.delta_e_reference for reading in readings],
+        )
     for title, errors in (
         ("fit", [f.fit for f in figures]),
         ("difference", [f.reference for f in figures]),
@@ -65,14 +74,16 @@ def figure_rows(named: Sequence[Named]) -> tuple[FigureRow, ...]:
             (", away from the mirror", [None if e is None else e.away for e in errors]),
         ):
             for name, unit, field in _ERRORS:
-                add(f"{title}, {name}{where}", unit, [_error(one, field) for one in sets])
+                add("errors", f"{title}, {name}{where}", unit, [_error(one, field) for one in sets])
     return tuple(row for row in rows if any(value is not None for value in row.values))
 
 
-def figures_text(named: Sequence[Named]) -> str:
-    """Return the table as lines of columns that stand under each other; tabs between them, so that sheets take it."""
+def figures_text(named: Sequence[Named], groups: Sequence[Group] = GROUPS) -> str:
+    """Return the table, or some groups of it, as lines with tabs between the columns, so that sheets take it."""
     lines = [["", "unit", *(name for name, _ in named)]]
-    lines += [[row.name, row.unit, *map(_number, row.values)] for row in figure_rows(named)]
+    lines += [
+        [row.name, row.unit, *map(_number, row.values)] for row in figure_rows(named) if row.group in groups
+    ]
     return "\n".join("\t".join(line) for line in lines) + "\n"
 
 
