@@ -47,12 +47,10 @@ class FiguresModel(QAbstractTableModel):
             self._rows, self._columns = rows, columns
             self.endResetModel()
 
-    def rowCount(self, _parent: _NOTHING = 1e-9
-_Index = QModelIndex()) -> int:  # noqa: B008 - Qt's own signature
+    def rowCount(self, _parent: _Index = QModelIndex()) -> int:  # noqa: B008 - Qt's own signature
         return len(self._rows)
 
-    def columnCount(self, _parent: _NOTHING = 1e-9
-_Index = QModelIndex()) -> int:  # noqa: B008 - Qt's own signature
+    def columnCount(self, _parent: _Index = QModelIndex()) -> int:  # noqa: B008 - Qt's own signature
         return 1 + len(self._columns)
 
     def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
