@@ -135,7 +135,7 @@ class Numbers(QObject):
         desk.subjects_changed.connect(self._show_lines)
         desk.front_changed.connect(self._show_lines)
         desk.visibility_changed.connect(self._show)
-        window.add_command(
+        self.action = window.add_command(
             "view",
             mark("&Numbers"),
             "Ctrl+N",
