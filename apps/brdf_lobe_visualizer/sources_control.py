@@ -53,6 +53,7 @@ class Sources(QObject):
         self.tasks = TaskRunner(self)
         self._numbers = count(1)
         self._waiting: dict[str, str] = {}
+        self._turn: dict[str, int] = {}
 
     @property
     def busy(self) -> bool:
@@ -65,7 +66,8 @@ class Sources(QObject):
         Returns the key of the job.
         """
         name = str(asked)
-        job = f"open {next(self._numbers)}"
+        turn = next(self._numbers)
+        job = f"open {turn}"
         self._waiting[job] = name
         strip = self._window.progress
         shown = Path(name.partition(ENTRY_MARK)[0]).name
@@ -77,7 +79,7 @@ class Sources(QObject):
 
         def done(found: Opened) -> None:
             self._ended(job)
-            self._take(name, found, alone=alone, remember=remember)
+            self._take(name, found, turn, alone=alone, remember=remember)
 
         def failed(error: Exception) -> None:
             self._ended(job)
@@ -94,11 +96,22 @@ class Sources(QObject):
         for one in asked:
             self.open(one)
 
-    def add(self, subject: Subject) -> str:
-        """Put a subject that is there already on the desk, with a key and a line of its own; return the key."""
+    def add(self, subject: Subject, turn: int | None = None) -> str:
+        """Put a subject on the desk, with a key and a line of its own; return the key.
+
+        It comes last, or, with the ``turn`` in which it was asked for, before those that were asked for later: a large
+        file that is read for longer keeps its place.
+        """
         key = f"subject {next(self._numbers)}"
         colour, dash = self.next_line()
-        self._desk.add(replace(subject, key=key, colour=colour, dash=dash))
+        subjects = list(self._desk.subjects)
+        place = len(subjects)
+        if turn is not None:
+            self._turn[key] = turn
+            later = [i for i, s in enumerate(subjects) if self._turn.get(s.key, 0) > turn]
+            place = later[0] if later else place
+        subjects.insert(place, replace(subject, key=key, colour=colour, dash=dash))
+        self._desk.set_subjects(subjects)
         return key
 
     def next_line(self) -> tuple[tuple[float, float, float], str]:
@@ -128,10 +141,10 @@ class Sources(QObject):
         """End what is being read."""
         self.tasks.stop()
 
-    def _take(self, name: str, found: Opened, *, alone: bool, remember: bool) -> None:
+    def _take(self, name: str, found: Opened, turn: int, *, alone: bool, remember: bool) -> None:
         if alone:
             self._desk.set_subjects(())
-        keys = [self.add(subject) for subject in found.subjects]
+        keys = [self.add(subject, turn) for subject in found.subjects]
         if keys:
             self._desk.set_front(keys[0])
         if remember:

@@ -1,4 +1,7 @@
-"""Every test here has settings and a live link of its own, on Qt's offscreen platform unless told otherwise."""
+"""A real Lobe Visualizer with settings and a live link of its own, on Qt's offscreen platform unless told otherwise.
+
+Views in three dimensions need OpenGL and are tested elsewhere; here the window is made without them.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,9 @@ import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
+from brdf_lobe_visualizer.assembly import LobeVisualizer
+from PySide6.QtCore import QCoreApplication, QEvent
+
 
 @pytest.fixture(autouse=True)
 def own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
@@ -17,3 +23,65 @@ def own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("BRDF_SUITE_SETTINGS", str(tmp_path / "settings"))
     monkeypatch.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
     return tmp_path / "settings"
+
+
+class Asked:
+    """Answers the questions for files as told."""
+
+    def __init__(self) -> None:
+        self.files: list[str] = []
+        self.path: Path | None = None
+
+
+@pytest.fixture(scope="module")
+def lasting(qapp, tmp_path_factory):
+    """One window for a whole module, without views; :func:`program` empties it for each test."""
+    asked = Asked()
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
+        patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
+        program = LobeVisualizer(
+            (), ask_files=lambda *_of: asked.files, ask_path=lambda _suggested: asked.path
+        )
+        program.window.resize(1000, 700)
+        program.window.show()
+    yield program, asked
+    program.close()
+    program.window.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def asked(lasting) -> Asked:
+    """What the next question for a file is answered with."""
+    vars(lasting[1]).update(vars(Asked()))
+    return lasting[1]
+
+
+@pytest.fixture
+def program(lasting, asked) -> LobeVisualizer:
+    """The program with nothing on its desk, all options at their defaults and no message."""
+    program, _ = lasting
+    program._started = True
+    program.desk.set_subjects(())
+    program.desk.show_all()
+    program.desk.reset_options()
+    program.desk.reset_incidence()
+    program.numbers.dock.hide()
+    for key in list(program.window.messages.shown()):
+        program.window.dismiss_message(key)
+    return program
+
+
+@pytest.fixture
+def opened(program, qtbot):
+    """Open names or files one after another, and wait for them and all that follows."""
+
+    def open_and_wait(*names: str | Path) -> LobeVisualizer:
+        for name in names:
+            with qtbot.waitSignal(program.sources.idle, timeout=60_000):
+                program.sources.open(name)
+        qtbot.waitUntil(lambda: program.is_complete, timeout=60_000)
+        return program
+
+    return open_and_wait

@@ -1,0 +1,220 @@
+"""What can be opened: by name and by the content of files, and what is told of what cannot."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from brdf_lobe_visualizer.sources import MOST_AT_ONCE, kind_of, names, open_source
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+from PySide6.QtGui import QDropEvent
+
+from brdf_suite.documents.paint import solid_paint
+from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.palette_store import save_palette
+from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.files.measured import write_measured
+from brdf_suite.geometry.directions import illumination, mirror
+from brdf_suite.reflectance.models.lambertian import Lambertian
+from brdf_suite.reflectance.registry import MODELS
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.resources import resource
+
+
+def only(name: str | Path):
+    (subject,) = open_source(str(name)).subjects
+    return subject
+
+
+@pytest.fixture(scope="module")
+def holed_table(tmp_path_factory) -> Path:
+    """A small table of which one bin of θd in the middle was not measured."""
+    grid = HalfAngleGrid(12, 12, 24)
+    table = IsotropicTable.from_reflectance(Lambertian((0.4, 0.4, 0.4)), grid)
+    holes = np.array(table.holes)
+    holes[:, 5] = True
+    path = tmp_path_factory.mktemp("tables") / "holed.brdftable"
+    write_measured(IsotropicTable.from_bins(table.values, holes), path)
+    return path
+
+
+def palette_of(count: int, path: Path) -> Path:
+    entries = tuple(Entry(solid_paint(f"Grey {k}", (20.0 + k, 0.0, 0.0))) for k in range(count))
+    save_palette(Palette("Greys", entries), path)
+    return path
+
+
+@pytest.mark.parametrize("name", ["blue", "table1_ford_f8", *MODELS])
+def test_every_name_that_is_listed_can_be_opened(name: str) -> None:
+    subject = only(name)
+    light = illumination(45.0)
+    assert np.isfinite(subject.reflectance.eval(light, mirror(light))).all()
+    listed = {origin for group in names().values() for _title, origin in group}
+    assert {subject.origin, name} <= listed
+
+
+@pytest.mark.parametrize(
+    ("file", "samples", "isotropic"),
+    [
+        ("cayman.brdf", True, True),
+        ("paper_white_rgb.bsdf", False, True),
+        ("retro-gray-tape.dat", True, True),
+    ],
+)
+def test_measured_files_are_known_by_their_content(shared_data, tmp_path, file, samples, isotropic) -> None:
+    renamed = tmp_path / "measured.xyz"
+    shutil.copy(shared_data / "brdf" / file, renamed)
+    subject = only(renamed)
+    assert subject.title == "measured.xyz"
+    assert (subject.samples is not None, subject.isotropic) == (samples, isotropic)
+    if samples:
+        assert subject.samples.wi.shape == subject.samples.values.shape
+        assert any("interpolated" in note for note in subject.notes)
+
+
+def test_a_paint_under_another_name_is_still_a_paint(tmp_path) -> None:
+    renamed = tmp_path / "paint.json"
+    shutil.copy(resource("paints", "copper.brdfpaint"), renamed)
+    assert kind_of(str(renamed)) == "paint"
+    assert only(renamed).paint.name == "Copper"
+
+
+def test_a_brushed_metal_is_anisotropic_and_a_table_is_not(holed_table) -> None:
+    assert not only("poulin_fournier").isotropic
+    assert only(holed_table).isotropic
+
+
+def test_the_holes_of_a_table_are_told_from_what_was_measured(holed_table) -> None:
+    subject = only(holed_table)
+    light = illumination(40.0)
+    # θd is 45° between light and mirror direction of 45°, in bin 6 of 12 (each 7.5° wide); bin 5 is 37.5° to 45°.
+    for incidence, known in ((30.0, True), (41.0, False), (50.0, True)):
+        light = illumination(incidence)
+        assert bool(subject.measured(light, mirror(light))) is known
+    many = subject.measured(light, np.stack([mirror(light)] * 3).reshape(3, 1, 3))
+    assert many.shape == (3, 1)
+
+
+def test_a_palette_shows_its_first_paints_and_lists_them_all(tmp_path) -> None:
+    found = open_source(str(palette_of(MOST_AT_ONCE + 3, tmp_path / "greys.json")))
+    assert [subject.title for subject in found.subjects] == [f"Grey {k}" for k in range(MOST_AT_ONCE)]
+    assert len(found.entries) == MOST_AT_ONCE + 3
+    name, origin = found.entries[-1]
+    assert only(origin).title == name
+
+
+def test_nothing_and_a_narrow_lobe_are_told(tmp_path) -> None:
+    path = tmp_path / "black.brdftable"
+    write_measured(IsotropicTable.from_reflectance(Lambertian((0.0, 0.0, 0.0)), HalfAngleGrid(4, 4, 8)), path)
+    assert any("reflects nothing" in note for note in only(path).notes)
+    assert not any("narrow lobe" in note for note in only("blue").notes)
+
+
+@pytest.mark.parametrize(
+    ("content", "place"),
+    [(b"", "byte 0"), (b"this is no measurement\n", "byte 0"), (b'{"format": "brdfpaint"}', "")],
+)
+def test_what_cannot_be_read_is_told_with_its_file(tmp_path, content, place) -> None:
+    path = tmp_path / "odd.txt"
+    path.write_bytes(content)
+    with pytest.raises(FileError) as told:
+        open_source(str(path))
+    assert str(path) in str(told.value)
+    assert not place or told.value.place == place
+
+
+def test_an_unknown_name_is_told_with_those_that_there_are() -> None:
+    with pytest.raises(SuiteError, match="copper"):
+        open_source("no such paint")
+
+
+# In the window.
+
+
+def test_files_keep_the_order_in_which_they_were_asked_for(program, qtbot, shared_data) -> None:
+    with qtbot.waitSignal(program.sources.idle, timeout=60_000):
+        program.sources.open_many([shared_data / "brdf" / "bird_example.json", "blue", "table1_white"])
+    assert [s.title for s in program.desk.subjects] == ["bird_example.json", "Blue", "White"]
+    lines = {(s.colour, s.dash) for s in program.desk.subjects}
+    assert len(lines) == 3
+
+
+def test_a_file_that_cannot_be_read_leaves_what_was_shown_and_a_message(
+    opened, program, qtbot, tmp_path
+) -> None:
+    with qtbot.waitSignal(program.sources.idle):
+        program.sources.open("lambertian")
+    bad = tmp_path / "bad.binary"
+    bad.write_bytes(b"\0" * 64)
+    with qtbot.waitSignal(program.sources.failed):
+        program.sources.open(bad)
+    (message,) = program.window.messages.shown().values()
+    assert (message.severity, message.where) == ("error", f"{bad}, at byte 0")
+    assert [s.title for s in program.desk.subjects] == ["Matt"]
+    assert program.window.progress.jobs == ()
+
+
+def test_opened_files_are_recent_newest_first_and_can_be_forgotten(program, qtbot, tmp_path) -> None:
+    paths = []
+    for name in ("copper", "red"):
+        paths.append(tmp_path / f"{name}.brdfpaint")
+        shutil.copy(resource("paints", f"{name}.brdfpaint"), paths[-1])
+    for name in (*paths, "lambertian", paths[0]):
+        with qtbot.waitSignal(program.sources.idle):
+            program.sources.open(name)
+    assert list(program.sources.recent()) == [paths[0], paths[1]]
+    texts = [action.text() for action in program.window.recent_menu.actions()]
+    assert texts[:2] == ["&1 copper.brdfpaint", "&2 red.brdfpaint"]
+    program.window.recent_menu.actions()[-1].trigger()
+    assert program.sources.recent() == []
+    assert not program.window.recent_menu.isEnabled()
+
+
+def test_files_that_are_dropped_or_asked_for_are_opened(program, asked, qtbot, tmp_path) -> None:
+    paths = []
+    for name in ("copper", "red"):
+        paths.append(tmp_path / f"{name}.brdfpaint")
+        shutil.copy(resource("paints", f"{name}.brdfpaint"), paths[-1])
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
+    drop = QDropEvent(
+        QPointF(10, 10),
+        Qt.DropAction.CopyAction,
+        data,
+        Qt.MouseButton.LeftButton,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    with qtbot.waitSignal(program.sources.idle):
+        program.window.dropEvent(drop)
+    assert [s.title for s in program.desk.subjects] == ["Copper", "Red"]
+    asked.files = [str(paths[0])]
+    with qtbot.waitSignal(program.sources.idle):
+        program.window.open_asked.emit(None)
+    assert [s.title for s in program.desk.subjects] == ["Copper", "Red", "Copper"]
+
+
+def test_the_list_finds_by_words_and_opens_on_enter(program, qtbot) -> None:
+    program.show_list()
+    panel = program.panel
+    panel.query.setText("polaris")
+    with qtbot.waitSignal(program.sources.idle):
+        qtbot.keyClick(panel.query, Qt.Key.Key_Return)
+    assert [s.title for s in program.desk.subjects] == ["Polaris Silver"]
+    panel.query.setText("no such thing")
+    assert panel._none.isVisible()
+    program.panel_dock.hide()
+
+
+def test_a_palette_stands_in_the_list_and_says_how_much_of_it_is_shown(program, qtbot, tmp_path) -> None:
+    path = palette_of(MOST_AT_ONCE + 2, tmp_path / "greys.brdfpalette")
+    with qtbot.waitSignal(program.sources.idle):
+        program.sources.open(path)
+    assert len(program.desk.subjects) == MOST_AT_ONCE
+    told = program.window.messages.shown()[f"open {path}"]
+    assert f"has {MOST_AT_ONCE + 2} paints" in told.what
+    groups = [program.panel.tree.topLevelItem(k) for k in range(program.panel.tree.topLevelItemCount())]
+    greys = next(group for group in groups if group.text(0) == "Greys")
+    assert greys.childCount() == MOST_AT_ONCE + 2
