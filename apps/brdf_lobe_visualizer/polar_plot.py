@@ -18,7 +18,8 @@ from brdf_lobe_visualizer.slice_words import degrees, quantity
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.slices_values import LOG_DECADES, Scale, nice_above, radius_of
 
-_MARGIN = 0.13
+_SIDE_PX, _TOP_PX, _FOOT_PX = 34.0, 22.0, 20.0
+"""Room for the labels round the half disc."""
 _LABELLED_DEG = (-90, -60, -30, 0, 30, 60, 90)
 
 
@@ -114,12 +115,11 @@ class PolarPlot(QWidget):
         """Take the half disc as large as the widget lets it be, its middle in the widget's."""
         area: QRect = self.plot.rect()
         wide, high = max(area.width(), 1), max(area.height(), 1)
-        box_wide, box_high = 2.0 + 2.0 * _MARGIN, 1.0 + 2.0 * _MARGIN
-        unit = min(wide / box_wide, high / box_high)
-        spare_x, spare_y = wide / unit - box_wide, high / unit - box_high
+        unit = max(10.0, min((wide - 2.0 * _SIDE_PX) / 2.0, high - _TOP_PX - _FOOT_PX))
+        middle = 0.5 * (high - unit - _TOP_PX - _FOOT_PX) + _FOOT_PX
         self.plot.setRange(
-            xRange=(-1.0 - _MARGIN - spare_x / 2, 1.0 + _MARGIN + spare_x / 2),
-            yRange=(-_MARGIN - spare_y / 2, 1.0 + _MARGIN + spare_y / 2),
+            xRange=(-0.5 * wide / unit, 0.5 * wide / unit),
+            yRange=(-middle / unit, (high - middle) / unit),
             padding=0.0,
             disableAutoRange=True,
         )
@@ -178,7 +178,9 @@ class PolarPlot(QWidget):
             }[scale]
             radii = [float(radius_of(np.array(share), scale, 1.0)) for share in shares]
             self._rings.show_rings(radii, self.palette())
-            self._shares = tuple(zip(shares, radii, strict=True))
+            # Not every ring has room for its number.
+            named = {"linear": (0.5, 1.0), "cbrt": (1.0 / 64.0, 0.125, 1.0), "log": (1e-4, 1e-2, 1.0)}[scale]
+            self._shares = tuple((share, float(radius_of(np.array(share), scale, 1.0))) for share in named)
         while len(self._radii) < len(self._shares):
             self._radii.append(self._label("", (0.5, 0.0)))
             self._radii[-1].setColor(self.palette().color(QPalette.ColorRole.Text))
@@ -201,7 +203,7 @@ class PolarPlot(QWidget):
             name.setPos(1.01 * sine, 1.01 * cosine)
 
     def _read(self, x: float, y: float) -> None:
-        if self._lines is None or not self._lines.lines or y < -_MARGIN:
+        if self._lines is None or not self._lines.lines or y < -0.2:
             return
         angle, rows = rows_at(self._lines, float(np.degrees(np.arctan2(x, max(y, 0.0)))))
         turn = np.radians(angle)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.translation import mark, tr
+from brdf_qt.translation import mark
 
 from brdf_lobe_visualizer.options import Cosine, Options
 from brdf_suite.pipeline.slices import Axis
@@ -24,30 +24,15 @@ AXIS_TIPS: dict[Axis, str] = {
     "theta_h": mark("Over the angle between half vector and normal, at the θd and φd of the section Slices."),
     "theta_d": mark("Over the angle between light and half vector, at the θh and φd of the section Slices."),
 }
-_QUANTITIES: dict[tuple[Cosine, str], str] = {
-    ("none", "y"): mark("luminance of f_r"),
-    ("none", "r"): mark("red of f_r"),
-    ("none", "g"): mark("green of f_r"),
-    ("none", "b"): mark("blue of f_r"),
-    ("light", "y"): mark("luminance of f_r·cosθi"),
-    ("light", "r"): mark("red of f_r·cosθi"),
-    ("light", "g"): mark("green of f_r·cosθi"),
-    ("light", "b"): mark("blue of f_r·cosθi"),
-    ("both", "y"): mark("luminance of f_r·cosθi·cosθo"),
-    ("both", "r"): mark("red of f_r·cosθi·cosθo"),
-    ("both", "g"): mark("green of f_r·cosθi·cosθo"),
-    ("both", "b"): mark("blue of f_r·cosθi·cosθo"),
-}
+_FACTORS: dict[Cosine, str] = {"none": "f_r", "light": "f_r·cosθi", "both": "f_r·cosθi·cosθo"}
 UNIT = "1/sr"
 
 
 def quantity(options: Options) -> str:
-    """Return what is drawn, with its unit: ``luminance of f_r·cosθi (1/sr)``."""
-    channel = options.channel if options.channel in ("r", "g", "b") else "y"
-    words = tr(_QUANTITIES[options.cosine, channel])
-    if options.shown == "difference":
-        return tr("Δ {quantity} ({unit})").format(quantity=words, unit=UNIT)
-    return tr("{quantity} ({unit})").format(quantity=words, unit=UNIT)
+    """Return what is drawn, with its unit: ``Y  f_r·cosθi (1/sr)``, luminance Y or a channel."""
+    channel = options.channel.upper() if options.channel in ("r", "g", "b") else "Y"
+    sign = "Δ " if options.shown == "difference" else ""
+    return f"{sign}{channel}  {_FACTORS[options.cosine]} ({UNIT})"
 
 
 def degrees(axis: Axis, angle_deg: float) -> str:

@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.colorimetry import LUMINANCE, WORKING_TO_SRGB, srgb_encode
+from brdf_suite.appearance.colorimetry import LUMINANCE, WORKING_TO_SRGB, srgb_decode, srgb_encode
 from brdf_suite.geometry.directions import Floats
 
 Tone = Literal["gamma", "log"]
@@ -36,7 +36,6 @@ def share_of(value: npt.ArrayLike, tone: Tone, white: float) -> Floats:
 
 def value_at(place: npt.ArrayLike, tone: Tone, white: float) -> Floats:
     """Return values (...) at places of the scale, 0…1; the inverse of :func:`share_of`."""
-    from brdf_suite.appearance.colorimetry import srgb_decode
 
     place = np.asarray(place, float)
     if tone == "gamma":
@@ -51,9 +50,9 @@ def colour_codes(value: Floats, tone: Tone, white: float) -> Bytes:
         bright = known @ LUMINANCE
         # The channels keep their ratios; lightness is the place on the logarithmic scale.
         scale = np.zeros_like(bright)
-        np.divide(share_of(bright, "log", white), bright, out=scale, where=bright > 0.0)
+        np.divide(srgb_decode(share_of(bright, "log", white)), bright, out=scale, where=bright > 0.0)
         rgb = np.clip((known * scale[..., None]) @ WORKING_TO_SRGB.T, 0.0, 1.0)
-        return np.asarray(np.rint(255.0 * rgb), np.uint8)
+        return np.asarray(np.rint(255.0 * srgb_encode(rgb)), np.uint8)
     rgb = np.clip(known @ WORKING_TO_SRGB.T / white, 0.0, 1.0)
     return np.asarray(np.rint(255.0 * srgb_encode(rgb)), np.uint8)
 
