@@ -1,0 +1,81 @@
+"""What the view shows, as plain values: panels side by side, each with surfaces over one another, points and words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.pipeline.lobe_surface import LobeSurface
+from brdf_suite.pipeline.lobe_surface_scale import RadiusScale
+
+Singles = npt.NDArray[np.float32]
+Rgba = tuple[float, float, float, float]
+NO_TINT: Rgba = (0.0, 0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """A surface and how it is drawn: ``solid``, ``glass`` or ``lines``; ``tint`` is mixed in by its last number."""
+
+    surface: LobeSurface
+    style: str = "solid"
+    opacity: float = 1.0
+    tint: Rgba = NO_TINT
+
+
+@dataclass(frozen=True, eq=False)
+class Points:
+    """Measured samples: places (n, 3) where their values lie, and colours (n, 4), 0 to 1."""
+
+    places: Singles
+    colours: Singles
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """One picture beside others, all from the same camera.
+
+    ``title`` and ``caption`` stand above it, ``colour`` is the line of the legend beside the title (None: no line),
+    ``note`` is what must be known to read the picture right.
+    """
+
+    title: str = ""
+    caption: str = ""
+    layers: tuple[Layer, ...] = ()
+    points: Points | None = None
+    note: str = ""
+    colour: tuple[float, float, float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Bar:
+    """A scale bar: codes (n, 3) from its lower end to its upper, places 0 to 1 with words, and what it measures."""
+
+    codes: npt.NDArray[np.uint8]
+    ticks: tuple[tuple[float, str], ...]
+    title: str
+
+
+@dataclass(frozen=True)
+class FrameOptions:
+    """Which of the frame is drawn: hemisphere, labels of angles, arrows, rings of values on the ground."""
+
+    hemisphere: bool = True
+    labels: bool = True
+    arrows: bool = True
+    rings: bool = True
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """All of the picture. ``light`` (3,) is the direction to the light; ``quantity`` what a radius means."""
+
+    panels: tuple[Panel, ...] = ()
+    light: Floats | None = None
+    scale: RadiusScale = RadiusScale()
+    bar: Bar | None = None
+    quantity: str = ""
+    frame: FrameOptions = FrameOptions()
