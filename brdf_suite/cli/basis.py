@@ -10,7 +10,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.cli.export_progress import add_export, export_progress
+from brdf_suite.cli.output import print_json
 
 if TYPE_CHECKING:
     from brdf_suite.fitting.basis_search.search import CountResult
@@ -59,7 +60,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="the count to be the default; left out, the rule of docs/basis.md chooses",
     )
     command.add_argument("--fresh", action="store_true", help="forget what an interrupted search found")
-    command.add_argument("--json", action="store_true", help="print the answer as one JSON object")
+    add_export(command)
     command.set_defaults(run=run)
 
 
@@ -87,7 +88,7 @@ def run(options: argparse.Namespace) -> int:
 
     document.save_state(state, settings, results)  # a folder that cannot be written is told now
     try:
-        with progress_bar("basis", quiet=options.json) as progress:
+        with export_progress("basis", options) as progress:
             search(
                 database,
                 options.lobes,

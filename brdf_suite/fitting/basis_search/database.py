@@ -156,14 +156,10 @@ def load_database(folder: Path) -> Database:
     SuiteError
         A paint has no reflectance, or one that cannot be fitted; the message names the file.
     """
-    files = sorted(folder.rglob(f"*{PAINT_ENDING}"), key=lambda path: path.relative_to(folder).as_posix())
-    if not files:
-        raise FileError(folder, f"there is no paint ({PAINT_ENDING}) in this folder")
-    digest = hashlib.sha256(repr(("edits", EDITS, LEAST_EDIT)).encode())
+    files = _paint_files(folder)
+    digest = _hash_of(folder, files)
     paints: dict[str, PaintTargets] = {}
     for number, path in enumerate(files):
-        digest.update(path.relative_to(folder).as_posix().encode() + b"\0")
-        digest.update(hashlib.sha256(path.read_bytes()).digest())
         name = path.name.removesuffix(PAINT_ENDING)
         if name in paints:
             raise FileError(path, "another paint of the database has the same file name")
@@ -180,7 +176,30 @@ def load_database(folder: Path) -> Database:
         edit = _edited(paint, EDITS[number % len(EDITS)])
         if edit is not None:
             paints[f"{name}, edited"] = targets_of(f"{name}, edited", edit)
-    return Database(tuple(paints.values()), digest.hexdigest())
+    return Database(tuple(paints.values()), digest)
+
+
+def database_sha256(folder: Path) -> str:
+    """Return the hash that :func:`load_database` would give its database: whether a stored search is of these paints.
+
+    Raises :class:`FileError` where there is no paint; a paint that cannot be fitted is not noticed.
+    """
+    return _hash_of(folder, _paint_files(folder))
+
+
+def _paint_files(folder: Path) -> list[Path]:
+    files = sorted(folder.rglob(f"*{PAINT_ENDING}"), key=lambda path: path.relative_to(folder).as_posix())
+    if not files:
+        raise FileError(folder, f"there is no paint ({PAINT_ENDING}) in this folder")
+    return files
+
+
+def _hash_of(folder: Path, files: list[Path]) -> str:
+    digest = hashlib.sha256(repr(("edits", EDITS, LEAST_EDIT)).encode())
+    for path in files:
+        digest.update(path.relative_to(folder).as_posix().encode() + b"\0")
+        digest.update(hashlib.sha256(path.read_bytes()).digest())
+    return digest.hexdigest()
 
 
 def _edited(paint: AnyPaint, share: float) -> Layered | None:

@@ -61,7 +61,7 @@ def load_state(path: Path, settings: Mapping[str, object]) -> list[CountResult]:
         reader.fail("this search is of other paints or other starts; remove it, or give --fresh", "settings")
     paints = settings["paints"]
     assert isinstance(paints, list)
-    results = [_result_from_json(item, len(paints)) for item in reader.take_objects("results")]
+    results = [result_from_json(item, len(paints)) for item in reader.take_objects("results")]
     reader.finish()
     if [result.count for result in results] != list(range(1, len(results) + 1)):
         reader.fail("the counts are not 1, 2, 3 …; remove it, or give --fresh", "results")
@@ -123,7 +123,9 @@ def _result_to_json(result: CountResult) -> dict[str, object]:
     }
 
 
-def _result_from_json(reader: FieldReader, paints: int) -> CountResult:
+def result_from_json(reader: FieldReader, paints: int) -> CountResult:
+    """Return one result of a file, with the errors of so many paints; :class:`DocumentError` where it is damaged."""
+
     def numbers(name: str, reader: FieldReader = reader, count: int | None = paints) -> tuple[float, ...]:
         values = reader.take(name)
         if not isinstance(values, list) or (count is not None and len(values) != count):

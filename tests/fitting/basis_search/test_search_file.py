@@ -1,0 +1,66 @@
+"""Searches read back from files, ended or still running, and the hash by which they know their paints."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from brdf_suite.errors import DocumentError
+from brdf_suite.fitting.basis_search.database import Database, database_sha256
+from brdf_suite.fitting.basis_search.document import save_state
+from brdf_suite.fitting.basis_search.stored import load_search
+from brdf_suite.fitting.lobes.basis import STORED_NAME, default_basis
+from brdf_suite.resources import resource
+
+
+def test_the_packaged_search_and_a_running_one_are_read(tmp_path: Path) -> None:
+    path = Path(str(resource("basis", STORED_NAME)))
+    search, plain = load_search(path), json.loads(path.read_text())
+    assert search.default_count == plain["default_count"]
+    assert search.results[search.default_count - 1].exponents == default_basis().exponents
+    assert list(search.paints) == plain["paints"]
+    assert [result.errors for result in search.results] == [tuple(row["errors"]) for row in plain["results"]]
+    assert (search.sha256, search.date) == (
+        plain["provenance"]["database_sha256"],
+        plain["provenance"]["date"],
+    )
+    state = tmp_path / "basis.json.part"
+    settings = {"database_sha256": "abc", "paints": list(search.paints), "starts": 4}
+    save_state(state, settings, search.results[:3])
+    running = load_search(state)
+    assert running.results == search.results[:3]
+    assert (running.default_count, running.date, running.sha256) == (None, "", "abc")
+
+
+def test_the_hash_of_a_folder_is_that_of_its_database(few_paints: Path, few: Database) -> None:
+    assert database_sha256(few_paints) == few.sha256
+
+
+@pytest.mark.parametrize(
+    ("change", "place"),
+    [
+        ({"format": "lobe_weights"}, "format"),
+        ({"paints": "blue"}, "paints"),
+        ({"default_count": 99}, "default_count"),
+        ({"results": []}, "default_count"),
+    ],
+)
+def test_what_is_no_search_is_told_with_its_place(
+    tmp_path: Path, change: dict[str, object], place: str
+) -> None:
+    plain = json.loads(resource("basis", STORED_NAME).read_text())
+    path = tmp_path / "search.json"
+    path.write_text(json.dumps(plain | change))
+    with pytest.raises(DocumentError) as told:
+        load_search(path)
+    assert told.value.place == place
+
+
+def test_counts_out_of_order_are_told(tmp_path: Path) -> None:
+    plain = json.loads(resource("basis", STORED_NAME).read_text())
+    path = tmp_path / "search.json"
+    path.write_text(json.dumps(plain | {"results": plain["results"][::-1]}))
+    with pytest.raises(DocumentError, match="counts"):
+        load_search(path)
