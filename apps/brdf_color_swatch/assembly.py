@@ -8,7 +8,6 @@ from pathlib import Path
 from brdf_qt.application import error_relay
 from brdf_qt.dialogs import Dialogs, QtDialogs
 from brdf_qt.document_files import DocumentFormat
-from brdf_qt.link import LiveLink
 from brdf_qt.message_bar import Message
 from brdf_qt.recovery import Recovered
 from brdf_qt.translation import tr
@@ -21,6 +20,7 @@ from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.file_part import new_palette
 from brdf_color_swatch.library import Library
 from brdf_color_swatch.parts import build_parts
+from brdf_color_swatch.view_part import ViewPart
 from brdf_color_swatch.view_state import Scope
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
@@ -59,9 +59,11 @@ class ColorSwatch:
         self.library = Library(palette_format(), dialogs(self.window), self._autosave_failed, self.window)
         self.desk = Desk(self.library, self.window)
         self.desk.recall()
-        self.link = LiveLink("swatch", parent=self.window)
         self.controller = Controller(self.desk, self.window, self.window)
         self.parts = build_parts(self.desk, self.window)
+        next(
+            part for part in self.parts if isinstance(part, ViewPart)
+        ).show_second = self.controller.show_second
         self.window.complete()
         self.controller.start()
         self._closed = False
@@ -79,7 +81,6 @@ class ColorSwatch:
     def start(self) -> None:
         """Do what can wait until the window is painted: the library of the last run, link, unsaved work."""
         self.library.restore()
-        self.link.start()
         for part in self.parts:
             begin = getattr(part, "begin", None)
             if begin is not None:
@@ -126,7 +127,6 @@ class ColorSwatch:
 
     def close(self) -> None:
         """Leave the link; unsaved work of a program that is told to end is kept for the next start."""
-        self.link.close()
         for part in self.parts:
             end = getattr(part, "close_part", None)
             if end is not None:

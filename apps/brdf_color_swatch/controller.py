@@ -19,6 +19,7 @@ from brdf_suite.appearance.flat_colours import display_notes
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
+from brdf_suite.pipeline.palette_columns import Columns
 
 
 class Controller(QObject):
@@ -44,6 +45,7 @@ class Controller(QObject):
         desk.state_changed.connect(self._show_state)
         desk.front_changed.connect(self._show_front)
         desk.selection_changed.connect(self._show_selection)
+        desk.working_changed.connect(lambda number: self._show_title(window.panes[number]))
         desk.look_changed.connect(self._show_look)
         desk.reveal_asked.connect(lambda pane, ids: window.panes[pane].reveal(ids))
         library.items_changed.connect(self._show_items)
@@ -148,6 +150,8 @@ class Controller(QObject):
             count = tr("{count} swatches").format(count=whole) if item is not None else ""
         else:
             count = tr("{shown} of {count}").format(shown=shown, count=whole)
+        if self._desk.is_working(pane.number):
+            count = tr("({count}, working)").format(count=count)
         two = self._window.has_two_panes
         pane.show_title(
             title, count, front=pane.number == self._desk.front, closable=two and pane.number == 1
@@ -249,9 +253,7 @@ def figures_of(entry: Entry) -> str:
     ]
     content = entry.content
     if isinstance(content, Paint):
-        from brdf_color_swatch.columns import rows_of
-
-        flop = rows_of((entry,)).flop[0]
+        flop = Columns.of((entry,)).flop[0]
         if flop == flop:
             lines.append(tr("Flop {flop}").format(flop=f"{flop:.1f}"))
         gloss = tr("Gloss 20°: {gloss} GU").format(gloss=f"{content.gloss.gu_20:g}")

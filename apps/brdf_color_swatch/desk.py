@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+from brdf_qt.message_bar import message_of
 from brdf_qt.settings import settings
 from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, Signal
@@ -13,7 +14,7 @@ from PySide6.QtCore import QObject, Signal
 from brdf_color_swatch.grid_layout import Part
 from brdf_color_swatch.library import Item, Library
 from brdf_color_swatch.model import Shown
-from brdf_color_swatch.narrowing import narrowed
+from brdf_color_swatch.narrowing import is_slow, narrowed
 from brdf_color_swatch.rows import Rows, group_title
 from brdf_color_swatch.view_state import Look, PaneState, Scope
 from brdf_suite.documents.palette import Entry, Palette
@@ -39,6 +40,8 @@ class Desk(QObject):
         Form, size, light, or list for grid.
     reveal_asked(pane, ids)
         These swatches are to be selected and seen.
+    working_changed(pane)
+        The order of a pane is being worked out, or is there.
     """
 
     shown_changed = Signal(int)
@@ -47,6 +50,7 @@ class Desk(QObject):
     selection_changed = Signal(int)
     look_changed = Signal(object, object)
     reveal_asked = Signal(int, object)
+    working_changed = Signal(int)
 
     def __init__(self, library: Library, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -54,6 +58,7 @@ class Desk(QObject):
         self.states = [PaneState(), PaneState()]
         self.shown = [Shown(Rows.empty()), Shown(Rows.empty())]
         self._selected: list[tuple[str, ...]] = [(), ()]
+        self._busy = [False, False]
         self._front = 0
         self.look = Look()
         library.palette_changed.connect(self._palette_changed)
@@ -121,9 +126,38 @@ class Desk(QObject):
         """Work out anew what a pane shows."""
         state = self.states[pane]
         rows = self.library.rows(state.scope.palette)
-        palette = self.library.palette(state.scope.palette)
-        self.shown[pane] = _with_empty_groups(narrowed(rows, state), state, palette)
+        task = f"order {pane}"
+        if is_slow(rows, state):
+            self._working(pane, True)
+            self.library.tasks.submit(
+                task,
+                lambda request, progress: narrowed(*request, progress),
+                (rows, state),
+                lambda shown: self._take(pane, shown),
+                lambda error: self._fail(pane, error),
+            )
+        else:
+            self.library.tasks.cancel(task)
+            self._take(pane, narrowed(rows, state))
+
+    def is_working(self, pane: int) -> bool:
+        """Whether what a pane shows is that of before, and the new order still to come."""
+        return self._busy[pane]
+
+    def _take(self, pane: int, shown: Shown) -> None:
+        state = self.states[pane]
+        self._working(pane, False)
+        self.shown[pane] = _with_empty_groups(shown, state, self.library.palette(state.scope.palette))
         self.shown_changed.emit(pane)
+
+    def _fail(self, pane: int, error: Exception) -> None:
+        self._working(pane, False)
+        self.library.message.emit(message_of(error, "order"))
+
+    def _working(self, pane: int, busy: bool) -> None:
+        if self._busy[pane] != busy:
+            self._busy[pane] = busy
+            self.working_changed.emit(pane)
 
     def _palette_changed(self, key: str) -> None:
         for pane, state in enumerate(self.states):

@@ -6,12 +6,12 @@ import uuid
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+import numpy as np
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QMimeData, QPoint, Qt
 from PySide6.QtGui import QDropEvent, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QMenu
 
-from brdf_color_swatch.columns import readings
 from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.swatch_panel import today
 from brdf_color_swatch.transfer import Carried, carry, hexes_of, taken
@@ -202,7 +202,10 @@ class EditPart:
             pane.reveal((pane.model.id_at(min(min(rows), count - 1)),))
 
     def _carry(self, entries: Sequence[Entry], source: str) -> QMimeData:
-        return carry(entries, hexes_of(readings(entries)[:, 1].tolist()), source, OWNER)
+        rows = self._desk.library.rows(source)
+        by_id = {key: place for place, key in enumerate(rows.ids)}
+        lab = [rows.lab[by_id[entry.id], 1] for entry in entries]
+        return carry(entries, hexes_of(np.nan_to_num(lab, nan=50.0).tolist()), source, OWNER)
 
     def _mime(self, number: int, ids: list[str]) -> QMimeData | None:
         key = self._desk.states[number].scope.palette

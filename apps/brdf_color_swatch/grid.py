@@ -28,6 +28,7 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
+    QPalette,
     QRegion,
     QResizeEvent,
     QWheelEvent,
@@ -91,6 +92,8 @@ class SwatchGrid(QAbstractItemView):
         self._anchor: QPoint | None = None
         self._band: QRect | None = None
         self._band_base = QItemSelection()
+        self.lines = 1
+        """Lines of text under a picture: the name, and where something has one a code or a figure."""
         self.tiles = TilePainter(DEFAULT_SIZE, self.font(), self.palette())
         self.layout_ = GridLayout((), self.tiles.tile, 400)
         self.stale: Callable[[int], bool] = lambda _row: False
@@ -106,6 +109,8 @@ class SwatchGrid(QAbstractItemView):
         # Always there: a bar that comes and goes would move every tile.
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         self.setMouseTracking(True)
+        # The surround itself, and not the lighter ground of lists: in the booth theme it is the grey to judge by.
+        self.viewport().setBackgroundRole(QPalette.ColorRole.Window)
         self.setItemDelegate(_NameDelegate(self))
         self.setModel(model)
         self.verticalScrollBar().valueChanged.connect(lambda _value: self.seen_changed.emit())
@@ -122,7 +127,7 @@ class SwatchGrid(QAbstractItemView):
                 self.verticalScrollBar().setValue(self.layout_.box(min(top, self.layout_.count - 1))[1] - GAP)
 
     def _renew(self, size: int) -> None:
-        self.tiles = TilePainter(size, self.font(), self.palette(), self.devicePixelRatioF())
+        self.tiles = TilePainter(size, self.font(), self.palette(), self.lines)
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -164,7 +169,14 @@ class SwatchGrid(QAbstractItemView):
         super().reset()
         self._hovered = self._drop_row = -1
         self._band = None
-        self._lay_out()
+        model = self.model()
+        shown = model.shown if isinstance(model, SwatchModel) else None
+        lines = 2 if shown is not None and (shown.figure or shown.rows.has_codes) else 1
+        if lines != self.lines:
+            self.lines = lines
+            self._renew(self.tiles.size)
+        else:
+            self._lay_out()
 
     def visualRect(self, index: QModelIndex) -> QRect:
         if not index.isValid() or index.column() != 0 or index.row() >= self.layout_.count:

@@ -33,6 +33,8 @@ class GridLayout:
         self.tile = tile
         self.width = width
         self.columns = max(1, (width - GAP) // (tile[0] + GAP))
+        # What is left at the right goes between the columns.
+        self.stride = max(tile[0] + GAP, (width - GAP) // self.columns)
         self._firsts = [part.first for part in self.parts]
         self._tops: list[int] = []
         top = 0
@@ -49,7 +51,7 @@ class GridLayout:
         # An empty part begins where the next one does, which holds the swatch.
         line, column = divmod(place - self._firsts[part], self.columns)
         return (
-            GAP + column * (self.tile[0] + GAP),
+            GAP + column * self.stride,
             self._body(part) + line * (self.tile[1] + GAP),
             *self.tile,
         )
@@ -72,7 +74,7 @@ class GridLayout:
             return None
         part = max(0, bisect_right(self._tops, y) - 1)
         line = max(0, (y - self._body(part)) // (self.tile[1] + GAP))
-        column = min(self.columns - 1, max(0, (x - GAP // 2) // (self.tile[0] + GAP)))
+        column = min(self.columns - 1, max(0, (x - GAP // 2) // self.stride))
         count = self.parts[part].count
         place = self.parts[part].first + min(max(count - 1, 0), line * self.columns + column)
         return min(place, self.count - 1)

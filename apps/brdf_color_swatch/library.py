@@ -23,7 +23,7 @@ from brdf_qt.tasks import TaskRunner
 from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, Signal
 
-from brdf_color_swatch.columns import rows_of
+from brdf_color_swatch.columns import finished_rows, rows_of
 from brdf_color_swatch.history import History, Step
 from brdf_color_swatch.reading import Read, read_palette_file
 from brdf_color_swatch.rows import Rows
@@ -294,6 +294,7 @@ class Library(QObject):
         watch.watch("" if path is None else str(path))
         self.items_changed.emit()
         self.palette_changed.emit(item.key)
+        self._finish_rows(item)
         self.remember()
 
     def _recovery(self, store: DocumentStore[Palette]) -> Recovery[Palette]:
@@ -328,6 +329,22 @@ class Library(QObject):
         item.palette.rows = rows_of(palette.entries, item.palette.rows)
         self.palette_changed.emit(item.key)
         self.items_changed.emit()
+        self._finish_rows(item)
+
+    def _finish_rows(self, item: Item) -> None:
+        """Work out in the background what no instrument has read."""
+        assert item.palette is not None
+        rows = item.palette.rows
+        if rows.columns.waiting.any():
+            self.tasks.submit(
+                f"columns {item.key}", finished_rows, rows, lambda more: self._take_rows(item, rows, more),
+                lambda error: self.message.emit(message_of(error, "columns")),
+            )  # fmt: skip
+
+    def _take_rows(self, item: Item, before: Rows, rows: Rows) -> None:
+        if item.palette is not None and item.palette.rows is before:
+            item.palette.rows = rows
+            self.palette_changed.emit(item.key)
 
     def _done(self, item: Item, what: str) -> None:
         assert item.palette is not None

@@ -38,7 +38,8 @@ class Pane(QFrame):
 
     Signals: ``worked_in()``, ``selected(ids)``, ``opened(id)`` for Return or a double click,
     ``renamed(id, key, text)``, ``sort_asked(key, descending)``, ``dropped(event, row)``,
-    ``menu_asked(point)`` in screen coordinates, ``close_asked()``, ``action_asked(key)`` for a button of the empty page, ``seen_changed()``, ``size_asked(size)``.
+    ``menu_asked(point)`` in screen coordinates,
+    ``close_asked()``, ``action_asked(key)`` for a button of the empty page, ``seen_changed()``, ``size_asked(size)``.
     """
 
     worked_in = Signal()
@@ -195,8 +196,9 @@ class Pane(QFrame):
     def _head(self) -> None:
         self.head = QWidget()
         row = QHBoxLayout(self.head)
-        row.setContentsMargins(8, 4, 8, 4)
+        row.setContentsMargins(8, 2, 8, 2)
         row.setSpacing(8)
+        self.head.setMinimumHeight(30)
         self._mark = QLabel("▸")
         self._mark.setToolTip(tr("The pane that is worked in"))
         self._title = ElidedLabel()

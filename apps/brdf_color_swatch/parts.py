@@ -5,15 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from brdf_color_swatch.compare_part import ComparePart
 from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.edit_part import EditPart
 from brdf_color_swatch.file_part import FilePart
+from brdf_color_swatch.link_part import LinkPart
+from brdf_color_swatch.near_part import NearPart
+from brdf_color_swatch.outside_part import OutsidePart
 from brdf_color_swatch.picture_part import PicturePart
+from brdf_color_swatch.view_part import ViewPart
 from brdf_color_swatch.window import SwatchWindow
 
 PARTS: tuple[Callable[[Desk, SwatchWindow], Any], ...] = (
     FilePart,
     EditPart,
+    ViewPart,
+    NearPart,
+    ComparePart,
+    LinkPart,
+    OutsidePart,
     PicturePart,
 )
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk."""

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from brdf_qt.translation import tr
 
 from brdf_color_swatch.tile import Tile
-from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
+from brdf_suite.pipeline.palette_columns import MAIN_ANGLES_DEG, Columns
+from brdf_suite.pipeline.palette_search import Texts
 
-ANGLES_DEG = (15.0, 45.0, 110.0)
+ANGLES_DEG = MAIN_ANGLES_DEG
 """The angles that quality control of flake finishes reads, from the face to the flop."""
 
 GROUP_SIGN = " › "
@@ -26,23 +28,49 @@ def group_title(path: Sequence[str]) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """Entries and, as arrays of as many rows, their figures.
+    """Entries and their figures: ``columns``, and ``codes`` (n, 3, 3), the sRGB of L*a*b* at 15, 45 and 110°.
 
-    ``lab`` (n, 3, 3) is L*a*b* (D65, 10°) at :data:`ANGLES_DEG`, NaN where a paint is not read there; ``gloss`` (n,)
-    gloss units at 20°, NaN where there are none; ``flop`` (n,) the flop index; ``codes`` (n, 3, 3) sRGB of ``lab``.
+    ``kept`` holds orders and the like that were worked out once.
     """
 
-    entries: tuple[Entry, ...]
-    lab: np.ndarray
-    gloss: np.ndarray
-    flop: np.ndarray
+    columns: Columns
     codes: np.ndarray
+    kept: dict[Hashable, Any] = field(default_factory=dict)
 
     @staticmethod
     def empty() -> Rows:
         """Return no rows at all."""
-        none = np.zeros((0, 3, 3))
-        return Rows((), none, np.zeros(0), np.zeros(0), none.astype(np.uint8))
+        return Rows(Columns.of(()), np.zeros((0, 3, 3), np.uint8))
+
+    @property
+    def entries(self) -> tuple[Entry, ...]:
+        """The entries."""
+        return self.columns.entries
+
+    @property
+    def lab(self) -> np.ndarray:
+        """L*a*b* (n, 3, 3) at :data:`ANGLES_DEG`; NaN where it is not known."""
+        return self.columns.main
+
+    @property
+    def gloss(self) -> np.ndarray:
+        """Gloss at 20° (n,), GU; NaN where there is none."""
+        return self.columns.gloss
+
+    @property
+    def flop(self) -> np.ndarray:
+        """Flop index (n,)."""
+        return self.columns.flop
+
+    @cached_property
+    def has_codes(self) -> bool:
+        """Whether any entry has a code."""
+        return any(entry.code for entry in self.entries)
+
+    @cached_property
+    def texts(self) -> Texts:
+        """The words to search by, folded once."""
+        return Texts(self.entries)
 
     @cached_property
     def ids(self) -> tuple[str, ...]:
@@ -130,19 +158,9 @@ class Rows:
             name=name, L=f"{lab[0]:.0f}", a=f"{lab[1]:.0f}", b=f"{lab[2]:.0f}", flop=flop
         )
 
-    @property
-    def is_paint(self) -> np.ndarray:
-        """Which rows (n,) are paints and no flat colours."""
-        return np.array([not entry.is_flat for entry in self.entries], bool)
-
 
 def _number(value: float, decimals: int) -> str:
     if not np.isfinite(value):
         return ""
     text = f"{value:.{decimals}f}"
     return text.replace("-", "−")
-
-
-def gloss_of(entry: Entry) -> float:
-    """Return gloss at 20° in gloss units; NaN where an entry has none."""
-    return entry.content.gloss.gu_20 if isinstance(entry.content, Paint) else float("nan")

@@ -21,7 +21,6 @@ from PySide6.QtGui import (
 )
 
 FORMS = ("sphere", "panel", "flop_strip", "chips")
-TEXT_LINES = 2
 _PAD = 4
 _GROUND = grey(50.0)
 
@@ -54,8 +53,8 @@ class Look:
 class TilePainter:
     """Draws tiles of one size with one font; texts cut to their width are kept."""
 
-    def __init__(self, size: int, font: QFont, palette: QPalette, ratio: float = 1.0) -> None:
-        self.size, self.font, self.palette, self.ratio = size, font, palette, ratio
+    def __init__(self, size: int, font: QFont, palette: QPalette, lines: int = 1) -> None:
+        self.size, self.font, self.palette, self.lines = size, font, palette, lines
         self._metrics = QFontMetrics(font)
         self._line = self._metrics.height()
         self._texts: dict[str, str] = {}
@@ -63,7 +62,7 @@ class TilePainter:
     @property
     def tile(self) -> tuple[int, int]:
         """Width and height of a tile in pixels."""
-        return (self.size + 2 * _PAD, self.size + 2 * _PAD + TEXT_LINES * self._line + 2)
+        return (self.size + 2 * _PAD, self.size + 2 * _PAD + self.lines * self._line + 2)
 
     def picture_box(self, box: QRect) -> QRect:
         """Return where in a tile the picture lies."""
@@ -93,7 +92,7 @@ class TilePainter:
             self._spot(painter, inside)
         painter.setPen(self.palette.color(role.HighlightedText if look.selected else role.WindowText))
         top = inside.bottom() + 2
-        for text in (tile.name, tile.below):
+        for text in (tile.name, tile.below)[: self.lines]:
             if text:
                 line = QRect(box.left() + 2, top, box.width() - 4, self._line)
                 painter.drawText(line, Qt.AlignmentFlag.AlignCenter, self._cut(text, line.width()))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from brdf_qt.choice_button import ChoiceButton
 from brdf_qt.icons import icon
 from brdf_qt.translation import mark, tr
-from PySide6.QtCore import QSignalBlocker, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent, QPalette
 from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
@@ -141,6 +141,7 @@ class TopBar(QWidget):
         self.size_slider.setMaximumWidth(140)
         self.size_slider.setAccessibleName(tr("Size of the swatches, pixels"))
         self.size_slider.valueChanged.connect(self.size_chosen)
+        self._paint_grey()
         row.addWidget(self.size_slider, 1)
         label = QLabel(tr("Light"))
         self.light = QComboBox()
@@ -153,6 +154,19 @@ class TopBar(QWidget):
         self.light.activated.connect(lambda _place: self.light_chosen.emit(self.light.currentData()))
         row.addWidget(label)
         row.addWidget(self.light)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._paint_grey()
+
+    def _paint_grey(self) -> None:
+        """Fill the slider with grey: the accent is for focus and selection alone."""
+        slider = getattr(self, "size_slider", None)
+        if slider is not None:
+            colours = QPalette(self.palette())
+            colours.setColor(QPalette.ColorRole.Highlight, colours.color(QPalette.ColorRole.PlaceholderText))
+            slider.setPalette(colours)
 
     def show_state(self, state: PaneState) -> None:
         """Show what narrows and orders the pane in front."""

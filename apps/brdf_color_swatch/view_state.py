@@ -29,6 +29,14 @@ class Scope:
 
 
 @dataclass(frozen=True)
+class Near:
+    """The paint that the nearest are wanted of: its name, and L*a*b* at 15, 45 and 110°; NaN where not known."""
+
+    name: str
+    lab: tuple[tuple[float, float, float], ...]
+
+
+@dataclass(frozen=True)
 class PaneState:
     """A scope with what narrows and orders it. ``ranges`` holds those alone that are narrower than :data:`RANGES`."""
 
@@ -38,8 +46,7 @@ class PaneState:
     sort: str = "own"
     descending: bool = False
     duplicates: float | None = None
-    near: Any = None
-    """The paint that the nearest are wanted of, with its name; ``None`` for none."""
+    near: Near | None = None
 
     @property
     def is_narrowed(self) -> bool:

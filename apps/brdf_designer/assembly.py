@@ -20,6 +20,7 @@ from brdf_designer.controller import Controller
 from brdf_designer.desk import Desk
 from brdf_designer.desk_part import Closable, Unhurried
 from brdf_designer.measured_control import MeasuredControl
+from brdf_designer.paint_offer import PaintOffer
 from brdf_designer.recovery_offer import RecoveryOffer
 from brdf_designer.sections import build_sections
 from brdf_designer.tabs import Documents
@@ -180,6 +181,8 @@ class Designer:
         window.close_asked.connect(self._may_close)
         window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
         documents.recent_changed.connect(lambda: window.show_recent(self.files.recent()))
+        self.paint_offer = PaintOffer(documents)
+        self.link.received.connect(self.paint_offer.received)
         self.link.peers_changed.connect(lambda _count: window.desk_status.show_peers(self.link.peers))
         app = QCoreApplication.instance()
         if app is not None:

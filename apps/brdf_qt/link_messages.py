@@ -26,6 +26,10 @@ VERSION = 1
 MAX_BYTES = 1_000_000
 HELLO = "hello"
 PEERS = "peers"
+OFFER = "offer"
+"""A paint handed to one program, to be opened there as a document of its own."""
+OFFER_LASTS_S = 120.0
+"""A program that is started for an offer finds it; one that is started later is not to open it."""
 _MAX_SEQ = 2**48
 _MAX_NAME = 64
 _KEYS = {"v", "topic", "value", "from", "seq"}
@@ -104,7 +108,19 @@ def document_checks() -> Mapping[str, Check]:
     return {
         "paint": lambda value: paint_from_json(value, "live link"),
         "view": lambda value: view_from_json(value, "live link"),
+        OFFER: _check_offer,
     }
+
+
+def _check_offer(value: dict[str, Any]) -> None:
+    """Check ``{"to": role, "time": seconds since 1970, "paint": {...}}``."""
+    from brdf_suite.documents.store import paint_from_json
+
+    if set(value) != {"to", "time", "paint"} or not _is_name(value["to"]):
+        raise BadMessageError("an offer has to, time and paint")
+    if isinstance(value["time"], bool) or not isinstance(value["time"], (int, float)):
+        raise BadMessageError("the time of an offer is a number of seconds")
+    paint_from_json(value["paint"], "live link")
 
 
 def _is_name(value: object) -> bool:
