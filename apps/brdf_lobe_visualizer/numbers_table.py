@@ -40,6 +40,8 @@ class FiguresModel(QAbstractTableModel):
         if same:
             # The place that is scrolled to and the selection stay while a paint is dragged.
             self._rows, self._columns = rows, columns
+            if not rows:
+                return
             self.dataChanged.emit(self.index(0, 0), self.index(self.rowCount() - 1, self.columnCount() - 1))
             self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, self.columnCount() - 1)
         else:

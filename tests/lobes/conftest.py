@@ -68,6 +68,7 @@ def program(lasting, asked) -> LobeVisualizer:
     program.desk.reset_options()
     program.desk.reset_incidence()
     program.numbers.dock.hide()
+    program.window.plots.set_shown("albedo", False, remember=False)
     for key in list(program.window.messages.shown()):
         program.window.dismiss_message(key)
     return program

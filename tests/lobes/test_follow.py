@@ -1,0 +1,138 @@
+"""Designer's paint as a subject of its own, and the fits of all subjects."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from brdf_lobe_visualizer.link_follow import KEY
+from brdf_qt.link import LiveLink
+
+from brdf_suite.documents.paint import Gloss, solid_paint
+from brdf_suite.documents.store import paint_to_json
+from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.reflectance.registry import MODELS
+
+
+@pytest.fixture
+def following(program, monkeypatch):
+    """The program as it follows; fits are exact at once, however busy the machine is."""
+    monkeypatch.setitem(PaintFitter.__init__.__kwdefaults__, "time_limit_s", 60.0)
+    program.followed._fitter = None
+    program.followed.action.setChecked(True)
+    yield program
+    program.followed._tasks.stop()
+    program.followed._fitter = None
+
+
+def told(program, paint) -> None:
+    program.followed.received("paint", paint_to_json(paint))
+
+
+def front_lab(program) -> float:
+    return program.desk.subject(KEY).paint.measurements[0].lab[0]
+
+
+def test_designers_paint_comes_over_the_link_and_changes_with_it(following, qtbot, own_session) -> None:
+    following.link.start()
+    designer = LiveLink("designer", name=following.link._name)
+    designer.start()
+    try:
+        qtbot.waitUntil(lambda: designer.peers == ("lobes",) and following.link.peers == ("designer",))
+        paint = load_shipped_paint("copper")
+        designer.publish("paint", paint_to_json(paint))
+        qtbot.waitUntil(lambda: following.desk.subject(KEY) is not None)
+        subject = following.desk.subject(KEY)
+        assert (subject.paint, following.desk.front.key) == (paint, KEY)
+        assert subject.fit.worst_delta_e is not None
+        assert "Designer" in following.window.status.cell("link").text()
+        lighter = replace(
+            paint,
+            measurements=tuple(replace(m, lab=(m.lab[0] + 3.0, *m.lab[1:])) for m in paint.measurements),
+        )
+        designer.publish("paint", paint_to_json(lighter))
+        qtbot.waitUntil(lambda: following.desk.subject(KEY).paint == lighter)
+        now = following.desk.subject(KEY)
+        assert (now.colour, now.dash) == (subject.colour, subject.dash)
+        assert len(following.desk.subjects) == 1
+    finally:
+        designer.close()
+
+
+def test_of_many_edits_the_newest_is_shown(following, qtbot) -> None:
+    for lightness in (30.0, 40.0, 50.0, 60.0):
+        told(following, solid_paint("Grey", (lightness, 0.0, 0.0)))
+    qtbot.waitUntil(lambda: following.followed.is_complete)
+    qtbot.waitUntil(lambda: front_lab(following) == 60.0)
+
+
+def test_a_paint_that_cannot_be_leaves_the_one_before(following, qtbot) -> None:
+    good = solid_paint("Grey", (50.0, 0.0, 0.0))
+    told(following, good)
+    qtbot.waitUntil(lambda: following.desk.subject(KEY) is not None)
+    bad = replace(good, gloss=Gloss(90.0, 40.0))
+    told(following, bad)
+    qtbot.waitUntil(lambda: "designer's paint" in following.window.messages.shown())
+    assert following.desk.subject(KEY).paint == good
+    told(following, good)
+    qtbot.waitUntil(lambda: "designer's paint" not in following.window.messages.shown())
+
+
+def test_taken_out_of_the_legend_it_is_followed_no_more_until_asked(following, qtbot) -> None:
+    told(following, solid_paint("Grey", (50.0, 0.0, 0.0)))
+    qtbot.waitUntil(lambda: following.desk.subject(KEY) is not None)
+    following.desk.remove(KEY)
+    assert not following.followed.action.isChecked()
+    told(following, solid_paint("Grey", (60.0, 0.0, 0.0)))
+    assert following.followed.is_complete
+    following.followed.action.setChecked(True)
+    qtbot.waitUntil(lambda: following.desk.subject(KEY) is not None)
+    assert front_lab(following) == 60.0
+
+
+def test_every_subject_is_fitted_and_the_bar_tells_of_it(opened, program) -> None:
+    opened("blue", "table1_white", "lambertian")
+    blue, white, matt = program.desk.subjects
+    assert blue.fit.worst_delta_e < 0.5
+    assert {s.fit.source.kind for s in (blue, white)} == {"designed", "cook_torrance"}
+    np.testing.assert_allclose(matt.fit.weights.kd, np.array([0.8, 0.5, 0.2]) / np.pi, rtol=0.05)
+    program.desk.set_front(blue.key)
+    assert "fit" in program.window.status.cell("fit").text()
+    assert "ΔE00" in program.window.status.cell("fit").text()
+    assert program.window.progress.jobs == ()
+
+
+def test_a_fit_that_time_has_limited_says_so(opened, program) -> None:
+    opened("blue")
+    (blue,) = program.desk.subjects
+    program.desk.change(blue.key, fit=replace(blue.fit, time_limited=True, exact_follows=True))
+    assert "the exact one follows" in program.window.status.cell("fit").text()
+    program.desk.change(blue.key, fit=replace(blue.fit, time_limited=True))
+    assert "the best that was found" in program.window.status.cell("fit").text()
+
+
+def test_a_subject_that_changes_is_fitted_anew(opened, program, qtbot) -> None:
+    opened("lambertian")
+    (matt,) = program.desk.subjects
+    program.desk.change(matt.key, reflectance=MODELS["phong"].default)
+    qtbot.waitUntil(lambda: program.desk.subject(matt.key).fit is not matt.fit, timeout=30_000)
+    assert (
+        program.desk.subject(matt.key).fit.weights.kg.any()
+        or program.desk.subject(matt.key).fit.weights.kdd.any()
+    )
+
+
+def test_what_cannot_be_fitted_is_shown_without_one(program, qtbot) -> None:
+    class Broken:
+        def eval(self, wi, wo):
+            return np.full(np.broadcast_shapes(np.shape(wi), np.shape(wo)), np.nan)
+
+    from brdf_lobe_visualizer.subjects import Subject
+
+    key = program.sources.add(Subject("", "No numbers", Broken()))
+    qtbot.waitUntil(lambda: f"fit {key}" in program.window.messages.shown(), timeout=30_000)
+    assert program.desk.subject(key).fit is None
+    program.desk.remove(key)
+    assert f"fit {key}" not in program.window.messages.shown()
