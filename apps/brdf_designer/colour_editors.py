@@ -53,8 +53,8 @@ class ColourEditors(QWidget):
         )
         self.angles.edited.connect(lambda index, c, value: self._edit(self.angles.space, index, c, value))
         self.angles.gesture_finished.connect(self._end)
-        self.flop.gesture_started.connect(lambda what: self._begin(("flop", what)))
-        self.flop.edited.connect(lambda what, value: self.edited.emit(("flop", what), (self._from(), value)))
+        self.flop.gesture_started.connect(self.begin_flop)
+        self.flop.edited.connect(self.edit_flop)
         self.flop.gesture_finished.connect(self._end)
 
     @property
@@ -83,8 +83,16 @@ class ColourEditors(QWidget):
         """Set L*, C* or h at an angle, or move all angles with it."""
         self._edit("lch", index, component, value)
 
+    def begin_flop(self, what: str) -> None:
+        """A handle of the flop is grabbed, here or on the strip: see :meth:`edit_flop`."""
+        self._begin(("flop", what))
+
+    def edit_flop(self, what: str, amount: float) -> None:
+        """Set the flop index, or the travel of lightness, chroma or hue, whatever else an edit moves."""
+        self.edited.emit(("flop", what), (self._from(), amount))
+
     def end(self) -> None:
-        """The point is let go."""
+        """The point, or the handle, is let go."""
         self._end()
 
     def _show_mode(self, mode: str) -> None:

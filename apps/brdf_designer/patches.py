@@ -1,4 +1,4 @@
-"""The colours as large fields side by side, and the flop as one continuous strip."""
+"""The colours as large fields side by side, with their numbers, what the fit gives, and a standard."""
 
 from __future__ import annotations
 
@@ -7,12 +7,11 @@ from collections.abc import Sequence
 from brdf_qt.fit_error import is_large, large_error_tip, marked
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPalette, QPen, QPolygonF
-from PySide6.QtWidgets import QGridLayout, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
 from brdf_designer.caption import Caption
-from brdf_designer.desk_state import AngleColour, Colours, Curves, GivenColour
-from brdf_designer.display import Rgb
+from brdf_designer.desk_state import AngleColour, Colours, GivenColour
 from brdf_designer.standard_patch import StandardPatch
 
 OUTSIDE_TIP = mark(
@@ -22,12 +21,6 @@ CORNER = 14.0
 GIVEN_SHARE, GIVEN_MOST = 0.3, 64.0
 """How much of a field shows what the fit gives, and at most how many pixels of its height."""
 _FIT_TIP = mark("Colour difference CIEDE2000 between what is asked and what the fitted lobes give.")
-_FRESH = (
-    mark("Flop over the aspecular angle: what is asked above, what the fitted lobes give below"),
-    mark("Flop: asked above, fitted lobes below"),
-    mark("Flop over the aspecular angle"),
-    mark("Flop"),
-)
 
 
 def paint_corner(painter: QPainter, rect: QRectF, size: float = CORNER) -> None:
@@ -255,78 +248,3 @@ def place_word(aspecular_deg: float) -> str:
     """Return the trade's word for the view at an aspecular angle; empty where there is none."""
     words = {15.0: mark("near-specular"), 45.0: mark("face"), 110.0: mark("flop")}
     return tr(words[aspecular_deg]) if aspecular_deg in words else ""
-
-
-class FlopStrip(QWidget):
-    """The model's colour from the nearest to the farthest reading, marked where something was measured."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.caption = Caption(*map(tr, _FRESH))
-        self._band = _Band()
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(4)
-        box.addWidget(self.caption)
-        box.addWidget(self._band)
-
-    def show_curves(self, curves: Curves) -> None:
-        """Show the strip, fresh."""
-        self.caption.set_forms(*map(tr, _FRESH))
-        self._band.show_curves(curves)
-
-    def mark_stale(self) -> None:
-        """Say that the strip is of the last paint that could be."""
-        self.caption.set_forms(tr("Flop: of the last paint that can be"))
-
-
-class _Band(QWidget):
-    def __init__(self) -> None:
-        super().__init__()
-        self._image, self._given = QImage(), QImage()
-        self._range = (15.0, 110.0)
-        self._marks: tuple[float, ...] = ()
-        self._outside = False
-        self.setFixedHeight(64)
-        self.setAutoFillBackground(True)
-        self.setAccessibleName(tr("Flop strip"))
-
-    def show_curves(self, curves: Curves) -> None:
-        self._image, self._given = _row(curves.strip_rgb), _row(curves.strip_given_rgb)
-        self._range, self._marks = curves.measured_deg, curves.marks_deg
-        self._outside = not bool(curves.strip_in_gamut.all())
-        self.setToolTip(tr(OUTSIDE_TIP) if self._outside else "")
-        self.update()
-
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        text = self.fontMetrics().height()
-        band = QRectF(0, 0, self.width(), self.height() - text - 6)
-        if self._image.isNull():
-            painter.fillRect(band, self.palette().base())
-            return
-        row = QRectF(0.5, 0, self._image.width() - 1.0, 1)
-        painter.drawImage(band, self._image, row)
-        given = band.adjusted(0, round((1.0 - GIVEN_SHARE) * band.height()), 0, 0)
-        painter.drawImage(given, self._given, row)
-        if self._outside:
-            paint_corner(painter, band)
-        painter.setPen(self.palette().dark().color())
-        painter.drawRect(band.adjusted(0, 0, -1, -1))
-        painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
-        first, last = self._range
-        for angle in self._marks:
-            part = (angle - first) / max(1e-9, last - first)
-            x = part * (band.width() - 1)
-            painter.drawLine(QPointF(x, band.bottom()), QPointF(x, band.bottom() + 4))
-            label = f"{angle:g}°"
-            width = self.fontMetrics().horizontalAdvance(label)
-            left = min(max(0.0, x - width / 2), band.width() - width)
-            painter.drawText(QPointF(left, self.height() - self.fontMetrics().descent() - 1.0), label)
-
-
-def _row(codes: Rgb) -> QImage:
-    """One line of pixels (n, 3)."""
-    count = len(codes)
-    return QImage(codes.tobytes(), count, 1, 3 * count, QImage.Format.Format_RGB888).copy()

@@ -19,13 +19,14 @@ from brdf_designer.coat_section import CoatSection
 from brdf_designer.colour_editors import ColourEditors
 from brdf_designer.desk_state import Colours, Curves, FitState, TabState
 from brdf_designer.flakes_section import FlakesSection
+from brdf_designer.flop_strip import FlopStrip
 from brdf_designer.paint_sections import ModelSection, TextSection
-from brdf_designer.patches import FlopStrip, PatchRow
+from brdf_designer.patches import PatchRow
 from brdf_designer.status import DeskStatus
 from brdf_designer.tabs_bar import DocumentTabs
 from brdf_designer.window_focus import order_focus
 from brdf_designer.window_letters import give_letters
-from brdf_designer.window_pickers import ColourPickers, ReadingMenus
+from brdf_designer.window_pickers import ColourPickers, ReadingMenus, fill_recent
 
 
 class DesignerWindow(SuiteWindow):
@@ -171,6 +172,7 @@ class DesignerWindow(SuiteWindow):
     def show_colours(self, colours: Colours) -> None:
         """See :class:`brdf_designer.controller.View`."""
         self._colours = colours
+        self.strip.show_colours(colours)
         self.patches.show_colours(colours)
         self.editors.show_colours(colours)
         for section in (self.coat, self.flakes, self.model, self.texts):
@@ -230,15 +232,7 @@ class DesignerWindow(SuiteWindow):
 
     def show_recent(self, paths: Sequence[Path]) -> None:
         """Fill File ▸ Open Recent."""
-        self.recent_menu.clear()
-        for number, path in enumerate(paths, 1):
-            text = f"&{number % 10} {path.name}"
-            action = self.recent_menu.addAction(text)
-            action.setToolTip(str(path))
-            action.triggered.connect(lambda _=False, path=path: self.open_asked.emit(path))
-        self.recent_menu.addSeparator()
-        self.recent_menu.addAction(tr("&Clear"), self.recent_cleared.emit)
-        self.recent_menu.setEnabled(bool(paths))
+        fill_recent(self.recent_menu, paths, self.open_asked.emit, self.recent_cleared.emit)
 
     def show_history(self, undo: str, redo: str, *, can_undo: bool, can_redo: bool) -> None:
         """Show what Undo and Redo would do, by name."""
@@ -289,25 +283,21 @@ class DesignerWindow(SuiteWindow):
 
     def _build_inspector(self) -> None:
         self.editors = ColourEditors()
-        self.editors.edited.connect(self.edited)
-        self.editors.gesture_started.connect(self.gesture_started)
-        self.editors.gesture_finished.connect(self.gesture_finished)
+        self.strip.gesture_started.connect(self.editors.begin_flop)
+        self.strip.edited.connect(self.editors.edit_flop)
+        self.strip.gesture_finished.connect(self.editors.end)
         self.plot.drag_started.connect(self.editors.begin_in_lch)
         self.plot.edited.connect(self.editors.edit_in_lch)
         self.plot.drag_finished.connect(self.editors.end)
         self.editors.pick_asked.connect(self.pick_colour)
-        self.coat, self.flakes, self.model, self.texts = (
-            CoatSection(),
-            FlakesSection(),
-            ModelSection(),
-            TextSection(),
-        )
+        self.coat, self.flakes = CoatSection(), FlakesSection()
+        self.model, self.texts = ModelSection(), TextSection()
         self.add_section("colour", tr("Colour"), self.editors)
         self.add_section("coat", tr("Coat"), self.coat)
         self.add_section("flakes", tr("Flakes"), self.flakes)
         self.add_section("model", tr("Model"), self.model)
         self.add_section("paint", tr("Paint"), self.texts)
-        for body in (self.coat, self.flakes, self.model, self.texts):
+        for body in (self.editors, self.coat, self.flakes, self.model, self.texts):
             body.edited.connect(self.edited)
             body.gesture_started.connect(self.gesture_started)
             body.gesture_finished.connect(self.gesture_finished)
@@ -373,6 +363,9 @@ class DesignerWindow(SuiteWindow):
 
     def keep_opened(self) -> None:
         """Take what is shown for what the document had when it was opened: a double click goes back to it."""
+        assert self._colours is not None
+        self.strip.keep_opened()
+        self.editors.flop.show_colours(self._colours)  # also while its numbers are not shown
         for part in (self.editors, self.coat, self.flakes, self.model):
             for field in part.findChildren(NumberField):
                 field.set_default(field.value())

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from pathlib import Path
 
 from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, Qt, Signal
@@ -92,3 +93,17 @@ class ReadingMenus(QObject):
             pick.setShortcut(QKeySequence(f"Ctrl+{number}") if number < 10 else QKeySequence())
             self._solid.addAction(text, lambda index=index: self.solid_asked.emit(index))
         return True
+
+
+def fill_recent(
+    menu: QMenu, paths: Sequence[Path], open_path: Callable[[Path], object], clear: Callable[[], object]
+) -> None:
+    """Fill the menu of the files that were open lately."""
+    menu.clear()
+    for number, path in enumerate(paths, 1):
+        action = menu.addAction(f"&{number % 10} {path.name}")
+        action.setToolTip(str(path))
+        action.triggered.connect(lambda _=False, path=path: open_path(path))
+    menu.addSeparator()
+    menu.addAction(tr("&Clear"), clear)
+    menu.setEnabled(bool(paths))

@@ -36,6 +36,10 @@
         <translation>Flop über dem Aspekularwinkel</translation>
     </message>
     <message>
+        <source>The grips move the flop about a face that stays: L, C and h at either end the travel of lightness, chroma and hue, F the flop index. Drag one up or down, or choose one with Left and Right and move it with Up and Down (Shift: finely).</source>
+        <translation>Die Griffe bewegen den Flop um eine Aufsicht, die bleibt: L, C und h an beiden Enden den Weg von Helligkeit, Buntheit und Buntton, F den Flop-Index. Einen nach oben oder unten ziehen, oder mit Pfeil links und rechts wählen und mit Pfeil auf und ab bewegen (Umschalt: fein).</translation>
+    </message>
+    <message>
         <source>Colour at {angle}: {lab}</source>
         <translation>Farbe bei {angle}: {lab}</translation>
     </message>
@@ -74,6 +78,30 @@
     <message>
         <source>face</source>
         <translation>Aufsicht</translation>
+    </message>
+    <message>
+        <source>near end</source>
+        <translation>nahes Ende</translation>
+    </message>
+    <message>
+        <source>far end</source>
+        <translation>fernes Ende</translation>
+    </message>
+    <message>
+        <source>Drag it up or down, or press Up and Down (Shift: finely): this end follows, the far end goes the other way, and the face stays. A double click goes back to the document as it was opened.</source>
+        <translation>Nach oben oder unten ziehen, oder Pfeil auf und Pfeil ab drücken (Umschalt: fein): Dieses Ende folgt, das ferne geht entgegengesetzt, und die Aufsicht bleibt. Ein Doppelklick geht zum Stand beim Öffnen zurück.</translation>
+    </message>
+    <message>
+        <source>Drag it up for more flop and down for less, or press Up and Down (Shift: finely); the face stays. A double click goes back to the document as it was opened.</source>
+        <translation>Nach oben ziehen für mehr Flop, nach unten für weniger, oder Pfeil auf und Pfeil ab drücken (Umschalt: fein); die Aufsicht bleibt. Ein Doppelklick geht zum Stand beim Öffnen zurück.</translation>
+    </message>
+    <message>
+        <source>Drag it up or down, or press Up and Down (Shift: finely): this end follows, the near end goes the other way, and the face stays. A double click goes back to the document as it was opened.</source>
+        <translation>Nach oben oder unten ziehen, oder Pfeil auf und Pfeil ab drücken (Umschalt: fein): Dieses Ende folgt, das nahe geht entgegengesetzt, und die Aufsicht bleibt. Ein Doppelklick geht zum Stand beim Öffnen zurück.</translation>
+    </message>
+    <message>
+        <source>{value}, from {near:g}° to {far:g}° ({place})</source>
+        <translation>{value}, von {near:g}° bis {far:g}° ({place})</translation>
     </message>
     <message>
         <source>flop</source>

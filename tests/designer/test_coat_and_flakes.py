@@ -134,7 +134,7 @@ def test_colours_that_no_lobes_give_are_told_and_the_nearest_offered(designer, q
     assert given is not None
     assert given != cells[2][0]._rgb, "what the fit gives is seen beside what is asked"
     qtbot.waitUntil(lambda: designer.controller.is_complete)
-    strip = window.strip._band.grab().toImage()
+    strip = window.strip.band.grab().toImage()
     end, height = strip.width() - 30, strip.height() // 2
     above, below = (strip.pixelColor(end, y).lightness() for y in (4, height))
     assert above - below > 40, "the strip shows what the lobes give under what is asked"

@@ -160,13 +160,13 @@ def test_a_picker_goes_with_its_document(designer):
 def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer, qtbot):
     window = designer.window
     qtbot.waitUntil(lambda: designer.controller.is_complete)
-    strip = window.strip._band.grab().toImage()
+    strip = window.strip.band.grab().toImage()
     gloss = window.coat.panel.fields["gloss.gu_20"]
     type_in(gloss, "199")
     assert designer.store.value.gloss.gu_20 == 199.0
     assert "199 GU" in window.messages.shown()["fit"].what
     assert "last paint" in window.strip.caption.text()
-    assert window.strip._band.grab().toImage() == strip
+    assert window.strip.band.grab().toImage() == strip
     assert window.status.cell("Fit").text().startswith("(")
     for width in (720, 1400):  # captions are chosen anew when the window changes
         window.resize(width, 800)
