@@ -63,25 +63,15 @@ class Camera:
         matrix.translate(QVector3D(*(-c for c in self.centre)))
         return matrix
 
-    def to_screen(
-        self, width: float, height: float, part: tuple[float, float, float, float] | None = None
-    ) -> QMatrix4x4:
-        """Return the projection onto a picture of that shape, or onto a part of it (left, bottom, width, height)."""
+    def to_screen(self, width: float, height: float) -> QMatrix4x4:
+        """Return the projection onto a picture of that shape."""
         # Near and far are close about the lobes, or depths could not be told apart.
         reach = 3.0 + math.dist(self.centre, (0.0, 0.0, 0.4))
         near = max(0.02 * self.distance, self.distance - reach, 1e-3)
         far = self.distance + reach
         half = near * math.tan(math.radians(0.5 * FIELD_DEG)) / min(width, height)
-        left, bottom, wide, high = part or (0.0, 0.0, width, height)
         matrix = QMatrix4x4()
-        matrix.frustum(
-            half * (2.0 * left - width),
-            half * (2.0 * (left + wide) - width),
-            half * (2.0 * bottom - height),
-            half * (2.0 * (bottom + high) - height),
-            near,
-            far,
-        )
+        matrix.frustum(-half * width, half * width, -half * height, half * height, near, far)
         return matrix
 
 

@@ -102,7 +102,7 @@ class IncidenceDrag(QObject):
 def on_sphere(
     start: npt.NDArray[np.float64], along: npt.NDArray[np.float64], radius: float
 ) -> npt.NDArray[np.float64]:
-    """Return where a ray meets the upper half of a sphere about 0 first, or comes nearest to it; (3,), length ``radius``.
+    """Return where (3,) a ray meets the upper half of a sphere about 0 first, or comes nearest to it.
 
     A ray that meets the sphere below the horizon is taken to its far side where that is above, else to the horizon.
     """

@@ -17,7 +17,11 @@ from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
 
 from brdf_lobe_visualizer.camera import PRESETS, Camera, framed, preset
 from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.incidence_section import IncidenceSection
+from brdf_lobe_visualizer.parts_section import PartsSection
 from brdf_lobe_visualizer.space_options import SpaceState
+from brdf_lobe_visualizer.surface_section import SurfaceSection
+from brdf_lobe_visualizer.sweep import SweepControl
 from brdf_lobe_visualizer.window import LobeWindow
 
 if TYPE_CHECKING:
@@ -38,6 +42,10 @@ class Space(QObject):
         self._values: SpaceValues | None = None
         self._maker: SceneMaker | None = None
         self._holder = _Holder()
+        self.sweep = SweepControl(desk, self.state, self)
+        self.incidence = IncidenceSection(desk, self.state, self.sweep)
+        self.surface = SurfaceSection(desk, self.state)
+        self.parts = PartsSection(desk, self.state)
         self._timer = QTimer(self, singleShot=True, interval=0, timeout=self.draw_now)
         window.set_centre(self._holder, tab_hides_panels=True)
         for signal in (
@@ -49,6 +57,9 @@ class Space(QObject):
         ):
             signal.connect(self._stale)
         self.state.changed.connect(self._stale)
+        window.add_section("incidence", tr("Incidence"), self.incidence)
+        window.add_section("radius", tr("Radius"), self.surface)
+        window.add_section("parts", tr("Parts"), self.parts)
         self._add_commands()
         window.first_painted.connect(self._build)
 
@@ -86,13 +97,20 @@ class Space(QObject):
         """Show all of the hemisphere."""
         self.set_camera(framed(self.camera))
 
+    def close(self) -> None:
+        """End what moves."""
+        self.sweep.set_running(False)
+        self._timer.stop()
+
     # Drawing.
 
     def draw_now(self) -> None:
         """Bring the view up to date."""
         self._timer.stop()
         if self.view is not None and self._maker is not None:
-            self.view.set_scene(self._maker.scene(self.state.options))
+            scene = self._maker.scene(self.state.options)
+            self.view.set_scene(scene)
+            self.surface.hold(scene.scale.full)
 
     def picture(self, width: int, height: int) -> QImage:
         """Return the view as a picture of any size; a null one where there is none."""
@@ -139,6 +157,11 @@ class Space(QObject):
         for number, (key, title) in enumerate(PRESETS, 1):
             add("view", title, str(number), lambda key=key: self.go_to(key))
         add("view", mark("Frame the Hemisphere"), None, self.frame)
+        sweep = add("view", mark("Sweep the Incidence"), "Space", self.sweep.set_running, checked=False)
+        self.sweep.running_changed.connect(sweep.setChecked)
+        # In the view alone: elsewhere the space bar presses buttons.
+        sweep.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        self._holder.addAction(sweep)
 
 
 class _Holder(QWidget):

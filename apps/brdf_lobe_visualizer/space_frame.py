@@ -127,7 +127,8 @@ def _arrows(light: Floats, ink: Rgba) -> tuple[list[npt.NDArray[np.void]], list[
     # The light comes in: its arrow points to the middle. The others go out.
     # Within the hemisphere they are thin: what they would cover is what is looked at.
     rows += _arrow(LIGHT_REACH * light, 0.98 * light, gold, 0.0 * light)
-    rows += _arrow(1.0 * top, _MIRROR_REACH * top, rose, 0.0 * top)
+    # The mirror direction's has no line within: it would look like a spike.
+    rows += _arrow(1.0 * top, _MIRROR_REACH * top, rose, 1.0 * top)
     rows += _arrow(1.0 * normal, _MIRROR_REACH * normal, (*ink[:3], 0.85), 0.0 * normal)
     labels = [
         Label(_triple(1.12 * LIGHT_REACH * light), "L", gold, True),
@@ -145,7 +146,7 @@ def _arrow(start: Floats, end: Floats, colour: Rgba, foot: Floats) -> list[npt.N
     return [
         segments(start, neck, (2.4, 2.4), colour),
         segments(neck, end, (11.0, 0.5), colour),
-        segments(inner, foot, (1.2, 1.2), (*colour[:3], 0.6)),
+        segments(inner, foot, (1.2, 1.2), (*colour[:3], 0.4)),
     ]
 
 

@@ -7,14 +7,16 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from brdf_qt.translation import mark, tr
+from brdf_qt.translation import tr
 
+from brdf_lobe_visualizer.crosshair import number
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.slice_words import UNIT, quantity
-from brdf_lobe_visualizer.space_options import SpaceOptions
+from brdf_lobe_visualizer.space_options import BODY_DEG, SpaceOptions
 from brdf_lobe_visualizer.space_samples import sample_points
-from brdf_lobe_visualizer.space_scene import NO_TINT, Bar, FrameOptions, Layer, Panel, Scene
+from brdf_lobe_visualizer.space_scene import Bar, FrameOptions, Layer, Panel, Scene
 from brdf_lobe_visualizer.space_values import Found, SpaceValues, with_cosine
+from brdf_lobe_visualizer.space_words import lobe_title, lobe_weight
 from brdf_lobe_visualizer.subjects import Srgb, Subject
 from brdf_suite.pipeline.lobe_surface import (
     Colouring,
@@ -30,11 +32,8 @@ from brdf_suite.pipeline.lobe_surface_scale import RadiusScale
 
 Singles = npt.NDArray[np.float32]
 MOST_PANELS = 16
-PART_TITLES: dict[FitPart, str] = {
-    "diffuse": mark("Diffuse"),
-    "directional": mark("Directional diffuse"),
-    "gloss": mark("Gloss"),
-}
+CUT = 1.25
+"""The radius at which what is longer than the scale ends."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +51,7 @@ class _Sheet:
     legend: Srgb = (0.6, 0.6, 0.6)
     signed: bool = False
     origin: tuple[Singles, ...] = ()
+    ink: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +67,7 @@ class _Plan:
 
 
 class SceneMaker:
-    """Makes scenes of a desk; surfaces that stay the same stay the same objects, so that nothing is handed over twice."""
+    """Makes scenes of a desk; what stays the same stays the same object, so that nothing is handed over twice."""
 
     def __init__(self, desk: Desk, values: SpaceValues) -> None:
         self._desk, self._values = desk, values
@@ -85,7 +85,7 @@ class SceneMaker:
         numbers = {
             id(sheet): with_cosine(sheet.found, shared.cosine) for plan in plans for sheet in plan.sheets
         }
-        tops = [self._top(plan, numbers) for plan in plans]
+        tops = [self._top(plan, numbers, options) for plan in plans]
         most = max(tops, default=0.0)
         scales = [
             RadiusScale(
@@ -106,13 +106,19 @@ class SceneMaker:
         return Scene(panels, desk.light, scale, bar, quantity(shared), frame)
 
     def _full(self, most: float, options: SpaceOptions) -> float:
-        if options.full > 0.0:
+        if options.fill == "value":
             return options.full
         return most if most > 0.0 else 1.0
 
-    def _top(self, plan: _Plan, numbers: dict[int, Singles]) -> float:
+    def _top(self, plan: _Plan, numbers: dict[int, Singles], options: SpaceOptions) -> float:
         channel = self._desk.options.channel
-        return max((greatest(scalar_of(numbers[id(s)], channel)) for s in plan.sheets), default=0.0)
+        tops = []
+        for sheet in plan.sheets:
+            shown = scalar_of(numbers[id(sheet)], channel)
+            if options.fill == "body":
+                shown = np.where(sheet.found.grid.gamma > np.radians(BODY_DEG), shown, np.float32(0.0))
+            tops.append(greatest(shown))
+        return max(tops, default=0.0)
 
     # Which panels.
 
@@ -148,27 +154,23 @@ class SceneMaker:
         shown = self._desk.options.shown
         sheets: list[_Sheet] = []
         notes: list[str] = []
-        for number, subject in enumerate(subjects):
+        for place, subject in enumerate(subjects):
             legend = subject.colour if len(subjects) > 1 else None
             if shown in ("target", "both"):
                 target = self._values.target(subject)
                 if target is not None:
-                    style = "solid" if number == 0 else "glass"
-                    sheets.append(_sheet(target, style, subject, line=legend if number else None))
+                    style = "solid" if place == 0 else "glass"
+                    sheets.append(_sheet(target, style, subject, line=legend if place else None))
             if shown in ("fit", "both"):
                 fit = self._values.fit(subject, self._lobes_on(subject))
                 if fit is None:
                     notes.append(_no_fit(subject))
                     continue
-                over = shown == "both" or number > 0
-                sheets.append(
-                    _sheet(
-                        fit,
-                        options.fit_style if over else "solid",
-                        subject,
-                        line=subject.colour if over else None,
-                    )
-                )
+                over = shown == "both" or place > 0
+                style = options.fit_style if over else "solid"
+                # Lines over a surface of their own colour would not be seen.
+                ink = over and style == "lines" and legend is None
+                sheets.append(_sheet(fit, style, subject, line=subject.colour if over else None, ink=ink))
         first = subjects[0]
         alone = len(subjects) == 1
         title = (
@@ -286,7 +288,10 @@ class SceneMaker:
     ) -> Panel:
         layers = tuple(
             Layer(
-                self._surface(sheet, scale, numbers[id(sheet)], options), sheet.style, sheet.opacity, NO_TINT
+                self._surface(sheet, scale, numbers[id(sheet)], options),
+                sheet.style,
+                sheet.opacity,
+                sheet.ink,
             )
             for sheet in plan.sheets
         )
@@ -306,7 +311,10 @@ class SceneMaker:
             return ""
         values = layers[0].surface.values
         most = greatest(values)
-        return tr("greatest {value} {unit}").format(value=f"{most:.3g}", unit=UNIT)
+        text = tr("greatest {value} {unit}").format(value=number(most), unit=UNIT)
+        if float(layers[0].surface.scale.radius(most)) > CUT:
+            text = tr("{text}, cut off in the picture").format(text=text)
+        return text
 
     def _surface(
         self, sheet: _Sheet, scale: RadiusScale, values: Singles, options: SpaceOptions
@@ -326,22 +334,10 @@ class SceneMaker:
     ) -> LobeSurface:
         channel = self._desk.options.channel
         if sheet.signed:
-            return difference_surface(sheet.found.grid, scalar_of(values, channel), scale)
-        return lobe_surface(sheet.found.grid, values, scale, channel=channel, colouring=colouring, line=line)
-
-
-def lobe_title(lobe: FitLobe) -> str:
-    """Return part and exponent of a lobe, as it is listed."""
-    part = tr(PART_TITLES[lobe.part])
-    if lobe.exponent is None:
-        return part
-    return tr("{part}, E = {exponent}").format(part=part, exponent=f"{lobe.exponent:.4g}")
-
-
-def lobe_weight(lobe: FitLobe) -> str:
-    """Return the weight of a lobe in the three channels."""
-    red, green, blue = (f"{value:.3g}" for value in lobe.weight)
-    return tr("{red} · {green} · {blue} 1/sr").format(red=red, green=green, blue=blue)
+            return difference_surface(sheet.found.grid, scalar_of(values, channel), scale, CUT)
+        return lobe_surface(
+            sheet.found.grid, values, scale, channel=channel, colouring=colouring, line=line, most_radius=CUT
+        )
 
 
 _WORDS: dict[str, Callable[[], str]] = {
@@ -351,9 +347,11 @@ _WORDS: dict[str, Callable[[], str]] = {
 }
 
 
-def _sheet(found: Found, style: str, subject: Subject, line: Srgb | None = None) -> _Sheet:
+def _sheet(
+    found: Found, style: str, subject: Subject, line: Srgb | None = None, *, ink: bool = False
+) -> _Sheet:
     opacity = {"solid": 1.0, "glass": 0.45, "lines": 0.9}[style]
-    return _Sheet(found, style, opacity, line, subject.colour)
+    return _Sheet(found, style, opacity, line, subject.colour, ink=ink)
 
 
 def _no_fit(subject: Subject) -> str:

@@ -20,9 +20,16 @@ LobeView = Literal["sum", "parts", "stacked", "apart"]
 FIT_STYLES: tuple[FitStyle, ...] = get_args(FitStyle)
 ARRANGEMENTS: tuple[Arrangement, ...] = get_args(Arrangement)
 LOBE_VIEWS: tuple[LobeView, ...] = get_args(LobeView)
+Fill = Literal["greatest", "body", "value"]
+Sweep = Literal["polar", "azimuth"]
+FILLS: tuple[Fill, ...] = get_args(Fill)
+SWEEPS: tuple[Sweep, ...] = get_args(Sweep)
+
+BODY_DEG = 5.0
+"""Farther than this from the mirror direction is the body of a lobe; the reflection of a coat lies within."""
 
 FULL_RANGE = (1e-6, 1e9)
-SPEED_RANGE = (-90.0, 90.0)
+SPEED_RANGE = (1.0, 180.0)
 
 
 @dataclass(frozen=True)
@@ -39,8 +46,9 @@ class SpaceOptions:
         Several reflectances over one another, or each in a panel of its own.
     lobes
         A fit as its sum, as its three parts, its lobes stacked, or each lobe alone.
-    full
-        The value of radius 1 in 1/sr; 0: the greatest that is shown.
+    fill, full
+        What has radius 1: the greatest value that is shown, the greatest of the bodies (:data:`BODY_DEG`), or the value
+        ``full`` in 1/sr.
     own_scale
         Each panel has a scale of its own.
     decades
@@ -49,15 +57,16 @@ class SpaceOptions:
         What of the frame is drawn.
     samples, within_deg
         Whether measured samples are drawn, and how far their incidence may be from the one that is shown.
-    speed
-        Of the sweep, degrees of incidence a second; below 0 it goes round in azimuth.
+    sweep, speed
+        Whether the light moves in polar angle or goes round, and its degrees a second.
     """
 
     colouring: Colouring = "light"
     fit_style: FitStyle = "lines"
     arrangement: Arrangement = "overlay"
     lobes: LobeView = "sum"
-    full: float = 0.0
+    fill: Fill = "greatest"
+    full: float = 1.0
     own_scale: bool = False
     decades: float = 6.0
     hemisphere: bool = True
@@ -66,7 +75,8 @@ class SpaceOptions:
     rings: bool = True
     samples: bool = True
     within_deg: float = 2.5
-    speed: float = 15.0
+    sweep: Sweep = "polar"
+    speed: float = 20.0
 
 
 _CHOICES: dict[str, tuple[str, ...]] = {
@@ -74,11 +84,14 @@ _CHOICES: dict[str, tuple[str, ...]] = {
     "fit_style": FIT_STYLES,
     "arrangement": ARRANGEMENTS,
     "lobes": LOBE_VIEWS,
+    "fill": FILLS,
+    "sweep": SWEEPS,
 }
 _RANGES = {
     "decades": (LEAST_DECADES, MOST_DECADES),
     "within_deg": (0.1, 90.0),
     "speed": SPEED_RANGE,
+    "full": FULL_RANGE,
 }
 
 
@@ -129,8 +142,6 @@ def _sound(options: SpaceOptions) -> SpaceOptions:
         if getattr(options, name) not in choices:
             raise ValueError(f"{name} is one of {', '.join(choices)}")
     held = {name: min(max(float(getattr(options, name)), low), high) for name, (low, high) in _RANGES.items()}
-    full = float(options.full)
-    held["full"] = min(max(full, FULL_RANGE[0]), FULL_RANGE[1]) if full > 0.0 else 0.0
     return replace(options, **held)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
@@ -13,17 +13,16 @@ from brdf_suite.pipeline.lobe_surface_scale import RadiusScale
 
 Singles = npt.NDArray[np.float32]
 Rgba = tuple[float, float, float, float]
-NO_TINT: Rgba = (0.0, 0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, eq=False)
 class Layer:
-    """A surface and how it is drawn: ``solid``, ``glass`` or ``lines``; ``tint`` is mixed in by its last number."""
+    """A surface and how it is drawn: ``solid``, ``glass`` or ``lines``; with ``ink`` in the theme's colour of text."""
 
     surface: LobeSurface
     style: str = "solid"
     opacity: float = 1.0
-    tint: Rgba = NO_TINT
+    ink: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +74,7 @@ class Scene:
 
     panels: tuple[Panel, ...] = ()
     light: Floats | None = None
-    scale: RadiusScale = RadiusScale()
+    scale: RadiusScale = field(default_factory=RadiusScale)
     bar: Bar | None = None
     quantity: str = ""
     frame: FrameOptions = FrameOptions()

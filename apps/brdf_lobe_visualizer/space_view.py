@@ -17,7 +17,7 @@ from brdf_qt.translation import tr
 from OpenGL import GL
 from pyqtgraph.opengl import GLViewWidget
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QImage, QMatrix4x4, QPainter, QPalette, QVector3D
+from PySide6.QtGui import QColor, QImage, QMatrix4x4, QPainter, QPalette, QTransform, QVector3D
 from PySide6.QtOpenGL import QOpenGLFramebufferObject, QOpenGLFramebufferObjectFormat, QOpenGLPaintDevice
 from PySide6.QtWidgets import QWidget
 
@@ -26,7 +26,7 @@ from brdf_lobe_visualizer.space_frame import LIGHT_REACH, Frame, frame_of
 from brdf_lobe_visualizer.space_gl import Program
 from brdf_lobe_visualizer.space_items import PointItem, SegmentItem, Sight, SurfaceItem, points
 from brdf_lobe_visualizer.space_overlay import Overlay
-from brdf_lobe_visualizer.space_scene import Panel, Scene
+from brdf_lobe_visualizer.space_scene import Layer, Panel, Rgba, Scene
 from brdf_suite.errors import SuiteError
 
 log = logging.getLogger(__name__)
@@ -215,17 +215,9 @@ class SpaceView(GLViewWidget):
                 target = QOpenGLFramebufferObject(size, form)
                 target.bind()
                 part = QRectF(left, top, wide, high)
-                self._draw(
-                    logical,
-                    QRectF(
-                        -left * _SUPERSAMPLED,
-                        -(height - top - high) * _SUPERSAMPLED,
-                        width * _SUPERSAMPLED,
-                        height * _SUPERSAMPLED,
-                    ),
-                    scale * _SUPERSAMPLED,
-                    size,
-                )
+                whole = QRectF(-left, -(height - top - high), width, height)
+                grown = QTransform.fromScale(_SUPERSAMPLED, _SUPERSAMPLED).mapRect(whole)
+                self._draw(logical, grown, scale * _SUPERSAMPLED, size)
                 target.release()
                 drawn = target.toImage().convertToFormat(QImage.Format.Format_RGB32)
                 smooth = drawn.scaled(
@@ -290,9 +282,14 @@ class SpaceView(GLViewWidget):
         assert frame is not None
         surface = self._programs["surface"]
         rows = list(enumerate(panel.layers, first))
+        text = self.palette().color(QPalette.ColorRole.Text)
+
+        def tint(layer: Layer) -> Rgba:
+            return (text.redF(), text.greenF(), text.blueF(), float(layer.ink))
+
         for item, layer in rows:
             if layer.style == "solid":
-                self._surfaces[item].draw(surface, sight, "solid", layer.opacity, layer.tint)
+                self._surfaces[item].draw(surface, sight, "solid", layer.opacity, tint(layer))
         self._segments[0].draw(self._programs["segment"], sight, frame.behind)
         if panel.points is not None and len(panel.points.places):
             ink = self.palette().color(QPalette.ColorRole.Base)
@@ -306,7 +303,7 @@ class SpaceView(GLViewWidget):
         for item, layer in rows:
             if layer.style != "solid":
                 self._surfaces[item].draw(
-                    surface, sight, "glass" if layer.style == "glass" else "lines", layer.opacity, layer.tint
+                    surface, sight, "glass" if layer.style == "glass" else "lines", layer.opacity, tint(layer)
                 )
         self._segments[1].draw(self._programs["segment"], sight, frame.before)
         if frame.handle is not None and self.scene.frame.arrows:

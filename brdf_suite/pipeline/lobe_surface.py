@@ -85,6 +85,7 @@ def lobe_surface(
     channel: Channel = "colour",
     colouring: Colouring = "light",
     line: tuple[float, float, float] = (0.6, 0.6, 0.6),
+    most_radius: float | None = None,
 ) -> LobeSurface:
     """Return the surface of values (rows, columns, 3), 1/sr, linear Rec. 2020, NaN in holes.
 
@@ -95,6 +96,8 @@ def lobe_surface(
     colouring
         ``light``: the colour of the reflected light, or of the channel where one is shown; ``line``: the colour
         ``line`` (sRGB, 0 to 1); ``values``: the map of values over the radius.
+    most_radius
+        Where longer radii are cut off; None: nowhere.
     """
     shown = scalar_of(values, channel)
     radius = scale.radius(shown)
@@ -107,17 +110,19 @@ def lobe_surface(
         colours = light_codes(np.nan_to_num(values) if holes else values)
     else:
         colours = one_colour(CHANNEL_CODES[channel], shown.shape)
-    return _made(grid, radius, shown, colours, scale, holes)
+    return _made(grid, radius, shown, colours, scale, holes, most_radius)
 
 
-def difference_surface(grid: LobeGrid, difference: Singles, scale: RadiusScale) -> LobeSurface:
+def difference_surface(
+    grid: LobeGrid, difference: Singles, scale: RadiusScale, most_radius: float | None = None
+) -> LobeSurface:
     """Return the surface of signed differences (rows, columns), 1/sr: its radius is their size, its colour the sign.
 
     The map is centred at 0 and its ends are ± ``scale.full``.
     """
     radius = scale.radius(np.abs(difference))
     colours = difference_codes(np.sign(difference) * radius)
-    return _made(grid, radius, difference, colours, scale, _holes(difference))
+    return _made(grid, radius, difference, colours, scale, _holes(difference), most_radius)
 
 
 def greatest(values: Singles) -> float:
@@ -130,8 +135,16 @@ def greatest(values: Singles) -> float:
 
 
 def _made(
-    grid: LobeGrid, radius: Singles, values: Singles, colours: Codes, scale: RadiusScale, holes: int
+    grid: LobeGrid,
+    radius: Singles,
+    values: Singles,
+    colours: Codes,
+    scale: RadiusScale,
+    holes: int,
+    most_radius: float | None,
 ) -> LobeSurface:
+    if most_radius is not None:
+        radius = np.minimum(radius, np.float32(most_radius))  # keeps a NaN
     points, normals = surface_points(grid, radius), surface_normals(grid, radius)
     if holes:
         points = np.nan_to_num(points)

@@ -1,0 +1,57 @@
+"""A drop-down list of named choices: shows what is set, tells what the user chose, goes back on a double click."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from brdf_qt.translation import tr
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QComboBox, QWidget
+
+
+class ChoiceField(QComboBox):
+    """Choices by key with titles (marked for translation); ``default`` is what Backspace or Delete goes back to.
+
+    ``chosen(key)`` is never emitted by :meth:`set_choice`.
+    """
+
+    chosen = Signal(str)
+
+    def __init__(self, titles: Mapping[str, str], default: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.default = default
+        for key, title in titles.items():
+            self.addItem(tr(title), key)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(8)
+        self.activated.connect(lambda index: self.chosen.emit(self.itemData(index)))
+
+    @property
+    def choice(self) -> str:
+        """The key that is shown."""
+        return str(self.currentData())
+
+    def set_choice(self, key: str) -> None:
+        """Show a choice without a signal."""
+        self.setCurrentIndex(self.findData(key))
+
+    def reset(self) -> None:
+        """Go back to the default, as a choice of the user's."""
+        if self.choice != self.default:
+            self.set_choice(self.default)
+            self.chosen.emit(self.default)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.KeyPress and event.key() in (Qt.Key.Key_Backspace, Qt.Key.Key_Delete):
+            self.reset()
+            return True
+        return super().event(event)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Turn only the list that has the focus: a wheel that scrolls the inspector changes nothing."""
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
