@@ -10,7 +10,7 @@ from brdf_qt.choice_button import ChoiceButton
 from brdf_qt.settings import settings
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QPalette
+from PySide6.QtGui import QPalette, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
 from brdf_designer.caption import Caption
@@ -26,6 +26,8 @@ _STALE = (
 )
 _PAUSE_MS = 15
 _SHOWN_KEY = "designer/plots"
+_LEAST_PLOT, _AXIS = 64, 40
+"""Pixels of height that a plot needs to be read, and that the axis below the lowest takes."""
 
 
 class AnglePlot(QWidget):
@@ -50,13 +52,15 @@ class AnglePlot(QWidget):
         self.caption.setToolTip(
             tr("Points are what is asked at the measured angles; drag one up or down to change it.")
         )
-        head = QHBoxLayout()
+        self._head = head = QHBoxLayout()
         head.setSpacing(8)
         head.addWidget(self.caption, 1)
         head.addWidget(LineKey(tr("model"), QPalette.ColorRole.PlaceholderText, MODEL_WIDTH))
         head.addWidget(
             LineKey(tr("fitted lobes"), QPalette.ColorRole.WindowText, FIT_WIDTH, Qt.PenStyle.DashLine)
         )
+        # What the user wants to see, first what was asked for last: where there is no room for all, that stays.
+        self._wanted = _wanted(str(settings().value(_SHOWN_KEY, "012")))
         self.buttons = [self._button(number) for number in range(len(QUANTITIES))]
         for button in self.buttons:
             head.addWidget(button)
@@ -86,8 +90,6 @@ class AnglePlot(QWidget):
             self._box.addWidget(plot, 1)
             self.plots.append(plot)
         self._show_chosen()
-        self._new_colours = self._new_curves = True
-        self.draw_now()
 
     def show_colours(self, colours: Colours) -> None:
         """Show the readings as points."""
@@ -121,27 +123,50 @@ class AnglePlot(QWidget):
     def _button(self, number: int) -> ChoiceButton:
         quantity = QUANTITIES[number]
         button = ChoiceButton(tr(quantity.axis).split(" ", 1)[0])
-        shown = str(settings().value(_SHOWN_KEY, "012"))
-        button.setChecked(str(number) in shown)
+        button.setChecked(number in self._wanted)
         button.setAccessibleName(tr("Show the plot of {name}").format(name=tr(quantity.name)))
         button.setToolTip(tr(quantity.tip))
         button.clicked.connect(lambda: self._toggled(number))
         return button
 
     def _toggled(self, number: int) -> None:
-        if not any(button.isChecked() for button in self.buttons):
-            self.buttons[number].setChecked(True)
-        shown = "".join(str(i) for i, button in enumerate(self.buttons) if button.isChecked())
-        settings().setValue(_SHOWN_KEY, shown)
+        shown = self._shown()
+        if number not in shown:
+            # In a low window it takes the place of the one that was asked for longest ago.
+            self._wanted = [number, *(other for other in self._wanted if other != number)]
+        elif len(shown) > 1:
+            self._wanted.remove(number)
+        settings().setValue(_SHOWN_KEY, "".join(map(str, self._wanted)))
         self._show_chosen()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self._shown() != [number for number, plot in enumerate(self.plots) if not plot.isHidden()]:
+            self._show_chosen()
+
+    def _shown(self) -> list[int]:
+        """The plots that are wanted and have room, in their order; one always."""
+        room = self.height() - self._head.sizeHint().height() - _AXIS
+        fitting = max(1, room // (_LEAST_PLOT + self._box.spacing()))
+        return sorted(self._wanted[:fitting])
+
+    def _show_chosen(self) -> None:
+        shown = self._shown()
+        for button, number in zip(self.buttons, range(len(QUANTITIES)), strict=True):
+            button.setChecked(number in shown)
+        if not self.plots:
+            return
+        for number, plot in enumerate(self.plots):
+            lowest = number == shown[-1]
+            plot.setVisible(number in shown)
+            plot.show_axis(lowest)
+            # The lowest has the axis below it, which takes about half the room of a plot.
+            self._box.setStretch(number + 1, 3 if lowest else 2)
         self._new_colours = self._new_curves = True
         self.draw_now()
 
-    def _show_chosen(self) -> None:
-        shown = [plot for plot, button in zip(self.plots, self.buttons, strict=True) if button.isChecked()]
-        for place, plot in enumerate(self.plots, 1):
-            lowest = plot is shown[-1]
-            plot.setVisible(plot in shown)
-            plot.show_axis(lowest)
-            # The lowest has the axis below it, which takes about half the room of a plot.
-            self._box.setStretch(place, 3 if lowest else 2)
+
+def _wanted(kept: str) -> list[int]:
+    """What was kept of an earlier run: the numbers of the plots, those asked for last first."""
+    known = [int(digit) for digit in dict.fromkeys(kept) if digit in "012"]
+    return known or [0, 1, 2]

@@ -178,3 +178,19 @@ def test_plots_are_shown_and_hidden_and_one_always_stays(plot: AnglePlot, fitter
     for button in plot.buttons:
         button.click()
     assert sum(shown.isVisible() for shown in plot.plots) == 1
+
+
+def test_in_a_low_window_the_buttons_are_tabs(plot: AnglePlot, fitter) -> None:
+    plot.resize(500, 130)
+    assert [shown.isVisible() for shown in plot.plots] == [True, False, False]
+    assert [button.isChecked() for button in plot.buttons] == [True, False, False]
+    plot.buttons[2].click()
+    assert [shown.isVisible() for shown in plot.plots] == [False, False, True]
+    assert [button.isChecked() for button in plot.buttons] == [False, False, True]
+    plot.buttons[2].click()
+    assert plot.plots[2].isVisible(), "one always stays"
+    assert "degrees" in plot.plots[2].plot.getAxis("bottom").labelText
+    show(plot, paint((70.0, 30.0, 0.0), *LABS[1:]), fitter)
+    plot.resize(500, 600)
+    assert all(shown.isVisible() for shown in plot.plots)
+    assert ys(plot, 1)[0] == pytest.approx(30.0), "brought up to date when there is room again"
