@@ -4,13 +4,8 @@ p and q are maps over the hemisphere, looked up bilinearly: p of the light and, 
 vector h = (wi + wo)/|wi + wo|. The product is reciprocal whatever the maps hold, and needs four numbers a channel to be
 evaluated: real-time hardware does it per pixel. α takes what is left when the maps are normalised.
 
-The maps are parabolic, as the paper recommends: a direction (x, y, z) lies at
-
-    s = x / (1 + z),  t = y / (1 + z),
-
-in the disc of radius 1, the horizon on its edge; texel (row j, column i) of n is centred on s = (2i + 1)/n - 1,
-t = (2j + 1)/n - 1. On the sphere it is the stereographic projection, of dω = 4/(1 + r²)² ds dt.
-Texels outside of the disc are met by the interpolation near the horizon only.
+The maps are parabolic (``geometry.parabolic``), as the paper recommends. Texels outside of the disc are met by the
+interpolation near the horizon only.
 
 Sampling takes the maps for densities, as section 5 of the paper proposes: p(wi) cosθ, or q(h) and a mirror there.
 """
@@ -31,6 +26,7 @@ from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.parabolic import parabolic_direction, parabolic_place, texel_directions
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import rgb
@@ -131,32 +127,6 @@ class Factored:
             mixture.Part(of_p, lambda _wo, u: drawn(p, u), lambda wi, _wo: direction_density(p, wi)),
             mixture.Part(of_q, lambda wo, u: _mirrored_above(wo, drawn(q, u)), mirrored),
         ]
-
-
-def texel_directions(size: int) -> Floats:
-    """Return the directions (size, size, 3) of the texels' centres, those beyond the horizon brought to it.
-
-    >>> texel_directions(2)[0, 0].round(3).tolist()
-    [-0.667, -0.667, 0.333]
-    """
-    along = (2.0 * np.arange(size) + 1.0) / size - 1.0
-    s, t = np.meshgrid(along, along)
-    inside = 1.0 / np.maximum(np.hypot(s, t), 1.0)
-    return parabolic_direction(s * inside, t * inside)
-
-
-def parabolic_direction(s: npt.ArrayLike, t: npt.ArrayLike) -> Floats:
-    """Return the unit directions (..., 3) at places (...) of a parabolic map; below the horizon outside of its disc."""
-    s, t = np.asarray(s, float), np.asarray(t, float)
-    r2 = s * s + t * t
-    return np.asarray(np.stack((2.0 * s, 2.0 * t, 1.0 - r2), axis=-1) / (1.0 + r2)[..., None])
-
-
-def parabolic_place(w: npt.ArrayLike) -> tuple[Floats, Floats]:
-    """Return the places s, t (...) of directions (..., 3) that are not straight down."""
-    w = np.asarray(w, float)
-    over = np.maximum(1.0 + w[..., 2], 1e-12)
-    return w[..., 0] / over, w[..., 1] / over
 
 
 def look_up(values: npt.NDArray[np.float32], w: npt.ArrayLike) -> Floats:

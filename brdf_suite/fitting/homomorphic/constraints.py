@@ -1,0 +1,120 @@
+"""The linear system of a factorization: which texels a sample reads, and what keeps the maps smooth.
+
+The unknowns are the logarithms of all maps, one after the other, row by row (McCool, Ang and Ahmad 2001, equation 15).
+A row of a sample holds the bilinear weights of the texels that its factors read (equation 14); where two factors
+read one texel, their weights are summed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.fitting.homomorphic.projections import Factor
+from brdf_suite.geometry.directions import Floats
+
+LEAST_RESOLUTION, MOST_RESOLUTION = 2, 512
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where each map lies among the unknowns.
+
+    ``shapes``: map name to (n,) or (n, n); ``starts``: to its first unknown; ``count``: of all unknowns.
+    """
+
+    factors: tuple[Factor, ...]
+    shapes: Mapping[str, tuple[int, ...]]
+    starts: Mapping[str, int]
+    count: int
+
+    @classmethod
+    def of(cls, factors: Sequence[Factor], resolution: int) -> Layout:
+        """Lay out maps of ``resolution`` texels along each axis."""
+        if not LEAST_RESOLUTION <= resolution <= MOST_RESOLUTION:
+            raise ValueRangeError(
+                "resolution", f"{LEAST_RESOLUTION} to {MOST_RESOLUTION} texels are wanted, not {resolution}"
+            )
+        shapes: dict[str, tuple[int, ...]] = {}
+        starts: dict[str, int] = {}
+        count = 0
+        for factor in factors:
+            if factor.name not in shapes:
+                shapes[factor.name] = (resolution,) * factor.projection.axes
+                starts[factor.name] = count
+                count += resolution**factor.projection.axes
+        return cls(tuple(factors), shapes, starts, count)
+
+    def maps(self, unknowns: Floats) -> dict[str, Floats]:
+        """Return each map of ``unknowns`` (count, channels) as (n, channels) or (n, n, channels)."""
+        channels = unknowns.shape[1]
+        found = {}
+        for name, shape in self.shapes.items():
+            start = self.starts[name]
+            found[name] = unknowns[start : start + int(np.prod(shape))].reshape(*shape, channels)
+        return found
+
+    def unknowns(self, maps: Mapping[str, Floats]) -> Floats:
+        """Return the unknowns (count, channels) of maps: what :meth:`maps` takes apart."""
+        return np.concatenate([maps[name].reshape(-1, maps[name].shape[-1]) for name in self.shapes])
+
+
+def bilinear(places: Floats, shape: tuple[int, ...]) -> tuple[NDArray[np.int32], NDArray[np.float32]]:
+    """Return the texels (k, 2^d) that places (k, d) in [0, 1]^d read, as flat indices, and their weights.
+
+    The first axis of a place counts columns, the second rows, as in a picture; the outermost texels hold to the edge.
+    """
+    size = np.asarray(shape[::-1])
+    at = np.clip(places * size - 0.5, 0.0, size - 1.0)
+    low = np.minimum(at.astype(np.int32), np.asarray(size - 2, np.int32))
+    share = (at - low).astype(np.float32)
+    texels, weights = [], []
+    for corner in product((0, 1), repeat=len(shape)):
+        index = np.zeros(len(places), np.int32)
+        weight = np.ones(len(places), np.float32)
+        for axis, step in enumerate(corner):
+            stride = 1 if axis == 0 else int(size[0])
+            index += (low[:, axis] + np.int32(step)) * np.int32(stride)
+            weight *= share[:, axis] if step else 1.0 - share[:, axis]
+        texels.append(index)
+        weights.append(weight)
+    return np.stack(texels, axis=1), np.stack(weights, axis=1)
+
+
+def constraints(layout: Layout, wi: Floats, wo: Floats) -> sparse.csr_array:
+    """Return the matrix A (samples, unknowns) of equation 16, float32, coincident coefficients summed."""
+    texels, weights = [], []
+    for factor in layout.factors:
+        index, weight = bilinear(factor.projection.places(wi, wo), layout.shapes[factor.name])
+        texels.append(index + np.int32(layout.starts[factor.name]))
+        weights.append(weight)
+    columns, values = np.concatenate(texels, axis=1), np.concatenate(weights, axis=1)
+    rows = np.arange(len(wi) + 1, dtype=np.int32) * np.int32(columns.shape[1])
+    found = sparse.csr_array((values.ravel(), columns.ravel(), rows), shape=(len(wi), layout.count))
+    found.sum_duplicates()
+    return found
+
+
+def smoothness(layout: Layout) -> sparse.csr_array:
+    """Return the Laplacian of every texel of every map (unknowns, unknowns), float32: the masks of Figure 3.
+
+    A texel less its neighbours, as many as there are: 4 inside of a map of two axes, 3 on its edges, 2 in its corners.
+    """
+    blocks: list[sparse.csr_array] = []
+    for shape in layout.shapes.values():
+        size = shape[0]
+        beside = sparse.diags_array(np.ones(size - 1), offsets=1, shape=(size, size))
+        neighbours = sparse.csr_array(beside + beside.T)
+        line = sparse.csr_array(sparse.diags_array(neighbours.sum(axis=1)) - neighbours)
+        if len(shape) == 1:
+            blocks.append(line)
+        else:
+            one = sparse.csr_array(sparse.eye_array(size))
+            blocks.append(sparse.csr_array(sparse.kron(line, one) + sparse.kron(one, line)))
+    return sparse.csr_array(sparse.block_diag(blocks, format="csr").astype(np.float32))

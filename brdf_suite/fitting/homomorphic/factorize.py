@@ -1,0 +1,185 @@
+"""Homomorphic factorization: a product of positive maps that comes nearest to samples of a reflectance, relatively.
+
+McCool, Ang and Ahmad 2001. Samples are put through the logarithm (equation 6); the sum of the maps' logarithms is
+fitted to them by least squares, with the maps' Laplacian for what the samples leave open (equation 17); the exponential
+gives positive maps. The least squares are of the logarithm, and so of the relative error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.errors import FittingError, ValueRangeError
+from brdf_suite.fitting.homomorphic.constraints import Layout, constraints, smoothness
+from brdf_suite.fitting.homomorphic.factorization import Factorization, normalized
+from brdf_suite.fitting.homomorphic.projected import averaged, enlarged
+from brdf_suite.fitting.homomorphic.projections import DEFAULT_FACTORS, Factor, parse_factors
+from brdf_suite.fitting.homomorphic.solve import Solver, solve, way_for
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.progress import Progress, part, report
+
+BIAS = 1e-5
+"""ε of equation 6, as the paper has it: for values without noise."""
+DEFAULT_RESOLUTION = 32
+DEFAULT_SMOOTHNESS = 0.1
+MOST_SMOOTHNESS = 1e6
+_COARSEST = 8
+
+
+@dataclass(frozen=True, eq=False)
+class Factorized:
+    """What was found.
+
+    ``product``: the maps. ``mean_correction`` (3,): what α was multiplied by so that the approximation sends back as
+    much over the samples as they do; 1 where it was not asked for. ``used``: samples that took part, ``left_out``:
+    those that were not finite, or below the horizon; ``raised``: negative ones that were taken for 0. ``solver``: the
+    way that was taken.
+    """
+
+    product: Factorization
+    mean_correction: Floats
+    used: int
+    left_out: int
+    raised: int
+    solver: str
+
+
+def factorize(
+    wi: npt.ArrayLike,
+    wo: npt.ArrayLike,
+    values: npt.ArrayLike,
+    *,
+    factors: str | tuple[Factor, ...] = DEFAULT_FACTORS,
+    resolution: int = DEFAULT_RESOLUTION,
+    smooth: float = DEFAULT_SMOOTHNESS,
+    bias: float = BIAS,
+    weights: npt.ArrayLike | None = None,
+    keep_mean: bool = True,
+    solver: Solver = "auto",
+    progress: Progress | None = None,
+) -> Factorized:
+    """Factor samples of a reflectance.
+
+    Parameters
+    ----------
+    wi, wo
+        Unit directions (n, 3) to light and view; samples below the horizon are left out.
+    values
+        f_r (n, 3) in 1/sr, linear working space; what is not finite is left out, what is negative taken for 0.
+    factors
+        As of :func:`~brdf_suite.fitting.homomorphic.projections.parse_factors`.
+    resolution
+        Texels along each axis of every map, 2 to 512.
+    smooth
+        λ of equation 17, beside rows of samples of weight 1; more is smoother. At least 0.
+    bias
+        ε of equation 6, over 0, at most 1: what is added to each value, over their mean. It stands for an error of
+        measurement: values far below it are taken as good as dark.
+    weights
+        (n,) of the samples' rows (equation 19), finite, not negative; None: all 1.
+    keep_mean
+        Whether α is corrected so that the mean of f_r cosθi cosθo over the samples is kept: for even samples the energy
+        (section 3.1.1).
+
+    Raises
+    ------
+    FittingError
+        No sample is left, or all are 0 in a channel: there is nothing to fit.
+    ValueRangeError
+        Shapes, resolution, smoothness, weights or factors are not as above.
+    """
+    if not (np.isfinite(smooth) and 0.0 <= smooth <= MOST_SMOOTHNESS):
+        raise ValueRangeError("smoothness", f"0 to {MOST_SMOOTHNESS:g} is wanted, not {smooth:g}")
+    if not 0.0 < bias <= 1.0:
+        raise ValueRangeError("bias", f"more than 0 and at most 1 is wanted, not {bias:g}")
+    chosen = parse_factors(factors) if isinstance(factors, str) else factors
+    samples = _checked(wi, wo, values, weights)
+    scale = samples.values.mean(axis=0)
+    lit = scale > 0.0
+    if not lit.any():
+        raise FittingError("Every sample is 0: there is nothing to factor.")
+    # A channel without light has nothing to say about its maps: flat ones, and an α that is as good as none.
+    scale = np.where(lit, scale, bias * scale.max())
+    wanted = np.log((samples.values + bias * scale) / scale)
+
+    unknowns = Layout.of(chosen, resolution).count
+    # Directly found, the answer needs no guess; by iteration it is found sooner from that of a coarser map.
+    way = way_for(solver, unknowns)
+    sizes = [resolution] if way == "direct" else _sizes(resolution)
+    logs: Mapping[str, Floats] = {}
+    for number, size in enumerate(sizes):
+        step = part(progress, 0.95 * number / len(sizes), 0.95 * (number + 1) / len(sizes))
+        layout = Layout.of(chosen, size)
+        matrix = constraints(layout, samples.wi, samples.wo)
+        if number == 0:
+            start = averaged(matrix, layout, wanted)
+        else:
+            start = layout.unknowns({name: enlarged(log, layout.shapes[name]) for name, log in logs.items()})
+        found = solve(matrix, smoothness(layout), smooth, wanted, samples.weights, start, way, step)
+        if not np.isfinite(found).all():
+            raise FittingError("The factorization has no finite answer; more smoothness may help.")
+        logs = layout.maps(found)
+    product = normalized(chosen, logs, scale)
+    correction = np.ones(3)
+    if keep_mean:
+        report(progress, 0.95, "mean")
+        product, correction = _with_mean(product, samples)
+    return Factorized(product, correction, len(samples.values), samples.left_out, samples.raised, way)
+
+
+@dataclass(frozen=True, eq=False)
+class _Samples:
+    wi: Floats
+    wo: Floats
+    values: Floats
+    weights: Floats | None
+    left_out: int
+    raised: int
+
+
+def _checked(
+    wi: npt.ArrayLike, wo: npt.ArrayLike, values: npt.ArrayLike, weights: npt.ArrayLike | None
+) -> _Samples:
+    light, view, given = (np.asarray(array, np.float64) for array in (wi, wo, values))
+    if given.ndim != 2 or given.shape[1] != 3 or light.shape != given.shape or view.shape != given.shape:
+        raise ValueRangeError(
+            "samples", f"(n, 3) each is wanted, not {light.shape}, {view.shape}, {given.shape}"
+        )
+    keep = np.isfinite(given).all(axis=1) & np.isfinite(light).all(axis=1) & np.isfinite(view).all(axis=1)
+    keep &= (light[:, 2] > 0.0) & (view[:, 2] > 0.0)
+    share = None
+    if weights is not None:
+        share = np.asarray(weights, np.float64)
+        if share.shape != keep.shape or not np.isfinite(share).all() or (share < 0.0).any():
+            raise ValueRangeError("weights", "one finite number a sample is wanted, not negative")
+        keep &= share > 0.0
+        share = share[keep]
+    if not keep.any():
+        raise FittingError("No sample is finite and above the horizon: there is nothing to factor.")
+    given = given[keep]
+    raised = int((given < 0.0).any(axis=1).sum())
+    return _Samples(light[keep], view[keep], np.maximum(given, 0.0), share, int((~keep).sum()), raised)
+
+
+def _sizes(resolution: int) -> list[int]:
+    """From coarse to fine, each twice the one before."""
+    sizes = [resolution]
+    while sizes[0] % 2 == 0 and sizes[0] // 2 >= _COARSEST:
+        sizes.insert(0, sizes[0] // 2)
+    return sizes
+
+
+def _with_mean(product: Factorization, samples: _Samples) -> tuple[Factorization, Floats]:
+    approximate = product.eval(samples.wi, samples.wo)
+    # With both cosines: a reflectance may be without bounds at grazing angles, where it sends little.
+    share = samples.wi[:, 2] * samples.wo[:, 2]
+    if samples.weights is not None:
+        share = share * samples.weights**2
+    wanted, found = (np.average(array, axis=0, weights=share) for array in (samples.values, approximate))
+    correction = np.where(found > 0.0, wanted / np.where(found > 0.0, found, 1.0), 1.0)
+    correction = np.where(correction > 0.0, correction, 1.0)
+    return Factorization(product.factors, product.logs, product.alpha * correction), correction

@@ -1,0 +1,136 @@
+"""Where a pair of directions falls in the map of a factor: the projections π of McCool, Ang and Ahmad (2001), 3.2.
+
+A projection takes unit directions ``wi``, ``wo`` (n, 3) above the horizon to places (n, d) in [0, 1]^d, d = 1 or 2, and
+says how a map over them is laid out. Two-dimensional ones over a hemisphere are parabolic; the others are products of
+cosines. Texel i of a map of n lies at (i + 1/2)/n; between two it is interpolated, and the outermost hold to the edge.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry import warps
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.parabolic import parabolic_place
+
+
+@dataclass(frozen=True)
+class Projection:
+    """A projection: its ``name``, the number of ``axes`` of its map, what it is, and ``places(wi, wo) -> (n, axes)``.
+
+    ``hemisphere``: the map is a parabolic one over directions.
+    """
+
+    name: str
+    axes: int
+    what: str
+    places: Callable[[Floats, Floats], Floats]
+    hemisphere: bool = False
+
+
+def _parabolic(w: Floats) -> Floats:
+    return np.stack([0.5 * (place + 1.0) for place in parabolic_place(w)], axis=-1)
+
+
+def _dot(a: Floats, b: Floats) -> Floats:
+    return np.asarray(np.einsum("...i,...i->...", a, b))
+
+
+def _half(wi: Floats, wo: Floats) -> Floats:
+    return warps.half_vector(wi, wo)
+
+
+def _across(wi: Floats, wo: Floats) -> Floats:
+    """Light to view, from -1 to 1, in [0, 1]."""
+    return np.asarray(0.5 * (_dot(wi, wo) + 1.0))[:, None]
+
+
+def _difference(wi: Floats, wo: Floats) -> Floats:
+    """The cosine from the half vector to the light (and to the view): no pair above the horizon is past 90°."""
+    return np.clip(_dot(wi, _half(wi, wo)), 0.0, 1.0)[:, None]
+
+
+def _half_pair(wi: Floats, wo: Floats) -> Floats:
+    h = _half(wi, wo)
+    return np.stack((np.clip(_dot(wi, h), 0.0, 1.0), np.clip(h[:, 2], 0.0, 1.0)), axis=-1)
+
+
+def _elevations(wi: Floats, wo: Floats) -> Floats:
+    """Both cosines from the normal, the smaller first: light and view may be exchanged."""
+    both = np.stack((wi[:, 2], wo[:, 2]), axis=-1)
+    return np.sort(np.clip(both, 0.0, 1.0), axis=-1)
+
+
+PROJECTIONS: Mapping[str, Projection] = MappingProxyType(
+    {
+        one.name: one
+        for one in (
+            Projection("wi", 2, "direction to the light", lambda wi, _wo: _parabolic(wi), hemisphere=True),
+            Projection("wo", 2, "direction to the viewer", lambda _wi, wo: _parabolic(wo), hemisphere=True),
+            Projection("h", 2, "half vector", lambda wi, wo: _parabolic(_half(wi, wo)), hemisphere=True),
+            Projection("wi.wo", 1, "cosine between light and view", _across),
+            Projection("w.h", 1, "cosine between light and half vector", _difference),
+            Projection("h.n", 1, "cosine of the half vector", lambda wi, wo: _half_pair(wi, wo)[:, 1:]),
+            Projection("wi.n", 1, "cosine of the light", lambda wi, _wo: np.clip(wi[:, 2:], 0.0, 1.0)),
+            Projection("wo.n", 1, "cosine of the view", lambda _wi, wo: np.clip(wo[:, 2:], 0.0, 1.0)),
+            Projection("w.h,h.n", 2, "cosines light to half vector, half vector to normal", _half_pair),
+            Projection("wi.n,wo.n", 2, "cosines of light and view, the smaller first", _elevations),
+        )
+    }
+)
+"""Every projection by its name."""
+
+
+@dataclass(frozen=True)
+class Factor:
+    """A factor of the product: the map ``name`` that it reads, and where. Two factors of one name share the map."""
+
+    name: str
+    projection: Projection
+
+
+DEFAULT_FACTORS = "p:wo q:h p:wi"
+"""p(ωo) q(h) p(ωi), equation 9."""
+COSINE_FACTORS = "p:w.h,h.n q:wi.n,wo.n"
+"""p(h·ω, h·n) q(ωi·n, ωo·n), equation 21: for isotropic reflectances."""
+RADIAL_FACTORS = "p:wo.n q:h.n p:wi.n"
+"""Equation 9 where its maps are radially symmetric, as of isotropic reflectances: one number a ring."""
+MOST_FACTORS = 8
+
+
+def parse_factors(text: str) -> tuple[Factor, ...]:
+    """Return the factors in a text of ``map:projection`` with spaces between them.
+
+    >>> [(f.name, f.projection.name) for f in parse_factors("p:wo q:h p:wi")]
+    [('p', 'wo'), ('q', 'h'), ('p', 'wi')]
+
+    Raises
+    ------
+    ValueRangeError
+        A projection is not known, a map is read by projections of two forms, or there are none or too many factors.
+    """
+    found: list[Factor] = []
+    forms: dict[str, tuple[int, bool]] = {}
+    for word in text.split():
+        name, colon, key = word.partition(":")
+        if not colon or not name.isidentifier() or key not in PROJECTIONS:
+            known = ", ".join(PROJECTIONS)
+            raise ValueRangeError(
+                "factors",
+                f"{word!r} is not map:projection with a projection of {known}, as in {DEFAULT_FACTORS!r}",
+            )
+        projection = PROJECTIONS[key]
+        form = (projection.axes, projection.hemisphere)
+        if forms.setdefault(name, form) != form:
+            raise ValueRangeError(
+                "factors", f"the map {name!r} cannot be over {key} and over something of another form"
+            )
+        found.append(Factor(name, projection))
+    if not 1 <= len(found) <= MOST_FACTORS:
+        raise ValueRangeError("factors", f"1 to {MOST_FACTORS} factors are wanted, not {len(found)}")
+    return tuple(found)

@@ -1,0 +1,93 @@
+"""Samples of a reflectance for factorization: what was measured, or pairs even over both hemispheres."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+
+DEFAULT_PAIRS = 57_600
+"""As many as Table 1 of McCool, Ang and Ahmad 2001 has."""
+DEFAULT_SEED = 2001
+MOST_PAIRS = 4_000_000
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """f_r ``values`` (n, 3) in 1/sr at unit directions ``wi``, ``wo`` (n, 3), local frame, working space."""
+
+    wi: Floats
+    wo: Floats
+    values: Floats
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def part(self, keep: npt.ArrayLike) -> Samples:
+        """Return some of them: a mask (n,) or indices."""
+        at = np.asarray(keep)
+        return Samples(self.wi[at], self.wo[at], self.values[at])
+
+    def held_out(self, share: float, seed: int = DEFAULT_SEED) -> tuple[Samples, Samples]:
+        """Return those to fit and those held out, drawn without order: ``share`` of all, 0 to 1."""
+        order = np.random.default_rng(seed).permutation(len(self))
+        count = round(share * len(self))
+        return self.part(order[count:]), self.part(order[:count])
+
+
+def even_directions(count: int, rng: np.random.Generator) -> Floats:
+    """Return directions (count, 3) drawn evenly per solid angle over the upper hemisphere."""
+    height, azimuth = rng.random((2, count))
+    return spherical(np.arccos(height), 2.0 * np.pi * azimuth)
+
+
+def samples_of(reflectance: Reflectance, pairs: int = DEFAULT_PAIRS, seed: int = DEFAULT_SEED) -> Samples:
+    """Return the samples of anything that reflects: measured ones of measured data, else ``pairs`` even ones.
+
+    Samples of isotropic data say nothing of where their tangent lay: each is turned about the normal by an angle drawn
+    from ``seed``, so that the maps have texels all around to be read.
+
+    Raises
+    ------
+    ValueRangeError
+        ``pairs`` is not 1 to 4,000,000.
+    """
+    rng = np.random.default_rng(seed)
+    if isinstance(reflectance, IsotropicTable):
+        return turned(_of_table(reflectance), rng)
+    if isinstance(reflectance, ScatteredSamples):
+        found = Samples(reflectance.wi, reflectance.wo, reflectance.values)
+        return turned(found, rng) if reflectance.isotropic else found
+    if not 1 <= pairs <= MOST_PAIRS:
+        raise ValueRangeError("pairs", f"1 to {MOST_PAIRS:,} are wanted, not {pairs}")
+    wi, wo = even_directions(pairs, rng), even_directions(pairs, rng)
+    return Samples(wi, wo, np.asarray(reflectance.eval(wi, wo)))
+
+
+def turned(samples: Samples, rng: np.random.Generator) -> Samples:
+    """Return every pair turned about the normal by an angle of its own."""
+    angle = rng.uniform(0.0, 2.0 * np.pi, len(samples))
+    cos, sin = np.cos(angle), np.sin(angle)
+
+    def turn(w: Floats) -> Floats:
+        return np.stack((cos * w[:, 0] - sin * w[:, 1], sin * w[:, 0] + cos * w[:, 1], w[:, 2]), axis=-1)
+
+    return Samples(turn(samples.wi), turn(samples.wo), samples.values)
+
+
+def _of_table(table: IsotropicTable) -> Samples:
+    """Return the bins that were measured, at their centres."""
+    mask = table.measured_mask()
+    light, view = [], []
+    for h in range(table.grid.theta_h):
+        wi, wo = table.grid.pairs(h)
+        light.append(wi[mask[h]])
+        view.append(wo[mask[h]])
+    return Samples(np.concatenate(light), np.concatenate(view), table.values[mask].astype(np.float64))
