@@ -33,9 +33,11 @@ from brdf_suite.realtime.display import SRGB, Display
 from brdf_suite.realtime.environment_textures import RAMP_UNIT, EnvironmentTextures
 from brdf_suite.realtime.finish import FinishPass
 from brdf_suite.realtime.gpu_objects import GpuObjects
+from brdf_suite.realtime.kept_light import KeptLight
 from brdf_suite.realtime.material_set import MaterialSet, Modes
 from brdf_suite.realtime.mesh_buffers import MeshBuffers
 from brdf_suite.realtime.programs import (
+    KEPT_LIGHT,
     MATERIAL_BINDING,
     PLACES_UNIT,
     Features,
@@ -114,6 +116,11 @@ class CapturedForm:
         self._list.write(padded.tobytes())
         self._index = objects.ramp(size)
         self._index.write(np.ascontiguousarray(index).tobytes())
+        self._kept: KeptLight | None = None
+        if KeptLight.fits(objects.context, self._rows):
+            self._kept = KeptLight(
+                objects, drawing.programs, drawing.environment, features, common, (LIST_WIDTH, self._rows)
+            )
         self._shaded: tuple[moderngl.Texture, moderngl.Framebuffer] | None = None
         self._pictures: tuple[moderngl.Texture, moderngl.Framebuffer] | None = None
 
@@ -144,6 +151,8 @@ class CapturedForm:
     def release(self) -> None:
         """Give the textures back."""
         objects = self._drawing.objects
+        if self._kept is not None:
+            self._kept.release()
         for pair in (self._shaded, self._pictures):
             for made in reversed(pair or ()):
                 objects.release(made)
@@ -157,15 +166,13 @@ class CapturedForm:
         context = self._drawing.objects.context
         with graphics_errors(context, "drawing pictures of paints"):
             light, target = self._target_of_list()
-            target.use()
             context.scissor = None
             context.enable_only(moderngl.NOTHING)
             self._drawing.environment.bind()
             self._list.use(PLACES_UNIT)
             ready: set[tuple[LookUps, Features]] = set()
             for swatch in swatches:
-                context.viewport = (0, count * self._rows, LIST_WIDTH, self._rows)
-                self._shade(count, swatch, ready)
+                self._shade(count, swatch, target, ready)
                 count += 1
             if count == 0:
                 return np.empty((0, height, width, 3), np.uint8)
@@ -190,21 +197,36 @@ class CapturedForm:
             read = framebuffer.read((0, 0, width, count * height), 3, dtype="f1", alignment=1)
         return np.frombuffer(read, np.uint8).reshape(count, height, width, 3)[:, ::-1].copy()
 
-    def _shade(self, number: int, swatch: Swatch, ready: set[tuple[LookUps, Features]]) -> None:
-        """Shade the list with one paint into the bound target, where the viewport is."""
+    def _shade(
+        self,
+        number: int,
+        swatch: Swatch,
+        target: moderngl.Framebuffer,
+        ready: set[tuple[LookUps, Features]],
+    ) -> None:
+        """Shade the list with one paint into its part of ``target``."""
         drawing, view = self._drawing, self._view
         name = f"{_MATERIAL} {number}"
         drawing.materials.set(name, swatch.weights)
         drawing.single_lights.set_material(name, swatch.weights)
         drawing.single_lights.set_flakes(name, swatch.flakes)
         material = drawing.materials.find(name, Modes(view.fresnel, view.look_up), drawing.environment.ladder)
-        lit = drawing.single_lights.features(view) if swatch.flakes is not None else frozenset()
-        words = self._features | lit
+        words = self._features
+        if swatch.flakes is not None:
+            words |= drawing.single_lights.features(view)
+        lit = words != self._features
+        kept = None
+        if self._kept is not None and material.numbers is not None:
+            kept = self._kept.uniforms(material.numbers)
+        if kept is not None:
+            words |= {KEPT_LIGHT}
+        target.use()
+        drawing.objects.context.viewport = (0, number * self._rows, LIST_WIDTH, self._rows)
         program, screen = drawing.programs.captured(material.look_ups, words)
         if (material.look_ups, words) not in ready:
-            assign(program, self._common | {"places": PLACES_UNIT, "place_rows": self._rows})
+            assign(program, self._common | {"place_rows": self._rows})
             ready.add((material.look_ups, words))
-        assign(program, drawing.environment.use_sharp(material.sharp))
+        assign(program, drawing.environment.use_sharp(material.sharp) if kept is None else kept)
         if lit:
             drawing.single_lights.bind(view)
             assign(program, drawing.single_lights.uniforms(name, view, has_uv=True))

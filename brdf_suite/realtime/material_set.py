@@ -13,7 +13,7 @@ from brdf_suite.realtime.gpu_objects import GpuObjects
 from brdf_suite.realtime.ladder import Ladder
 from brdf_suite.realtime.look_up_table import RAMP_NODES
 from brdf_suite.realtime.material_buffer import BLOCK_SIZE, pack
-from brdf_suite.realtime.material_ramp import MAX_ROWS, make_ramp
+from brdf_suite.realtime.material_ramp import MAX_ROWS, Ramp, make_ramp
 from brdf_suite.realtime.programs import LookUps
 from brdf_suite.realtime.stock_materials import stock_materials
 from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
@@ -29,12 +29,16 @@ class Modes:
 
 @dataclass
 class MaterialOnGpu:
-    """One material as the shader has it; ``sharp`` are the exponents that need a map of their own, bound in order."""
+    """One material as the shader has it; ``sharp`` are the exponents that need a map of their own, bound in order.
+
+    ``numbers`` is the ramp that was written.
+    """
 
     buffer: moderngl.Buffer
     ramp: moderngl.Texture
     sharp: tuple[float, ...] = ()
     look_ups: LookUps = field(default=LookUps(0, 1))
+    numbers: Ramp | None = None
     made_for: tuple[MaterialWeights, WeightsOverAngle | None, Modes, Ladder] | None = None
 
 
@@ -102,6 +106,7 @@ class MaterialSet:
         with graphics_errors(self._objects.context, f"writing the weights of {name}"):
             written.buffer.write(pack(weights, ramp))
             written.ramp.write(ramp.rows, viewport=(0, 0, RAMP_NODES, len(ramp.rows)))
+        written.numbers = ramp
         written.sharp = ramp.sharp
         written.look_ups = LookUps.enough_for(ramp.base + ramp.coat, len(ramp.sharp))
         written.made_for = (weights, over_angle, modes, ladder)

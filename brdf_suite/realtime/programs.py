@@ -20,6 +20,8 @@ _BLOCKS = {"Material": MATERIAL_BINDING, "Lights": LIGHTS_BINDING}
 LIGHT_LOBES_UNIT = 15
 PLACES_UNIT = 12
 """Of a captured form's list; a form is captured without a normal map, whose unit it is otherwise."""
+KEPT_UNIT = 13
+"""Of the look-ups that are kept for such a list; its form has no orange peel either."""
 RELIEF_UNITS = {"normal_slopes": 12, "peel_slopes": 13, "paint_mask": 14}
 
 ScreenProgram = tuple[moderngl.Program, moderngl.VertexArray]
@@ -44,8 +46,9 @@ def assign(program: moderngl.Program, values: Mapping[str, object]) -> None:
 Features = frozenset[str]
 """What of the surface shader is compiled in, by the words that its files test with ``#ifdef``."""
 
-CAPTURED = "CAPTURED"
-"""The feature of a program that shades a list of places instead of a mesh (:mod:`.captured`)."""
+CAPTURED, KEEPING, KEPT_LIGHT = "CAPTURED", "KEEPING", "KEPT_LIGHT"
+"""Features of programs that shade a list of places instead of a mesh (:mod:`.captured`): with look-ups of their own,
+with look-ups that are made to be kept, and with those that were (:mod:`.kept_light`)."""
 
 
 @dataclass(frozen=True)
@@ -115,7 +118,8 @@ class Programs:
             if isinstance(block, moderngl.UniformBlock):
                 block.binding = binding
         # At once: two kinds of samplers must never stand at one unit, not even while a program warms up.
-        assign(program, {"light_lobes": LIGHT_LOBES_UNIT, "places": PLACES_UNIT} | RELIEF_UNITS)
+        own = {"light_lobes": LIGHT_LOBES_UNIT, "places": PLACES_UNIT, "kept_light": KEPT_UNIT}
+        assign(program, own | RELIEF_UNITS)
         return program
 
     def capture(self, features: Features) -> moderngl.Program:

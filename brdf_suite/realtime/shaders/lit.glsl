@@ -100,7 +100,15 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
 #else
     most *= flake_contrast(field, flake_optics.y);
 #endif
+    // Mostly none does, from afar: a software renderer, which carries a loop's body out for lights that are passed over,
+    // is then spared it.
+    int reaching = 0;
     for (int i = 0; i < int(light_counts.y); ++i)
+    {
+        if (largest(light_at(i, p.position).irradiance) * most > faintest)
+            reaching = i + 1;
+    }
+    for (int i = 0; i < reaching; ++i)
     {
         Arriving light = light_at(i, p.position);
         if (largest(light.irradiance) * most <= faintest)

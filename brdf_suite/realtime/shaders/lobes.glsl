@@ -1,5 +1,5 @@
 // Provides: vec3 reflected_radiance(SurfacePoint p): equations 7 to 9 of the paper, and the same look-ups shifted
-// Needs:    surface_point.glsl; BROAD (look-ups; 0: as many as the material says), SHARP, FOR_EACH_SHARP_LOBE (written
+// Needs:    surface_point.glsl, ramp.glsl; BROAD (look-ups; 0: as many as the material says), SHARP, FOR_EACH_SHARP_LOBE (written
 //           by shader_source.py); MAX_BROAD, MAX_SHARP, RAMP_ROWS, RAMP_NODES; LOOK_UP_PAPER for the paper's form
 //
 // With P_E the unit-gain map of exponent E, R the mirror direction of the view about N, c = N.V = N.R:
@@ -13,33 +13,14 @@
 //
 // The numbers of look-ups are constants of the program: a software renderer takes half as long again for a loop that is
 // not written out, and carries out both sides of a condition. Where a material has fewer, the rest weighs nothing.
+#include "ramp.glsl"
 #include "occlusion.glsl"
-#include "material.glsl"
 #include "environment.glsl"
 #include "lobe_stack.glsl"
 
-uniform sampler2D ramp;
 // OpenGL 3.3 allows arrays of samplers to be indexed by constants only, so that loop is written out.
 uniform samplerCube sharp_maps[SHARP];
 uniform vec3 sharp_lobes[SHARP];        // scale of the map, log2(texels per radian), exponent
-
-// The cosine below which one pixel cannot tell angles apart: its normals turn by so much. An edge rounded within
-// a pixel shows the mean of F over its angles, not the F near 1 of the one that the pixel's middle happens to hit.
-float finest_cosine(SurfacePoint p)
-{
-    vec3 across = ACROSS(p.normal, p.normal_across), down = DOWN(p.normal, p.normal_down);
-    return min(0.5 * sqrt(max(dot(across, across), dot(down, down))), 0.7);
-}
-
-float ramp_coordinate(float c)
-{
-    return (sqrt(clamp(c, 0.0, 1.0)) * float(RAMP_NODES - 1) + 0.5) / float(RAMP_NODES);
-}
-
-vec4 ramp_row(float coordinate, int row)
-{
-    return textureLod(ramp, vec2(coordinate, (float(row) + 0.5) / float(RAMP_ROWS)), 0.0);
-}
 
 // Where a broad lobe is looked up: between R and N, not normalized. In the paper's form at R.
 vec3 looked_at(vec3 r, vec3 n, float c, vec4 b)
@@ -74,8 +55,7 @@ vec3 looked_at(vec3 r, vec3 n, float c, vec4 b)
 
 vec3 reflected_radiance(SurfacePoint p)
 {
-    float finest = finest_cosine(p);
-    float c = max(dot(p.normal, p.view), finest);
+    float c = seen_cosine(p);
     vec3 n = to_environment(p.normal);
     vec3 r = to_environment(2.0 * dot(p.normal, p.view) * p.normal - p.view);
     float x = ramp_coordinate(c);
@@ -93,7 +73,7 @@ vec3 reflected_radiance(SurfacePoint p)
     }
 #ifdef COAT_RELIEF
     // The coat stands otherwise than the base.
-    c = max(dot(p.coat_normal, p.view), finest);
+    c = max(dot(p.coat_normal, p.view), finest_cosine(p));
     n = to_environment(p.coat_normal);
     r = to_environment(2.0 * dot(p.coat_normal, p.view) * p.coat_normal - p.view);
     x = ramp_coordinate(c);

@@ -1,9 +1,16 @@
 // Provides: the exposed light of a surface with lobe weights, in the light of the prefiltered maps
-// Needs:    what mesh.vert.glsl hands on; what lobes.glsl needs; LAMPS, SPARKLE_* and SECOND_PAINT where they are drawn
+// Needs:    what mesh.vert.glsl hands on; what lobes.glsl needs; LAMPS, SPARKLE_* and SECOND_PAINT where they are drawn;
+//           KEPT_LIGHT where the look-ups have been made already, KEEPING where they are made to be kept
 uniform vec3 eye;
 
 #include "surface_point.glsl"
+// A file is included once, so what both ways to the light share comes before the question which it is.
+#include "ramp.glsl"
+#ifdef KEPT_LIGHT
+#include "kept_light.glsl"
+#else
 #include "lobes.glsl"
+#endif
 #if defined(LAMPS) || defined(SPARKLE_GLINTS) || defined(SPARKLE_TEXTURE)
 #include "lit.glsl"
 #define LIT(p, radiance) lit_radiance(p, radiance)
@@ -21,6 +28,9 @@ void main()
 {
     SurfacePoint p = surface_point(eye);
     fragment = vec4(exposed_light(LIT(p, reflected_radiance(p))), 1.0);
+#ifdef KEEPING
+    fragment.a = ramp_coordinate(seen_cosine(p));
+#endif
 #ifdef SECOND_PAINT
     fragment.a = mask_share(p);    // how much of the first paint this is blended over
 #endif
