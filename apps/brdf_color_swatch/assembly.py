@@ -113,6 +113,10 @@ class ColorSwatch:
             pane.grid.select_rows([int(number) for number in value.split(",")])
         elif key == "section":
             self.window.section(value).set_open(True)
+        elif value:
+            return any(
+                part.set_from_script(key, value) for part in self.parts if hasattr(part, "set_from_script")
+            )
         else:
             command = self.window.command(key)
             if command is None or not command.isEnabled():

@@ -10,6 +10,7 @@ from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.edit_part import EditPart
 from brdf_color_swatch.file_part import FilePart
 from brdf_color_swatch.link_part import LinkPart
+from brdf_color_swatch.map_part import MapPart
 from brdf_color_swatch.near_part import NearPart
 from brdf_color_swatch.outside_part import OutsidePart
 from brdf_color_swatch.picture_part import PicturePart
@@ -23,6 +24,7 @@ PARTS: tuple[Callable[[Desk, SwatchWindow], Any], ...] = (
     NearPart,
     ComparePart,
     LinkPart,
+    MapPart,
     OutsidePart,
     PicturePart,
 )
