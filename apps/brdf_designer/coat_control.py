@@ -23,14 +23,19 @@ class CoatControl(QObject):
         self._flakes: FlakesSection = window.flakes
         desk.fit_changed.connect(lambda _fit: desk.at_idle("coat", self._show))
         desk.refused.connect(self._refuse)
+        self._coat.gloss_wanted.connect(self._show_gloss)
 
     def _show(self) -> None:
         fit = self._desk.fit
         if fit is None:
             return
-        if fit.paint.gloss.gu_60 is None:
-            self._coat.show_gloss(*total_gloss(fit.reflectance.base, fit.reflectance.coat))
+        self._show_gloss()
         self._flakes.show_sparkle(sparkle(fit.weights, fit.flakes))
+
+    def _show_gloss(self) -> None:
+        fit = self._desk.fit
+        if fit is not None and fit.paint.gloss.gu_60 is None:
+            self._coat.show_gloss(*total_gloss(fit.reflectance.base, fit.reflectance.coat))
 
     def _refuse(self, error: SuiteError) -> None:
         self._flakes.show_sparkle(())

@@ -6,6 +6,7 @@ import math
 
 from brdf_qt.number_field import NumberField
 from brdf_qt.translation import mark, tr
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QWidget
 
 from brdf_designer.desk_state import FitState
@@ -34,7 +35,10 @@ class CoatSection(PaintSection):
     """Gloss readings, the clearcoat that gives them, and its waviness.
 
     Emits ``("coat", "ior" | "roughness")`` with both numbers: the other stays as it was at the start of the gesture.
+    ``gloss_wanted()`` comes before a computed 60° reading is taken: it is shown at idle, and must be of this paint.
     """
+
+    gloss_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -166,6 +170,8 @@ class CoatSection(PaintSection):
                 field.set_value(solved)
 
     def _switch_60(self, on: bool) -> None:
+        if on:
+            self.gloss_wanted.emit()
         value = self.panel.fields["gloss.gu_60"].value() if on else None
         self.edited.emit(("gloss", "gu_60"), value)
 

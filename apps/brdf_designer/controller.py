@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any, Protocol
 
 from brdf_qt.message_bar import Message, message_of
@@ -19,7 +20,7 @@ from brdf_designer.desk_state import (
     curves_of,
     fit_state_of,
 )
-from brdf_designer.fields import Key, edited, step_name
+from brdf_designer.fields import Key, TooRoughError, edited, step_name
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.pipeline.paint import PaintFit
@@ -105,9 +106,12 @@ class Controller(QObject):
         try:
             after = edited(paint, key, value)
         except SuiteError as error:
-            self._view.show_message(
-                message_of(error, "edit", todo=tr("The paint keeps its last valid value."))
-            )
+            message = message_of(error, "edit", todo=tr("The paint keeps its last valid value."))
+            if isinstance(error, TooRoughError):
+                nearest = error.nearest
+                text = tr("Take Roughness {roughness:.4f}").format(roughness=nearest[1])
+                message = replace(message, actions=((text, lambda: self.edit(key, nearest)),))
+            self._view.show_message(message)
             self._refused = True
             return
         self._accepted()

@@ -194,7 +194,7 @@ def _coat(paint: Paint, _key: Key, value: tuple[float, float]) -> Paint:
     try:
         gloss = gloss_of_coat(paint, ior, roughness)
     except DarkerThanCoatError as error:
-        raise UnreachableError(_roughest(paint, ior, error)) from error
+        raise _too_rough(paint, ior, error) from error
     assert gloss.gu_60 is not None
     return replace(
         paint,
@@ -204,7 +204,13 @@ def _coat(paint: Paint, _key: Key, value: tuple[float, float]) -> Paint:
     )
 
 
-def _roughest(paint: Paint, ior: float, error: DarkerThanCoatError) -> str:
+class TooRoughError(UnreachableError):
+    """A coat too rough for the colours under it; ``nearest`` is the roughest that can be: index and roughness."""
+
+    nearest: tuple[float, float] = (math.nan, math.nan)
+
+
+def _too_rough(paint: Paint, ior: float, error: DarkerThanCoatError) -> TooRoughError:
     """Say why the coat cannot be, and how rough one of that index can be at most over these colours."""
     _, angle = error.measurement
     low, high = LOWEST_ROUGHNESS, HIGHEST_ROUGHNESS
@@ -216,10 +222,14 @@ def _roughest(paint: Paint, ior: float, error: DarkerThanCoatError) -> str:
             high = middle
         else:
             low = middle
-    return tr(
+    most = math.floor(1e4 * low) / 1e4
+    text = tr(
         "A coat that rough mirrors {share:.4f} of the light at {angle:g}° by itself, and the colour there is darker. "
         "With index {ior:.3f} its roughness can be up to {most:.4f}."
-    ).format(share=error.share, angle=angle, ior=ior, most=math.floor(1e4 * low) / 1e4)
+    ).format(share=error.share, angle=angle, ior=ior, most=most)
+    refusal = TooRoughError(text)
+    refusal.nearest = (ior, most)
+    return refusal
 
 
 def _orange_peel(paint: Paint, key: Key, value: Any) -> Paint:

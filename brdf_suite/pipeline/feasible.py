@@ -1,12 +1,14 @@
 """The paint nearest to one that cannot be: where no coat gives the gloss, or no sum of lobes the colours.
 
-Three things stand in the way of a paint that a user has typed, and each has its nearest way round, tried in this order:
+Some things stand in the way of a paint that a user has typed, and each has its nearest way round, tried in this order:
 
 1. No clearcoat gives the gloss readings, or the coat alone reflects more than a colour does. Gloss is moved from one
    that can be towards the asked one, as far as it goes; a colour darker than its coat is lifted to the coat.
 2. No lobes with non-negative weights give the colours at the readings: the nearest colours of their cone are taken
    (:mod:`brdf_suite.pipeline.feasible_colours`).
-3. The whole road (rule between the angles, coat, fit) does not quite give those: then what the fit does give is taken
+3. Under a rough coat dark colours may have no lobes, or only such as are far from what is asked: then the colours stay
+   and the coat is moved instead, to the glossier one nearest to the asked one under which they can be.
+4. The whole road (rule between the angles, coat, fit) does not quite give those: then what the fit does give is taken
    instead and fitted again, until asked and given agree.
 
 Whatever is offered has been fitted: its ``fit`` says what it gives. Lobes know one light, the one that most readings
@@ -38,10 +40,13 @@ TOLERANCE_DELTA_E = 1.0
 
 _MOST_FITS = 16
 _HALVINGS = 18
+_COAT_HALVINGS = 8
 _GLOSS_DIGITS = 1
 # Coats that are tried for one with which the colours can be: from the glossiest to the dullest.
 _TRIED_ROUGHNESSES = (LOWEST_ROUGHNESS, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.4)
 _MOST_LIFTS = 12
+_FAR_DELTA_E = 3.0
+"""ΔE00 beyond which a colour is another colour: rather than that, the coat is moved."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,8 +105,19 @@ def nearest_feasible(
     """
     report(progress, 0.0, "looking for the nearest paint")
     possible = nearest_reachable(paint)
-    if possible is None:
-        return None
+    moved = None if possible is None else _agreed(paint, possible, fitter, tolerance, progress)
+    if moved is not None and moved.worst_delta_e <= _FAR_DELTA_E:
+        return moved
+    glossier = _under_glossier_coat(paint, fitter, tolerance, progress)
+    if moved is None or glossier is None:
+        return moved or glossier
+    return min(glossier, moved, key=lambda found: found.worst_delta_e)
+
+
+def _agreed(
+    paint: Paint, possible: Paint, fitter: PaintFitter, tolerance: float, progress: Progress | None
+) -> Feasible | None:
+    """The paint whose fit gives what it asks, from a ``possible`` one on; None where asked and given never agree."""
     fit = fitter.fit(possible)
     if not is_feasible(fit, tolerance):
         nearest = _fitted(_with_labs(possible, _in_cone(fit)), fitter)
@@ -121,6 +137,49 @@ def nearest_feasible(
             return None
         fit = following
     return None
+
+
+def _under_glossier_coat(
+    paint: Paint, fitter: PaintFitter, tolerance: float, progress: Progress | None
+) -> Feasible | None:
+    """The paint's own colours, or ones near to them, under the nearest glossier coat with which they can be, or None.
+
+    A smoother coat mirrors less beside the mirror direction, which leaves more of a dark colour to the base.
+    """
+
+    def under(gloss: Gloss) -> Feasible | None:
+        glossier = replace(paint, gloss=gloss)
+        if _refusal(glossier) is not None:
+            return None
+        found = _agreed(paint, glossier, fitter, tolerance, progress)
+        return found if found is not None and found.worst_delta_e <= _FAR_DELTA_E else None
+
+    good: Feasible | None = None
+    for roughness in reversed(_TRIED_ROUGHNESSES):
+        try:
+            gloss = gloss_of_coat(paint, USUAL_IOR, roughness)
+        except UnreachableError:
+            continue
+        if gloss.gu_20 <= paint.gloss.gu_20:
+            continue
+        good = under(_rounded(gloss if paint.gloss.gu_60 is not None else Gloss(gloss.gu_20)))
+        if good is not None:
+            break
+    if good is None:
+        return None
+    best, low, high = good, 0.0, 1.0
+    start, wanted = good.paint.gloss, paint.gloss
+    for _ in range(_COAT_HALVINGS):
+        middle = 0.5 * (low + high)
+        at_60 = None
+        if start.gu_60 is not None and wanted.gu_60 is not None:
+            at_60 = start.gu_60 + middle * (wanted.gu_60 - start.gu_60)
+        found = under(_rounded(Gloss(start.gu_20 + middle * (wanted.gu_20 - start.gu_20), at_60)))
+        if found is None:
+            high = middle
+        else:
+            low, best = middle, found
+    return best
 
 
 def nearest_reachable(paint: Paint) -> Paint | None:

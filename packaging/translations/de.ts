@@ -888,6 +888,10 @@
         <translation>Der Lack behält seinen letzten gültigen Wert.</translation>
     </message>
     <message>
+        <source>Take Roughness {roughness:.4f}</source>
+        <translation>Rauheit {roughness:.4f} nehmen</translation>
+    </message>
+    <message>
         <source>The numbers keep your edit; curve, strip and the other programs show the last paint that can be.</source>
         <translation>Die Zahlen behalten die Änderung; Kurve, Streifen und die anderen Programme zeigen den letzten möglichen Lack.</translation>
     </message>

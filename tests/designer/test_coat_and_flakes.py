@@ -12,6 +12,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QComboBox
 
+from brdf_suite.appearance.flop import flop_index
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.pipeline.paint import PaintFitter
 from brdf_suite.reflectance.build import build_paint
@@ -59,14 +60,22 @@ def test_a_coat_that_the_colours_do_not_allow_is_refused_with_what_can_be(design
     designer.window.edited.emit(("colour", 0), (6.0, 0.0, 0.0))
     before, roughness = designer.store.value, coat.roughness.value()
     type_in(coat.roughness, "0.2")
-    told = designer.window.messages.shown()["edit"].what
+    message = designer.window.messages.shown()["edit"]
+    told = message.what
     assert "at 15°" in told
     assert designer.store.value == before
     assert coat.roughness.value() == roughness
     most = told.rsplit("up to ", 1)[1].rstrip(".")
     type_in(coat.roughness, most)
     assert "edit" not in designer.window.messages.shown()
-    assert designer.store.value != before
+    taken = designer.store.value
+    assert taken != before
+    designer.controller.undo()
+    ((text, take),) = message.actions
+    assert text == f"Take Roughness {most}"
+    take()
+    assert designer.store.value == taken
+    assert steps(designer)[-1] == "Change Roughness of the Coat"
 
 
 def test_haze_is_told_from_the_readings_or_from_the_coat(designer, qtbot) -> None:
@@ -203,3 +212,48 @@ def test_the_choices_over_the_colours_are_commands_too(designer) -> None:
     found["Paint ▸ Angles: 5 (15 to 110°)"].trigger()
     assert len(designer.store.value.measurements) == 5
     assert designer.window.editors.editors[4].fields[2].suffix() == " °"
+
+
+def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer, qtbot):
+    cells, fit = designer.window.patches._cells, designer.window.status.cell("Fit")
+    assert not any(cell[3].font().bold() or cell[3].text().startswith("!") for cell in cells)
+    dict(commands(designer.window))["Paint ▸ Make Solid From ▸ 45°"].trigger()
+    # Darker towards the mirror direction than away from it: lobes around the mirror direction cannot do that.
+    type_in(designer.window.editors.editors[1].fields[0], "90")
+    assert [cell[3].font().bold() for cell in cells] == [False, True, False]
+    assert cells[1][3].text().startswith("! fit ΔE00 ")
+    assert "no non-negative sum of the lobes" in cells[1][3].toolTip()
+    assert "no non-negative sum" not in cells[0][3].toolTip()
+    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    assert fit.text().startswith("! Fit")
+    assert fit.font().bold()
+    assert "no non-negative sum of the lobes" in fit.toolTip()
+    designer.controller.undo()
+    assert not any(cell[3].font().bold() for cell in cells)
+    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    assert not fit.font().bold()
+
+
+def test_the_status_bar_tells_what_the_fit_gives_beside_what_was_asked(designer, qtbot):
+    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    flop, fit = (designer.window.status.cell(name) for name in ("Flop index", "Fit"))
+    assert flop.text() == "Flop 13.9, reached 13.9"
+    assert fit.text().endswith(", exact")
+    rows = fit.toolTip().splitlines()
+    assert rows[0] == "15°: asked 62.0 / −4.0 / −45.0, fit 62.0 / −4.0 / −45.0, ΔE00 0.00"
+    # Darker towards the mirror direction than away from it cannot be reached: the flop that is shown says so.
+    type_in(designer.window.editors.editors[2].fields[0], "55")
+    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    asked, reached = flop.text().rstrip(" ?").split(", reached ")
+    lightness = [row.fitted[0] for row in designer.desk.fit.angles]
+    assert asked == f"Flop {flop_index(62.0, 25.0, 55.0).value:.1f}"
+    assert reached == f"{flop_index(*lightness).value:.1f}" != asked.split()[1]
+    assert fit.text().startswith("! Fit ΔE00 ≤ ")
+    worst = max(row.delta_e_2000 for row in designer.desk.fit.angles)
+    assert abs(float(fit.text().split("≤ ")[1].split(",")[0]) - worst) <= 0.01
+    given = designer.desk.fit.angles[2].fitted
+    assert f"fit {given[0]:.1f} / " in fit.toolTip().splitlines()[2]
+    # Of a paint that cannot be, only what is asked is said.
+    type_in(designer.window.coat.panel.fields["gloss.gu_20"], "199")
+    assert "reached" not in flop.text()
+    assert fit.text().startswith("(")

@@ -115,6 +115,24 @@ def test_a_colour_darker_than_its_coat_is_lifted_to_it() -> None:
     assert found.lab_at(110.0) == asked.lab_at(110.0)
 
 
+@pytest.mark.parametrize("gloss", [10.0, 3.0])
+def test_a_dark_satin_paint_is_offered_the_nearest_coat_and_keeps_its_colour(
+    gloss: float, fitter: PaintFitter
+) -> None:
+    asked = paint(*[(6.0, 0.0, 0.0)] * 3, gloss=Gloss(gloss))
+    found = checked(nearest_feasible(asked, fitter), fitter)
+    assert found.worst_delta_e <= 3.0
+    assert gloss < found.paint.gloss.gu_20 < 15.0
+    # A duller coat, beyond the tenths that are searched, is too much for colours as dark as these.
+    duller = Gloss(round(0.5 * (gloss + found.paint.gloss.gu_20), 1))
+    labs = [m.lab for m in found.paint.measurements]
+    try:
+        fit = fitter.fit(paint(*labs, gloss=duller))
+    except UnreachableError:
+        return
+    assert not is_feasible(fit)
+
+
 def test_six_angles_with_one_reading_out_of_line(fitter: PaintFitter) -> None:
     six = at_geometries(paint(*BLUE), GEOMETRY_SETS["six"].geometries)
     found = checked(nearest_feasible(six.with_lab(25.0, (80.0, 0.0, 0.0)), fitter), fitter)
