@@ -11,6 +11,7 @@ from brdf_qt.translation import tr
 from PySide6.QtCore import QObject
 
 from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.late_progress import LateProgress
 from brdf_lobe_visualizer.subjects import Subject, SubjectFit
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.paint import Paint
@@ -42,6 +43,7 @@ class Fits(QObject):
         self._desk, self._window = desk, window
         # One thread: HiGHS takes a core, and a fit of samples takes a second or two.
         self.tasks = TaskRunner(self, threads=1)
+        self._progress = LateProgress(window.progress, self)
         self._of: dict[str, Reflectance] = {}
         desk.subjects_changed.connect(self._look)
         self._look()
@@ -63,33 +65,33 @@ class Fits(QObject):
         subjects = self._desk.subjects
         for key in set(self._of) - {s.key for s in subjects}:
             del self._of[key]
-            self.tasks.cancel(key)
-            self._window.progress.end_job(f"fit {key}")
+            self._cancel(key)
             self._window.dismiss_message(f"fit {key}")
         for subject in subjects:
             if self._of.get(subject.key) is not subject.reflectance:
                 self._of[subject.key] = subject.reflectance
                 self._fit(subject)
 
+    def _cancel(self, key: str) -> None:
+        self.tasks.cancel(key)
+        self._progress.end(f"fit {key}")
+
     def _fit(self, subject: Subject) -> None:
         key, reflectance = subject.key, subject.reflectance
         wanted = _Wanted(subject.title, reflectance, subject.paint)
         job = f"fit {key}"
-        strip = self._window.progress
         text = tr("Fitting lobes to {name}").format(name=subject.title)
-
-        def moved(fraction: float, _what: str) -> None:
-            strip.set_job(job, fraction, text, lambda: self.tasks.cancel(key))
+        moved = self._progress.begin(job, text, lambda: self._cancel(key))
 
         def done(fit: SubjectFit) -> None:
-            strip.end_job(job)
+            self._progress.end(job)
             self._window.dismiss_message(job)
             now = self._desk.subject(key)
             if now is not None and now.reflectance is reflectance:
                 self._desk.change(key, fit=fit)
 
         def failed(error: Exception) -> None:
-            strip.end_job(job)
+            self._progress.end(job)
             todo = tr("It is shown without a fit.")
             self._window.show_message(message_of(error, job, todo=todo))
 

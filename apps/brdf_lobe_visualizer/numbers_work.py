@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from time import monotonic
 from typing import TYPE_CHECKING
 
 from brdf_qt.message_bar import message_of
@@ -12,6 +11,7 @@ from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.late_progress import LateProgress
 from brdf_lobe_visualizer.subjects import Subject
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
 _PAUSE_MS = 200
 """A drag changes a paint sixty times a second; its figures follow once it rests."""
-_SHOW_AFTER_S = 0.7
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +57,7 @@ class FiguresWork(QObject):
         super().__init__(window)
         self._desk, self._window = desk, window
         self._tasks = TaskRunner(self, threads=1)
+        self._progress = LateProgress(window.progress, self)
         self.angles = GEOMETRY_SETS[DEFAULT_SET]
         self._wanted = False
         self._of: dict[str, _Wanted] = {}
@@ -143,23 +143,17 @@ class FiguresWork(QObject):
 
     def _submit(self, subject: Subject, wanted: _Wanted) -> None:
         key, job = subject.key, f"figures {subject.key}"
-        strip = self._window.progress
         text = tr("Working out the figures of {name}").format(name=subject.title)
-        began = monotonic()
-
-        def moved(fraction: float, _what: str) -> None:
-            # Most are there at once; a line that comes and goes would only be unrest.
-            if monotonic() - began > _SHOW_AFTER_S:
-                strip.set_job(job, fraction, text, lambda: self._cancel(key))
+        moved = self._progress.begin(job, text, lambda: self._cancel(key))
 
         def done(found: ReflectanceFigures) -> None:
-            strip.end_job(job)
+            self._progress.end(job)
             self._window.dismiss_message(job)
             self._found[key] = (wanted, found)
             self.changed.emit()
 
         def failed(error: Exception) -> None:
-            strip.end_job(job)
+            self._progress.end(job)
             self._window.show_message(message_of(error, job, todo=tr("It has no figures.")))
             self.changed.emit()
 
@@ -167,7 +161,7 @@ class FiguresWork(QObject):
 
     def _cancel(self, key: str) -> None:
         self._tasks.cancel(key)
-        self._window.progress.end_job(f"figures {key}")
+        self._progress.end(f"figures {key}")
         self._of.pop(key, None)
 
 

@@ -14,6 +14,7 @@ from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, Signal
 
 from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.late_progress import LateProgress
 from brdf_lobe_visualizer.sources import ENTRY_MARK, Opened, open_source
 from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, Subject
 from brdf_lobe_visualizer.window import LobeWindow
@@ -51,6 +52,7 @@ class Sources(QObject):
         self._desk, self._window = desk, window
         # Its own, so that a long fit keeps no file waiting; files are read at once, two at a time.
         self.tasks = TaskRunner(self)
+        self._progress = LateProgress(window.progress, self)
         self._numbers = count(1)
         self._waiting: dict[str, str] = {}
         self._turn: dict[str, int] = {}
@@ -69,13 +71,9 @@ class Sources(QObject):
         turn = next(self._numbers)
         job = f"open {turn}"
         self._waiting[job] = name
-        strip = self._window.progress
         shown = Path(name.partition(ENTRY_MARK)[0]).name
-
-        def moved(fraction: float, _what: str) -> None:
-            strip.set_job(
-                job, fraction, tr("Reading {name}").format(name=shown), lambda: self._cancelled(job)
-            )
+        text = tr("Reading {name}").format(name=shown)
+        moved = self._progress.begin(job, text, lambda: self._cancelled(job))
 
         def done(found: Opened) -> None:
             self._ended(job)
@@ -87,7 +85,6 @@ class Sources(QObject):
             self.failed.emit(name)
             self._look_idle()
 
-        moved(0.0, "")
         self.tasks.submit(job, _read, name, done, failed, moved)
         return job
 
@@ -181,6 +178,7 @@ class Sources(QObject):
 
     def _cancelled(self, job: str) -> None:
         name = self._waiting.pop(job, "")
+        self._progress.end(job)
         self.tasks.cancel(job)
         self.failed.emit(name)
         self._look_idle()
@@ -191,7 +189,7 @@ class Sources(QObject):
 
     def _ended(self, job: str) -> None:
         self._waiting.pop(job, None)
-        self._window.progress.end_job(job)
+        self._progress.end(job)
 
 
 def _read(name: str, progress: Progress) -> Opened:
