@@ -27,15 +27,10 @@ def screen() -> None:
     xvfb.use_screen()
 
 
-@pytest.fixture(scope="session")
-def _cache_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("cache")
-
-
 @pytest.fixture(autouse=True)
-def own_cache(_cache_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def own_cache(cache_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """One cache for the session: each environment is prefiltered once, and never into the user's cache."""
-    monkeypatch.setenv("BRDF_SUITE_CACHE", str(_cache_folder))
+    monkeypatch.setenv("BRDF_SUITE_CACHE", str(cache_folder))
 
 
 @pytest.fixture(autouse=True)
@@ -72,6 +67,9 @@ def lights(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
         "dim": write_light(folder / "dim.exr", 1.0, 0.3, 0.1),
         "bright": write_light(folder / "bright.exr", 6.0, 0.9, 0.2),
     }
+
+
+PICTURE = (200, 160)
 
 
 class Viewer:
@@ -114,19 +112,33 @@ class Viewer:
 
 @pytest.fixture
 def start(qtbot, lights) -> Iterator[Callable[..., Viewer]]:
-    """Make Viewers; without arguments: a blue sphere in the ``dim`` light."""
+    """Make Viewers; without arguments: a blue sphere in the ``dim`` light, in a small picture, without single flakes.
+
+    With ``fill`` the picture fills the window, as it does for the user.
+    """
     from brdf_viewer.controller import ViewerController
 
     from brdf_suite.documents.view import View
+    from brdf_suite.documents.view_settings import Sparkle
 
     controllers = []
 
     def make(
-        *, paint: str = "blue", size: tuple[int, int] = (560, 330), wait: bool = True, **options
+        *,
+        paint: str = "blue",
+        size: tuple[int, int] = (760, 480),
+        fill: bool = False,
+        wait: bool = True,
+        **options,
     ) -> Viewer:
-        view = options.pop("view", None) or View(environment=str(lights["dim"]), surface="sphere")
+        view = options.pop("view", None) or View(
+            environment=str(lights["dim"]), surface="sphere", sparkle=Sparkle(mode="off")
+        )
         controller = ViewerController(view, paint, **options)
         controllers.append(controller)
+        if not fill:
+            # Drawn in software a frame takes as long as it has pixels and flakes, and a test draws ten.
+            controller.window.picture.setMaximumSize(*PICTURE)
         controller.window.resize(*size)
         if wait:
             with qtbot.waitSignal(controller.picture_complete):
@@ -153,3 +165,9 @@ def close(controller) -> None:
 @pytest.fixture
 def viewer(start) -> Viewer:
     return start()
+
+
+@pytest.fixture
+def filled(start) -> Viewer:
+    """A Viewer whose picture fills its window."""
+    return start(fill=True)

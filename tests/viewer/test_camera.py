@@ -192,15 +192,15 @@ def test_an_orbit_stops_at_the_poles_and_comes_back_without_a_jump(viewer) -> No
     assert (viewer.pixels() == top).all()
 
 
-def test_tab_on_the_picture_hides_and_shows_the_inspector(viewer, qtbot) -> None:
-    viewer.canvas.setFocus()
-    qtbot.waitUntil(viewer.canvas.hasFocus)
-    width = viewer.canvas.width()
-    QTest.keyClick(viewer.canvas, Qt.Key.Key_Tab)
-    qtbot.waitUntil(lambda: not viewer.window.inspector_dock.isVisible())
-    qtbot.waitUntil(lambda: viewer.canvas.width() > width + 100)
-    QTest.keyClick(viewer.canvas, Qt.Key.Key_Tab)
-    qtbot.waitUntil(viewer.window.inspector_dock.isVisible)
+def test_tab_on_the_picture_hides_and_shows_the_inspector(filled, qtbot) -> None:
+    filled.canvas.setFocus()
+    qtbot.waitUntil(filled.canvas.hasFocus)
+    width = filled.canvas.width()
+    QTest.keyClick(filled.canvas, Qt.Key.Key_Tab)
+    qtbot.waitUntil(lambda: not filled.window.inspector_dock.isVisible())
+    qtbot.waitUntil(lambda: filled.canvas.width() > width + 100)
+    QTest.keyClick(filled.canvas, Qt.Key.Key_Tab)
+    qtbot.waitUntil(filled.window.inspector_dock.isVisible)
 
 
 def test_the_fields_of_the_inspector(viewer) -> None:

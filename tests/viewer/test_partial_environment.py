@@ -14,6 +14,7 @@ from brdf_viewer.environment_facts import environment_facts
 from brdf_suite.documents.paint import Gloss, solid_paint
 from brdf_suite.documents.store import save_paint
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.errors import GraphicsError
 from brdf_suite.files.images import write_exr
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
@@ -66,7 +67,7 @@ def is_partial(viewer) -> bool:
 def test_the_first_picture_comes_early_and_is_near_the_last(start, held, light, tmp_path, qtbot) -> None:
     paint = tmp_path / "matt.brdfpaint"
     save_paint(solid_paint("Matt", (60.0, 20.0, 10.0), Gloss(2.0)), paint)
-    view = View(environment=str(light(1)), surface="sphere")
+    view = View(environment=str(light(1)), surface="sphere", sparkle=Sparkle("off"))
     viewer = start(paint=str(paint), view=view, wait=False)
     complete = []
     viewer.controller.picture_complete.connect(lambda: complete.append(True))
@@ -94,7 +95,7 @@ def test_the_first_picture_comes_early_and_is_near_the_last(start, held, light, 
 
 def test_cancel_brings_the_whole_picture_back(start, held, light, qtbot) -> None:
     held.hold = False
-    viewer = start(view=View(environment=str(light(2)), surface="sphere"))
+    viewer = start(view=View(environment=str(light(2)), surface="sphere", sparkle=Sparkle("off")))
     before, view, facts = viewer.pixels(), viewer.view, viewer.window.environment.facts.text()
     held.hold = True
     viewer.controller.open_file(str(light(3)))
@@ -111,7 +112,7 @@ def test_cancel_brings_the_whole_picture_back(start, held, light, qtbot) -> None
 
 
 def test_cancel_of_the_first_keeps_what_is_there_and_says_so(start, held, light, qtbot) -> None:
-    viewer = start(view=View(environment=str(light(4)), surface="sphere"), wait=False)
+    viewer = start(view=View(environment=str(light(4)), surface="sphere", sparkle=Sparkle("off")), wait=False)
     qtbot.waitUntil(lambda: is_partial(viewer), timeout=60_000)
     viewer.controller.scene.cancel("environment")
     assert is_partial(viewer)
@@ -166,7 +167,7 @@ def test_what_was_repaired_and_what_the_cache_says_is_told(start, tmp_path, monk
     write_exr(path, pixels)
     (tmp_path / "no_folder").write_text("a file where the cache's folder should be")
     monkeypatch.setenv("BRDF_SUITE_CACHE", str(tmp_path / "no_folder"))
-    viewer = start(view=View(environment=str(path), surface="sphere"))
+    viewer = start(view=View(environment=str(path), surface="sphere", sparkle=Sparkle("off")))
     text = viewer.window.environment.facts.text()
     assert "NaN" in text
     assert "no_folder" in text

@@ -95,7 +95,7 @@ def test_an_unknown_start_falls_back_to_what_is_shipped(start, tmp_path) -> None
 
 
 def test_a_small_window_keeps_its_picture_and_scrolls_its_inspector(start) -> None:
-    viewer = start(size=(1, 1))
+    viewer = start(size=(1, 1), fill=True)
     smallest = viewer.window.minimumSize()
     assert viewer.window.size() == smallest
     assert smallest.width() <= 800

@@ -11,7 +11,7 @@ from PIL import Image
 
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view import View
-from brdf_suite.documents.view_settings import SurfaceLook
+from brdf_suite.documents.view_settings import Sparkle, SurfaceLook
 from brdf_suite.pipeline.paint import PaintFitter
 
 
@@ -37,7 +37,7 @@ def asked() -> list[str]:
 @pytest.fixture
 def ball(start, lights, asked):
     look = SurfaceLook(occlusion=False)
-    view = View(environment=str(lights["dim"]), surface="sphere", surface_look=look)
+    view = View(environment=str(lights["dim"]), surface="sphere", surface_look=look, sparkle=Sparkle("off"))
     return start(view=view, ask=lambda _window, _kind: asked.pop())
 
 

@@ -79,21 +79,21 @@ def test_shipped_environments_and_surfaces_are_in_the_lists(viewer) -> None:
     assert "triangles" in viewer.window.surface.facts.text()
 
 
-def test_a_bad_environment_is_told_and_the_old_picture_stays(viewer, tmp_path) -> None:
-    first, view = viewer.pixels(), viewer.view
+def test_a_bad_environment_is_told_and_the_old_picture_stays(filled, tmp_path) -> None:
+    first, view = filled.pixels(), filled.view
     bad = tmp_path / "notes.hdr"
     bad.write_text("this is no picture\n" * 10)
-    drop(viewer, bad)
-    viewer.wait_idle()
-    text = viewer.messages()["environment"]
+    drop(filled, bad)
+    filled.wait_idle()
+    text = filled.messages()["environment"]
     assert str(bad) in text
     assert "The picture shows dim.exr" in text
-    assert viewer.view == view
-    viewer.qtbot.waitUntil(lambda: viewer.window.environment.chooser.list.currentText() == "dim.exr")
-    size = viewer.pixels().shape  # the message takes room from the picture
-    viewer.window.messages.dismiss("environment")
-    viewer.qtbot.waitUntil(lambda: viewer.pixels().shape != size)
-    assert np.array_equal(viewer.pixels(), first)
+    assert filled.view == view
+    filled.qtbot.waitUntil(lambda: filled.window.environment.chooser.list.currentText() == "dim.exr")
+    size = filled.pixels().shape  # the message takes room from the picture
+    filled.window.messages.dismiss("environment")
+    filled.qtbot.waitUntil(lambda: filled.pixels().shape != size)
+    assert np.array_equal(filled.pixels(), first)
 
 
 def test_a_message_leaves_when_the_next_file_is_good(viewer, tmp_path, lights) -> None:

@@ -20,7 +20,7 @@ def near(start, lights):
     view = View(
         environment=str(lights["dim"]),
         surface="sphere",
-        camera=Camera(20.0, 15.0, 0.3),
+        camera=Camera(20.0, 15.0, 0.3, focal_length_mm=130.0),
         lamps=(Lamp("directional", azimuth_deg=35.0, elevation_deg=25.0),),
         sparkle=Sparkle("off"),
     )

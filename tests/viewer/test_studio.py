@@ -21,8 +21,6 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from brdf_suite.documents.light_store import load_light, save_light
 from brdf_suite.documents.studio import Backdrop, Lamp, Sky, Studio
-from brdf_suite.documents.view import View
-from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.files.images import write_exr
 from brdf_suite.pipeline.environments import draw_light
 
@@ -52,13 +50,6 @@ class Script:
 @pytest.fixture
 def script() -> Script:
     return Script()
-
-
-@pytest.fixture
-def start(start, lights):
-    """Viewers without sparkle, whose frames would be most of the tests' time."""
-    view = View(environment=str(lights["dim"]), surface="sphere", sparkle=Sparkle("off"))
-    return lambda **options: start(view=view, **options)
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from brdf_viewer import surface_control
 from PySide6.QtCore import QPoint, Qt
 
 from brdf_suite.documents.view import View
-from brdf_suite.documents.view_settings import PartMaterial, SurfaceLook
+from brdf_suite.documents.view_settings import PartMaterial, Sparkle, SurfaceLook
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.meshes import write_mesh_glb
 from brdf_suite.progress import Progress
@@ -37,7 +37,9 @@ def two_balls(tmp_path):
 
 @pytest.fixture
 def balls(start, lights, two_balls):
-    return start(view=View(environment=str(lights["dim"]), surface=str(two_balls), surface_look=PLAIN))
+    smooth = Sparkle("off")
+    view = View(environment=str(lights["dim"]), surface=str(two_balls), surface_look=PLAIN, sparkle=smooth)
+    return start(view=view)
 
 
 def section(viewer):
