@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
+from brdf_lobe_visualizer.basis_run import MOST_LOBES
 from brdf_lobe_visualizer.crosshair import Readout, Row
 from brdf_lobe_visualizer.slice_lines import Line
 from brdf_lobe_visualizer.subjects import DASHES, Srgb, Subject
@@ -48,7 +49,7 @@ class BasisPlots(QWidget):
             plot.setMinimumSize(120, 100)
             plot.getAxis("left").setLogMode(y=True)
             plot.setLabel("bottom", tr("Number of lobes"))
-            plot.getAxis("bottom").setStyle(maxTickLevel=0)
+            plot.getAxis("bottom").setTicks([[(count, str(count)) for count in range(1, MOST_LOBES + 2)]])
             self._box.addWidget(plot, 1)
         self.exponents.setLabel("left", tr("Exponent"))
         self.errors.setLabel("left", tr("Error (1: just seen)"))
@@ -128,7 +129,12 @@ class BasisPlots(QWidget):
         self._own_dots.setData(x=own_x, y=own_y)
         for item, (line, x, y) in zip(self._names, drawn, strict=False):
             item.setText(line.title if len(line.title) <= 24 else line.title[:23] + "…")
-            item.setPos(float(x[-1]) + 0.4, float(y[-1]))
+            if line.is_front:  # its end lies among the others
+                item.setAnchor((0.0, 1.0))
+                item.setPos(float(x[0]) + 0.1, float(y[0]))
+            else:
+                item.setAnchor((1.0, 1.0))
+                item.setPos(float(x[-1]) + 0.4, float(y[-1]))
         for number_of, item in enumerate(self._names):
             item.setVisible(number_of < len(drawn))
         values = np.concatenate([y for _, _, y in drawn]) if drawn else np.zeros(0)
@@ -186,10 +192,11 @@ class BasisPlots(QWidget):
         for plot in (self.exponents, self.errors):
             plot.dress()
             plot.showGrid(x=True, y=True, alpha=0.12)
-        self._dots.setPen(QPen(text, 1.2))
-        self._dots.setBrush(None)
-        self._own_dots.setPen(QPen(text, 1.2))
-        self._own_dots.setBrush(None)
+        ring = QPen(text, 1.2)
+        ring.setCosmetic(True)
+        for dots in (self._dots, self._own_dots):
+            dots.setPen(ring)
+            dots.setBrush(None)
         for band in self._chosen:
             band.setBrush(QBrush(faint))
             for edge in band.lines:

@@ -52,17 +52,15 @@ class PolarPlot(QWidget):
         """Make the plot and show what was set so far."""
         if self.plot is not None:
             return
-        import pyqtgraph as pg
-
         from brdf_lobe_visualizer.slice_marks import PolarRings
-        from brdf_lobe_visualizer.slice_plot_items import SlicePlot
+        from brdf_lobe_visualizer.slice_plot_items import LineItem, SlicePlot
 
         self.plot = SlicePlot(with_axes=False)
         self.plot.setAccessibleName(self.accessibleName())
         self.plot.setMouseEnabled(x=False, y=False)
         self._rings = PolarRings()
         self.plot.addItem(self._rings, ignoreBounds=True)
-        self._light, self._mirror, self._cross = (pg.PlotCurveItem(antialias=True) for _ in range(3))
+        self._light, self._mirror, self._cross = (LineItem() for _ in range(3))
         for item in (self._light, self._mirror, self._cross):
             self.plot.addItem(item, ignoreBounds=True)
         self._cross.setZValue(10)
@@ -194,7 +192,7 @@ class PolarPlot(QWidget):
 
     def _place(self, line: Any, name: Any, angle_deg: float, text: str) -> None:
         sine, cosine = np.sin(np.radians(angle_deg)), np.cos(np.radians(angle_deg))
-        line.setData(np.array([0.0, 1.0 * sine]), np.array([0.0, 1.0 * cosine]))
+        line.set_data(np.array([0.0, 1.0 * sine]), np.array([0.0, 1.0 * cosine]))
         # Beside a labelled spoke the two texts would lie on each other.
         clear = min(abs(angle_deg - labelled) for labelled in _LABELLED_DEG) > 9.0
         name.setVisible(clear)
@@ -207,7 +205,7 @@ class PolarPlot(QWidget):
             return
         angle, rows = rows_at(self._lines, float(np.degrees(np.arctan2(x, max(y, 0.0)))))
         turn = np.radians(angle)
-        self._cross.setData(np.array([0.0, np.sin(turn)]), np.array([0.0, np.cos(turn)]))
+        self._cross.set_data(np.array([0.0, np.sin(turn)]), np.array([0.0, np.cos(turn)]))
         self._cross.setVisible(True)
         head = f"{degrees('theta_o', angle)}  {degrees('gamma', self._theta_deg - angle)}"
         self.readout.show_rows(head, rows, quantity(self._options), at_right=x < 0.0)
@@ -229,7 +227,7 @@ class PolarPlot(QWidget):
         ):
             pen = grey_pen(self.palette(), alpha)
             pen.setStyle(style)
-            item.setPen(pen)
+            item.set_pen(pen)
         self._rung = None
         self.readout.setPalette(QPalette(self.palette()))
 

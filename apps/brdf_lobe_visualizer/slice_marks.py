@@ -76,6 +76,8 @@ class PolarRings(pg.GraphicsObject):
         self._radii: tuple[float, ...] = ()
         self._palette = QPalette()
         self.setZValue(-20)
+        # Drawn anew it takes 2 ms a frame; as a kept picture nothing.
+        self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
 
     def show_rings(self, radii: Sequence[float], palette: QPalette) -> None:
         """Draw these rings in the greys of ``palette``."""

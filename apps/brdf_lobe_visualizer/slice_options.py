@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -82,6 +83,26 @@ class SliceState(QObject):
             settings().setValue(_KEY, json.dumps(asdict(options)))
             self.changed.emit()
 
+    def set_from_text(self, name: str, text: str) -> bool:
+        """Set an option from words: numbers, ``true`` or ``false``, three numbers with commas; False: it cannot be."""
+        plain = getattr(SliceOptions(), name, None)
+        try:
+            if isinstance(plain, bool):
+                value: Any = {"true": True, "false": False}[text]
+            elif isinstance(plain, float):
+                value = float(text)
+            elif isinstance(plain, tuple):
+                value = tuple(float(part) for part in text.split(","))
+            else:
+                value = text
+            options = _sound(replace(self._options, **{name: value}))
+        except (KeyError, ValueError, TypeError):
+            return False
+        if not _is_known(options):
+            return False
+        self.set(**{name: value})
+        return True
+
     def reset(self, *names: str) -> None:
         """Set options back, all where none is named."""
         plain = SliceOptions()
@@ -101,11 +122,18 @@ def _remembered() -> SliceOptions:
         plain = SliceOptions()
         known = {name: kept[name] for name in vars(plain) if name in kept}
         options = _sound(replace(plain, **known))
-        sound = options.axis in AXES and options.tone in TONES and len(options.incidences_deg) == 3
-        flags = all(
-            isinstance(getattr(options, name), bool)
-            for name in ("log_value", "log_angle", "follow", "by_root")
-        )
-        return options if sound and flags else plain
+        return options if _is_known(options) else plain
     except (ValueError, TypeError, KeyError):
         return SliceOptions()  # a settings file that another version or another hand wrote
+
+
+def _is_known(options: SliceOptions) -> bool:
+    flags = (options.log_value, options.log_angle, options.follow, options.by_root)
+    numbers = (*(getattr(options, name) for name in _RANGES), *options.incidences_deg)
+    return (
+        options.axis in AXES
+        and options.tone in TONES
+        and len(options.incidences_deg) == 3
+        and all(isinstance(flag, bool) for flag in flags)
+        and all(math.isfinite(number) for number in numbers)
+    )

@@ -88,6 +88,12 @@ class Slices(QObject):
         shown = set(self._shown())
         return self._built and not self._timer.isActive() and not (self._stale | self._running) & shown
 
+    def set_from_script(self, key: str, value: str) -> bool:
+        """Take ``slices.NAME=VALUE``, for pictures that are made by scripts; False: it is not of here."""
+        if not key.startswith("slices."):
+            return False
+        return self.state.set_from_text(key.removeprefix("slices."), value)
+
     def draw_now(self) -> None:
         """Draw what is stale and shown; images are asked for."""
         self._timer.stop()
