@@ -95,10 +95,16 @@ class FlatColour:
         check_text(self.name, "name", longest=LONGEST_NAME, lines=False, empty=True)
         check_choice(self.model, "model", MODELS)
         object.__setattr__(self, "values", self._checked_values())
-        check_text(self.space, "space", longest=200, lines=False, empty=True)
-        check_text(self.illuminant, "illuminant", longest=50, lines=False, empty=True)
+        if self.space != "":
+            check_text(self.space, "space", longest=200, lines=False, empty=True)
+        if self.illuminant != "":
+            check_text(self.illuminant, "illuminant", longest=50, lines=False, empty=True)
         if isinstance(self.observer_deg, bool) or self.observer_deg not in (0, 2, 10):
             raise ValueRangeError("observer_deg", f"2, 10 or 0 is wanted, not {describe(self.observer_deg)}")
+        if self.others != ():
+            self._check_others()
+
+    def _check_others(self) -> None:
         if not isinstance(self.others, (tuple, list)) or len(self.others) > _MOST_OTHERS:
             raise ValueRangeError("others", f"a list of at most {_MOST_OTHERS} colours is wanted")
         for index, other in enumerate(self.others):
@@ -119,6 +125,12 @@ class FlatColour:
                 raise ValueRangeError(
                     "values", f"{self.model} has {len(channels)} numbers, not {len(values)}"
                 )
+            # A comparison refuses NaN, too; only what fails it needs a message.
+            if type(values) is tuple and all(
+                type(value) is float and channel.low <= value <= channel.high
+                for channel, value in zip(channels, values, strict=True)
+            ):
+                return values
             return tuple(
                 channel.check(value, f"values[{index}]")
                 for index, (channel, value) in enumerate(zip(channels, values, strict=True))

@@ -75,19 +75,30 @@ class Entry:
             raise ValueRangeError(
                 "content", f"a paint or a flat colour is wanted, not {describe(self.content)}"
             )
+        # Most fields of most entries have their default, and a file may hold a hundred thousand entries.
         check_text(self.id, "id", longest=64, lines=False, empty=True)
-        _set(self, "group", checked_path(self.group, "group"))
-        check_text(self.code, "code", longest=200, lines=False, empty=True)
-        tags = _items(self.tags, "tags", str, MOST_TAGS)
+        if self.group != ():
+            _set(self, "group", checked_path(self.group, "group"))
+        if self.code != "":
+            check_text(self.code, "code", longest=200, lines=False, empty=True)
+        if self.tags != ():
+            _set(self, "tags", self._checked_tags())
+        if self.notes != "":
+            check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
+        if self.usage != "process":
+            check_choice(self.usage, "usage", USAGES)
+        if self.date != "":
+            _check_date(self.date)
+        if self.foreign != ():
+            _set(self, "foreign", _checked_foreign(self.foreign))
+
+    def _checked_tags(self) -> tuple[str, ...]:
+        tags: tuple[str, ...] = _items(self.tags, "tags", str, MOST_TAGS)
         for index, tag in enumerate(tags):
             check_text(tag, f"tags[{index}]", longest=50, lines=False, empty=False)
             if tag in tags[:index]:
                 raise ValueRangeError(f"tags[{index}]", f"the tag {tag!r} is there twice")
-        _set(self, "tags", tags)
-        check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
-        check_choice(self.usage, "usage", USAGES)
-        _check_date(self.date)
-        _set(self, "foreign", _checked_foreign(self.foreign))
+        return tags
 
     @property
     def name(self) -> str:
@@ -181,32 +192,47 @@ class Palette:
         """Return the palette as a file with groups tells it: each group once, with the entries directly in it.
 
         What is in no group is a section without one, as many as there are runs of it. A group stands where its first
-        entry does, an empty one behind the group that was declared before it.
+        entry does, or the first of those within it, and these follow it; an empty one stands behind the group that was
+        declared before it.
         """
-        own = {group.path: group for group in self.groups}
-        members: dict[GroupPath, list[Entry]] = {path: [] for path in own}
-        for entry in self.entries:
+        members: dict[GroupPath, list[Entry]] = {group.path: [] for group in self.groups}
+        first: dict[GroupPath, int] = {}
+        runs: list[tuple[int, list[Entry]]] = []
+        for index, entry in enumerate(self.entries):
             if entry.group:
                 members[entry.group].append(entry)
+                for depth in range(1, len(entry.group) + 1):
+                    first.setdefault(entry.group[:depth], index)
+            elif index and not self.entries[index - 1].group:
+                runs[-1][1].append(entry)
+            else:
+                runs.append((index, [entry]))
+        within: dict[GroupPath, list[Group]] = {}
+        for group in self.groups:
+            within.setdefault(group.path[:-1], []).append(group)
         found: list[tuple[Group | None, list[Entry]]] = []
-        told: set[GroupPath] = set()
-        order = list(own)
-        place_of = {path: place for place, path in enumerate(order)}
-        reached = 0
-        for entry in self.entries:
-            if not entry.group:
-                if not found or found[-1][0] is not None:
-                    found.append((None, []))
-                found[-1][1].append(entry)
-            elif entry.group not in told:
-                place = place_of[entry.group]
-                before = [path for path in order[reached:place] if not members[path]]
-                reached = max(reached, place)
-                for path in (*before, entry.group):
-                    told.add(path)
-                    found.append((own[path], members[path]))
-        found += [(own[path], members[path]) for path in order if path not in told]
-        return [(group, tuple(items)) for group, items in found]
+
+        def placed(around: GroupPath) -> list[tuple[int, Group]]:
+            items, place = [], -1
+            for group in within.get(around, ()):
+                place = first.get(group.path, place)
+                items.append((place, group))
+            return sorted(items, key=lambda item: item[0])
+
+        def tell(group: Group) -> None:
+            found.append((group, members[group.path]))
+            for _, inner in placed(group.path):
+                tell(inner)
+
+        outermost: list[tuple[int, Group | list[Entry]]] = [*runs, *placed(())]
+        for _, item in sorted(outermost, key=lambda pair: pair[0]):
+            if isinstance(item, Group):
+                tell(item)
+            elif found and found[-1][0] is None:
+                found[-1][1].extend(item)
+            else:
+                found.append((None, item))
+        return [(group, tuple(entries)) for group, entries in found]
 
 
 def new_id() -> str:
@@ -268,8 +294,6 @@ def _all_groups(groups: tuple[Group, ...], entries: tuple[Entry, ...]) -> tuple[
 
 
 def _checked_foreign(value: object) -> Foreign:
-    if value == ():
-        return ()
     pairs = _items(value, "foreign", (tuple, list), 64)
     found = []
     for index, pair in enumerate(pairs):
@@ -287,8 +311,6 @@ def _check_colour(value: object) -> None:
 
 
 def _check_date(value: object) -> None:
-    if value == "":
-        return
     if isinstance(value, str) and _DATE.fullmatch(value):
         try:
             datetime.fromisoformat(value)

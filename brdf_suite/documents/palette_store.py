@@ -21,7 +21,7 @@ from brdf_suite.documents.migrations import VERSIONS, open_envelope
 from brdf_suite.documents.palette import MOST_ENTRIES, Entry, Group, Palette
 from brdf_suite.documents.parameter import describe
 from brdf_suite.documents.quick_paint import quick_paint
-from brdf_suite.documents.reading import FieldReader, fill, read_json
+from brdf_suite.documents.reading import FieldReader, fill, json_of_bytes, read_json
 from brdf_suite.documents.store import any_paint_from_json, paint_to_json
 from brdf_suite.errors import DocumentError
 
@@ -36,6 +36,12 @@ def load_palette(path: _Path) -> Palette:
     """Read a ``.brdfpalette`` file; raise :class:`DocumentError` with the place, or :class:`FileError`."""
     with _no_collection():
         return palette_from_json(read_json(path, LARGEST_PALETTE), path)
+
+
+def palette_of_bytes(content: bytes, path: _Path) -> Palette:
+    """Return the palette in the content of a ``.brdfpalette`` file; errors as :func:`load_palette`."""
+    with _no_collection():
+        return palette_from_json(json_of_bytes(content, path), path)
 
 
 def save_palette(palette: Palette, path: _Path) -> None:
@@ -162,6 +168,11 @@ def entry_from_json(value: object, path: _Path = "the message", place: str = "")
         reader.fail('one of "paint" and "flat" is wanted')
     content = _flat(reader.take_object("flat")) if reader.has("flat") else _paint(reader)
     return fill(reader, Entry, taken={"content": content})
+
+
+def flat_from_json(value: object, path: _Path = "the message", place: str = "") -> FlatColour:
+    """Return the flat colour in a JSON value; errors as :func:`palette_from_json`."""
+    return _flat(FieldReader(value, path, place))
 
 
 def _flat(reader: FieldReader) -> FlatColour:

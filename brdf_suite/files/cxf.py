@@ -75,7 +75,7 @@ def read_cxf(path: PathLike) -> CxfFile:
     refused: list[str] = []
     others = 0
     for element in objects.all("Object"):
-        reader = _SampleReader(element, specifications, path)
+        reader = SampleReader(element, specifications, path)
         sample = reader.read()
         if sample is not None:
             samples.append(sample)
@@ -106,8 +106,8 @@ def _notes(samples: list[CxfSample]) -> tuple[str, ...]:
     return tuple(notes)
 
 
-class _SampleReader:
-    """Reads one Object; ``refused`` collects what of it cannot be used."""
+class SampleReader:
+    """Reads one Object with multi-angle values; ``refused`` collects what of it cannot be used."""
 
     def __init__(self, element: Element, specifications: Mapping[str, Specification], path: PathLike) -> None:
         self._element, self._specifications, self._path = element, specifications, path

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 
 from brdf_suite.documents.migrations import VERSIONS
 from brdf_suite.documents.paint import Gloss, Lab, Paint
+from brdf_suite.documents.quick_paint import quick_paint
 from brdf_suite.documents.store import paint_from_json, paint_to_json
 from brdf_suite.errors import DocumentError
 
@@ -94,17 +95,15 @@ def paint_of(
     reserved = _OWN_PLACE & fields.keys()
     if reserved:
         raise DocumentError(path, "is no setting", min(reserved))
-    return paint_from_json(
-        {
-            "format": "brdfpaint",
-            "version": VERSIONS["brdfpaint"] if version is None else version,
-            "kind": "aspecular",
-            "name": name,
-            "measurements": measurements,
-            "gloss": {"gu_20": gloss.gu_20, "gu_60": gloss.gu_60},
-            "notes": notes,
-            "source": source,
-            **fields,
-        },
-        path,
-    )
+    document: dict[str, object] = {
+        "format": "brdfpaint",
+        "version": VERSIONS["brdfpaint"] if version is None else version,
+        "kind": "aspecular",
+        "name": name,
+        "measurements": measurements,
+        "gloss": {"gu_20": gloss.gu_20, "gu_60": gloss.gu_60},
+        "notes": notes,
+        "source": source,
+        **fields,
+    }
+    return quick_paint(document) or paint_from_json(document, path)

@@ -79,8 +79,8 @@ def test_sections_tell_each_group_once_in_the_order_of_the_file() -> None:
     assert told == [
         (None, [WHITE.id]),
         (("Cold",), []),
-        (("Empty",), []),
         (("Cold", "Blues"), ["2", "second"]),
+        (("Empty",), []),
         (None, ["3"]),
         (("B",), ["5"]),
     ]

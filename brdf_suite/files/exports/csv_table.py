@@ -16,6 +16,7 @@ import io
 import math
 import re
 from collections.abc import Mapping, Sequence
+from functools import cache
 
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Gloss, Paint
@@ -28,11 +29,11 @@ from brdf_suite.progress import Progress
 _LARGEST = 64 << 20
 _MOST_ROWS = 100_000
 _USUAL_LIGHT_DEG = 45.0
-_COLUMN = re.compile(r"L_(-?\d+(?:\.\d+)?)(?:_i(\d+(?:\.\d+)?))?")
+COLUMN = re.compile(r"L_(-?\d+(?:\.\d+)?)(?:_i(\d+(?:\.\d+)?))?")
 _TEXTS = ("name", "source", "notes")
 _FIRST = ("name", "illuminant", "observer_deg")
 _FORMULA = ("=", "+", "-", "@")
-_DELIMITERS = (",", ";", "\t")
+DELIMITERS = (",", ";", "\t")
 
 
 def losses(subject: Subject) -> tuple[str, ...]:
@@ -43,9 +44,9 @@ def losses(subject: Subject) -> tuple[str, ...]:
 
 def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write a row per paint; raise :class:`FileError` where the disk refuses."""
-    rows = [_row(subject.paint) for subject in subjects]
+    rows = [row_of(subject.paint) for subject in subjects]
     names = {name for row in rows for name in row}
-    angles = sorted((column for column in names if _COLUMN.fullmatch(column)), key=_angles_of)
+    angles = sorted((column for column in names if COLUMN.fullmatch(column)), key=angles_of)
     colours = [axis + column[1:] for column in angles for axis in "Lab"]
     settings = sorted(names - set(colours) - {*_FIRST, *_TEXTS, "G20", "G60"})
     columns = [*_FIRST, *colours, "G20", "G60", *settings, "source", "notes"]
@@ -57,15 +58,16 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
     return ()
 
 
-def _row(paint: Paint) -> dict[str, str]:
+def row_of(paint: Paint) -> dict[str, str]:
+    """Return the cells of a paint by their columns."""
     row = {
-        "name": _guarded(paint.name),
+        "name": guarded(paint.name),
         "illuminant": paint.illuminant,
         "observer_deg": str(paint.observer_deg),
         "G20": repr(paint.gloss.gu_20),
         "G60": "" if paint.gloss.gu_60 is None else repr(paint.gloss.gu_60),
-        "source": _guarded(paint.source),
-        "notes": _guarded(paint.notes),
+        "source": guarded(paint.source),
+        "notes": guarded(paint.notes),
     }
     for reading in paint.measurements:
         at = f"_{_plain(reading.aspecular_deg)}"
@@ -81,15 +83,16 @@ def _plain(angle_deg: float) -> str:
     return f"{angle_deg:.17f}".rstrip("0").rstrip(".") if angle_deg % 1 else f"{angle_deg:.0f}"
 
 
-def _angles_of(column: str) -> tuple[float, float]:
-    """(light, aspecular) of a lightness column, degrees; the usual light first."""
-    found = _COLUMN.fullmatch(column)
+def angles_of(column: str) -> tuple[float, float]:
+    """Return (light, aspecular) of a lightness column, degrees; the usual light first."""
+    found = COLUMN.fullmatch(column)
     assert found is not None  # only such columns are asked about
     light = _USUAL_LIGHT_DEG if found[2] is None else float(found[2])
     return (-1.0 if light == _USUAL_LIGHT_DEG else light, float(found[1]))
 
 
-def _guarded(text: str) -> str:
+def guarded(text: str) -> str:
+    """Return a text that no spreadsheet takes for a formula; :func:`unguarded` is the way back."""
     return "'" + text if text.startswith(_FORMULA) or _has_guard(text) else text
 
 
@@ -97,7 +100,8 @@ def _has_guard(text: str) -> bool:
     return text.lstrip("'").startswith(_FORMULA) and text.startswith("'")
 
 
-def _unguarded(text: str) -> str:
+def unguarded(text: str) -> str:
+    """Return the text that :func:`guarded` was given."""
     return text[1:] if _has_guard(text) else text
 
 
@@ -109,8 +113,8 @@ def is_table(head: bytes) -> bool:
         return False
     return any(
         "name" in (cells := [cell.strip().strip('"') for cell in line.split(delimiter)])
-        and any(_COLUMN.fullmatch(cell) for cell in cells)
-        for delimiter in _DELIMITERS
+        and any(COLUMN.fullmatch(cell) for cell in cells)
+        for delimiter in DELIMITERS
     )
 
 
@@ -128,7 +132,7 @@ def read(path: PathLike) -> Imported:
     except UnicodeDecodeError as error:
         raise FileError(path, "is not text in UTF-8", f"byte {error.start}") from error
     header = text.split("\n", 1)[0]
-    delimiter = max(_DELIMITERS, key=header.count)
+    delimiter = max(DELIMITERS, key=header.count)
     # A larger cell is met in no table of paints; the module's own bound raises an error of its own kind.
     reader = csv.DictReader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
     columns = [name.strip() for name in reader.fieldnames or []]
@@ -136,13 +140,13 @@ def read(path: PathLike) -> Imported:
     if len(set(columns)) < len(columns):
         twice = next(name for name in columns if columns.count(name) > 1)
         raise FileError(path, f"the column {twice[:80]!r} is there twice", "line 1")
-    angles = [name for name in columns if _COLUMN.fullmatch(name)]
+    angles = [name for name in columns if COLUMN.fullmatch(name)]
     if "name" not in columns or not angles:
         raise FileError(
             path, "has no columns name and L_15 (or of another angle), so it is no table of paints", "line 1"
         )
     paints: list[Paint] = []
-    table = _Table(path, angles, comma=delimiter != ",")
+    table = Table(path, angles, comma=delimiter != ",")
     try:
         for row in reader:
             if len(paints) >= _MOST_ROWS:
@@ -163,7 +167,7 @@ def read(path: PathLike) -> Imported:
     return Imported(tuple(paints), tuple(notes))
 
 
-class _Table:
+class Table:
     """Turns rows into paints; ``settings`` are the columns that were found to be a paint's."""
 
     def __init__(self, path: PathLike, angles: list[str], *, comma: bool) -> None:
@@ -178,12 +182,12 @@ class _Table:
             cells = [axis + column[1:] for axis in "Lab"]
             if not any((row.get(cell) or "").strip() for cell in cells):
                 continue  # this paint was not read at the angle
-            found = _COLUMN.fullmatch(column)
+            found = COLUMN.fullmatch(column)
             assert found is not None
             light = _USUAL_LIGHT_DEG if found[2] is None else float(found[2])
             lightness, a, b = (self._number(row, cell, line) for cell in cells)
             readings.append((light, float(found[1]), (lightness, a, b)))
-        known = _known_settings()
+        known = known_settings()
         texts = {name: (row.get(name) or "").strip() for name in known}
         settings = {name: setting_from_text(self._dotted(text)) for name, text in texts.items() if text}
         self.settings |= known & row.keys()
@@ -192,7 +196,7 @@ class _Table:
                 self._number(row, "G20", line) if (row.get("G20") or "").strip() else 90.0,
                 self._number(row, "G60", line) if (row.get("G60") or "").strip() else None,
             )
-            name, source, notes = (_unguarded(row.get(text) or "") for text in _TEXTS)
+            name, source, notes = (unguarded(row.get(text) or "") for text in _TEXTS)
             return paint_of(name, readings, gloss, settings, notes, source, path=str(self._path))
         except DocumentError as error:
             raise FileError(self._path, error.reason, f"line {line}, {error.place}") from error
@@ -228,8 +232,9 @@ class _Table:
         return value
 
 
-def _known_settings() -> set[str]:
-    """The names of every setting that a paint can have."""
+@cache
+def known_settings() -> frozenset[str]:
+    """Return the names of every setting that a paint can have."""
     import dataclasses
     import types
     import typing
@@ -240,7 +245,7 @@ def _known_settings() -> set[str]:
         for kind in typing.get_args(hint) if isinstance(hint, types.UnionType) else ():
             if dataclasses.is_dataclass(kind):
                 found |= {f"{name}.{part.name}" for part in dataclasses.fields(kind)}
-    return found
+    return frozenset(found)
 
 
 def _example() -> Paint:

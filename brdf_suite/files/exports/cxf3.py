@@ -9,9 +9,10 @@ place for (flakes, the rule between angles) is kept as tags, which only this sui
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from importlib.metadata import version
+from types import MappingProxyType
 from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
@@ -54,7 +55,7 @@ def _spectral_losses(spectra: Spectra) -> list[str]:
         told.append(
             "The spectra are read off at 400 to 700 nm, every 10 nm: CxF3 wants even steps from 360 to 400 nm."
         )
-    high = sum(not _fits(row) for row in spectra.values)
+    high = sum(not fits(row) for row in spectra.values)
     if high:
         told.append(
             f"{high} of {len(spectra.values)} spectra are left out: a reflectance there is 3 or more, or -0.1 or less."
@@ -66,7 +67,7 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
     """Write paints as one CxF3 file; raise :class:`FileError` where the disk refuses."""
     now = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
     specifications: dict[str, str] = {}
-    objects = [_object(subject, f"paint{i + 1}", now, specifications) for i, subject in enumerate(subjects)]
+    objects = [object_of(subject, f"paint{i + 1}", now, specifications) for i, subject in enumerate(subjects)]
     text = (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
         f'<cc:CxF xmlns:cc="{NAMESPACE}">\n'
@@ -87,18 +88,25 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
     return ()
 
 
-def _object(subject: Subject, identity: str, now: str, specifications: dict[str, str]) -> str:
+def object_of(
+    subject: Subject,
+    identity: str,
+    now: str,
+    specifications: dict[str, str],
+    further_tags: Mapping[str, str] = MappingProxyType({}),
+) -> str:
+    """Return the Object of a paint; what its values are measured by is added to ``specifications`` by its Id."""
     paint, values = subject.paint, []
     spectra = None if subject.spectra is None else _even(subject.spectra)
     for index, reading in enumerate(paint.measurements):
         geometry = Geometry(reading.illumination_deg, reading.aspecular_deg)
         row = None if spectra is None else spectra.values[index]
-        bands = None if spectra is None or row is None or not _fits(row) else spectra.wavelengths_nm
+        bands = None if spectra is None or row is None or not fits(row) else spectra.wavelengths_nm
         name = f"D65_10_{geometry.name}" + (
             "" if bands is None else f"_{bands[0]:.0f}by{bands[1] - bands[0]:.0f}"
         )
         if name not in specifications:
-            specifications[name] = _specification(name, geometry, bands)
+            specifications[name] = specification_of(name, geometry, bands)
         lightness, a, b = (repr(value) for value in reading.lab)
         values.append(
             f'          <cc:ColorCIELab Name="{geometry.name}" ColorSpecification="{name}">'
@@ -110,11 +118,11 @@ def _object(subject: Subject, identity: str, now: str, specifications: dict[str,
                 f'ColorSpecification="{name}">{" ".join(f"{value:.7g}" for value in row)}</cc:ReflectanceSpectrum>\n'
             )
     return (
-        f'      <cc:Object ObjectType="Standard" Name={_attribute(paint.name)} Id="{identity}">\n'
+        f'      <cc:Object ObjectType="Standard" Name={attribute(paint.name)} Id="{identity}">\n'
         f"        <cc:CreationDate>{now}</cc:CreationDate>\n"
-        + (f"        <cc:Comment>{escape(_clean(paint.notes))}</cc:Comment>\n" if paint.notes else "")
+        + (f"        <cc:Comment>{escape(cleaned(paint.notes))}</cc:Comment>\n" if paint.notes else "")
         + f"        <cc:ColorValues>\n{''.join(values)}        </cc:ColorValues>\n"
-        + _tags(subject)
+        + tag_collection({**_tags(subject), **further_tags})
         + "        <cc:PhysicalAttributes>\n"
         + f'          <cc:Gloss Method="20° GU">{paint.gloss.gu_20!r}</cc:Gloss>\n'
         + (
@@ -126,19 +134,25 @@ def _object(subject: Subject, identity: str, now: str, specifications: dict[str,
     )
 
 
-def _tags(subject: Subject) -> str:
+def _tags(subject: Subject) -> dict[str, str]:
     tags = {VERSION: str(VERSIONS["brdfpaint"])}
     if subject.paint.source:
         tags[SOURCE] = subject.paint.source
     tags.update({SETTING + name: setting_text(value) for name, value in settings_of(subject.paint).items()})
+    return tags
+
+
+def tag_collection(tags: Mapping[str, str]) -> str:
+    """Return the collection of this suite's own tags."""
     rows = "".join(
-        f"          <cc:Tag Name={_attribute(name)} Value={_attribute(value)}/>\n"
+        f"          <cc:Tag Name={attribute(name)} Value={attribute(value)}/>\n"
         for name, value in tags.items()
     )
     return f'        <cc:TagCollection Name="{TAGS}">\n{rows}        </cc:TagCollection>\n'
 
 
-def _specification(name: str, geometry: Geometry, bands: tuple[float, ...] | None) -> str:
+def specification_of(name: str, geometry: Geometry, bands: tuple[float, ...] | None) -> str:
+    """Return the ColorSpecification of one angle, D65 and 10°, with the wavelengths of its spectra where it has any."""
     kind = "Colorimetric_Reflectance" if bands is None else "Spectrum_Reflectance"
     spectral = (
         ""
@@ -160,15 +174,18 @@ def _specification(name: str, geometry: Geometry, bands: tuple[float, ...] | Non
     )
 
 
-def _clean(text: str) -> str:
+def cleaned(text: str) -> str:
+    """Return a text with U+FFFD for what XML does not know."""
     return _NO_XML.sub("\ufffd", text)
 
 
-def _attribute(text: str) -> str:
-    return quoteattr(_clean(text))
+def attribute(text: str) -> str:
+    """Return a text as the value of an attribute, with its quotes."""
+    return quoteattr(cleaned(text))
 
 
-def _fits(row: Sequence[float]) -> bool:
+def fits(row: Sequence[float]) -> bool:
+    """Return whether reflectances are within the schema's bounds."""
     return all(_LEAST < value < _MOST for value in row)
 
 

@@ -1,0 +1,27 @@
+"""Palettes in the files that people have: every format behind one registry, each with what it cannot hold."""
+
+from brdf_suite.files.palettes.format import PaletteFormat, Read, Written
+from brdf_suite.files.palettes.registry import (
+    FORMATS,
+    format_for,
+    format_named,
+    losses,
+    read_content,
+    read_palette,
+    sniff,
+    write_palette,
+)
+
+__all__ = [
+    "FORMATS",
+    "PaletteFormat",
+    "Read",
+    "Written",
+    "format_for",
+    "format_named",
+    "losses",
+    "read_content",
+    "read_palette",
+    "sniff",
+    "write_palette",
+]

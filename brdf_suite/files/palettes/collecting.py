@@ -1,0 +1,200 @@
+"""What readers of palettes share: entries and groups one after the other, checked, repaired where that can be said."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from brdf_suite.documents.flat_colour import LONGEST_NAME, FlatColour, Model
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.palette import (
+    DEEPEST_GROUP,
+    MOST_ENTRIES,
+    MOST_GROUPS,
+    Entry,
+    Foreign,
+    Group,
+    GroupPath,
+    Palette,
+    Usage,
+)
+from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.files.palettes.format import PathLike
+
+_CHOICE = re.compile(r"\[([^\[\]|]*)\|([^\[\]|]*)\]")
+_CONTROL = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
+_CONTROL_IN_LINES = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff]")
+_LONGEST_NOTES = 100_000
+
+
+class Collector:
+    """Takes entries and groups in the order of a file; every complaint has the file's name and a place.
+
+    Names that are too long are cut, control characters become spaces, and a group of a name that was there already
+    gets a number: all of this is counted, and told by :meth:`finish`.
+    """
+
+    def __init__(self, path: PathLike) -> None:
+        self.path = path
+        self.entries: list[Entry] = []
+        self.notes: dict[str, int] = {}
+        self._groups: dict[GroupPath, Group] = {}
+
+    def fail(self, reason: str, place: str) -> FileError:
+        """Return the error of this file, to be raised."""
+        return FileError(self.path, reason, place)
+
+    def note(self, sentence: str) -> None:
+        """Remember a sentence for the user.
+
+        ``{n}`` in it becomes how often it was said, and ``[one|many]`` the word that fits that number.
+        """
+        self.notes[sentence] = self.notes.get(sentence, 0) + 1
+
+    def check_count(self, count: int, place: str) -> None:
+        """Refuse a file of more colours than a palette holds, before any of them is made."""
+        if count > MOST_ENTRIES:
+            raise self.fail(f"{count:,} colours are more than the {MOST_ENTRIES:,} allowed", place)
+
+    def name(self, text: str, longest: int = LONGEST_NAME) -> str:
+        """Return a name as it can be kept."""
+        if len(text) > longest:
+            self.note(f"{{n}} name[|s] [was|were] cut: there were more than {longest:,} characters.")
+            text = text[:longest]
+        if text.isprintable():
+            return text
+        cleaned = _CONTROL.sub(" ", text)
+        if cleaned != text:
+            self.note("Control characters in {n} name[|s] became spaces.")
+        return cleaned
+
+    def lines(self, text: str) -> str:
+        """Return a text of several lines as it can be kept."""
+        cleaned = _CONTROL_IN_LINES.sub(" ", text.replace("\r\n", "\n").replace("\r", "\n"))
+        if len(cleaned) > _LONGEST_NOTES:
+            self.note(f"{{n}} text[|s] [was|were] cut: there were more than {_LONGEST_NOTES:,} characters.")
+        return cleaned[:_LONGEST_NOTES]
+
+    def colour(
+        self,
+        place: str,
+        name: str,
+        model: Model,
+        values: Sequence[float],
+        *,
+        space: str = "",
+        illuminant: str = "",
+        observer_deg: int = 0,
+        wavelengths_nm: tuple[float, ...] = (),
+        others: tuple[FlatColour, ...] = (),
+    ) -> FlatColour:
+        """Return a flat colour; :class:`FileError` at ``place`` where its numbers are none."""
+        try:
+            return FlatColour(
+                name, model, tuple(values), space, illuminant, observer_deg, wavelengths_nm, others
+            )
+        except ValueRangeError as error:
+            raise self.fail(f"{error.place}: {error.reason}", place) from error
+
+    def add(
+        self,
+        place: str,
+        content: FlatColour | Paint,
+        *,
+        group: GroupPath = (),
+        code: str = "",
+        tags: tuple[str, ...] = (),
+        notes: str = "",
+        usage: Usage = "process",
+        date: str = "",
+        foreign: Foreign = (),
+    ) -> None:
+        """Add an entry; errors as :meth:`colour`."""
+        self.check_count(len(self.entries) + 1, place)
+        try:
+            self.entries.append(Entry(content, "", group, code, tags, notes, usage, date, foreign))
+        except ValueRangeError as error:
+            raise self.fail(f"{error.place}: {error.reason}", place) from error
+
+    def group(
+        self,
+        place: str,
+        around: GroupPath,
+        name: str,
+        notes: str = "",
+        colour: str = "",
+        foreign: Foreign = (),
+    ) -> GroupPath:
+        """Begin a group within another, and return its path; one of a name that was there gets a number."""
+        if len(around) >= DEEPEST_GROUP:
+            raise self.fail(f"groups are nested deeper than {DEEPEST_GROUP}", place)
+        if len(self._groups) >= MOST_GROUPS:
+            raise self.fail(f"has more than {MOST_GROUPS:,} groups", place)
+        clean = self.name(name)
+        path = (*around, clean)
+        number = 1
+        while path in self._groups:
+            number += 1
+            if number > 1000:
+                raise self.fail("more than a thousand groups have the same name", place)
+            path = (*around, f"{clean[: LONGEST_NAME - 8]} ({number})")
+        if number > 1:
+            self.note("{n} group[|s] of a name that was there already [has|have] a number now.")
+        try:
+            self._groups[path] = Group(path, notes, colour, foreign)
+        except ValueRangeError as error:
+            raise self.fail(f"{error.place}: {error.reason}", place) from error
+        return path
+
+    def has_group(self, path: GroupPath) -> bool:
+        """Whether a group has begun before."""
+        return path in self._groups
+
+    def finish(
+        self, name: str = "", *, notes: str = "", columns: int = 0, colour: str = "", foreign: Foreign = ()
+    ) -> tuple[Palette, tuple[str, ...]]:
+        """Return the palette and the notes; without a name it has that of the file."""
+        clean = self.name(name).strip() or stem_of(self.path)
+        try:
+            palette = Palette(
+                clean, tuple(self.entries), tuple(self._groups.values()), notes, colour, columns, foreign
+            )
+        except ValueRangeError as error:
+            raise self.fail(error.reason, error.place) from error
+        return palette, tuple(_counted(sentence, count) for sentence, count in self.notes.items())
+
+
+def _counted(sentence: str, count: int) -> str:
+    if "{n}" not in sentence:
+        return sentence
+    fitting = _CHOICE.sub(lambda found: found[1] if count == 1 else found[2], sentence)
+    return fitting.replace("{n}", f"{count:,}")
+
+
+def stem_of(path: PathLike) -> str:
+    """Return what a palette is called whose file says no name."""
+    return _CONTROL.sub(" ", Path(path).stem)[:200].strip() or "Palette"
+
+
+def decoded(content: bytes, path: PathLike, collector: Collector | None = None) -> str:
+    """Return a text file's text: UTF-8, with or without a mark, UTF-16 with one, else Latin-1, which is told.
+
+    Raises
+    ------
+    FileError
+        It holds a NUL byte, so it is no text.
+    """
+    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        try:
+            return content.decode("utf-16")
+        except UnicodeDecodeError as error:
+            raise FileError(path, "is not text in UTF-16", f"byte {error.start}") from error
+    if b"\0" in content:
+        raise FileError(path, "holds a NUL byte, so it is not text", f"byte {content.index(0)}")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        if collector is not None:
+            collector.note("The file is not in UTF-8; its letters are taken for those of Latin-1.")
+        return content.decode("latin-1")

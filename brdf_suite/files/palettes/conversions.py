@@ -1,0 +1,119 @@
+"""Entries as formats of flat colours hold them: another model where theirs is missing, and one angle of a paint."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+
+from brdf_suite.appearance.colorimetry import (
+    WORKING_TO_XYZ,
+    lab_to_working,
+    working_to_display,
+    xyz_to_lab,
+)
+from brdf_suite.appearance.flat_colours import WHITES, encoded_rgb, flat_labs
+from brdf_suite.appearance.spaces import adapt_xyz, working_to_xyz
+from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.documents.paint import Lab, Paint
+from brdf_suite.documents.palette import Entry
+
+_WITH_WHITE = ("Lab", "LCh", "XYZ")
+FACE_DEG = 45.0
+"""The aspecular angle of the one colour that stands for a paint."""
+
+
+def face_lab(paint: Paint | CookTorrancePaint) -> Lab:
+    """Return a paint's L*a*b* (D65, 10°) at 45° from the mirror direction, under the light of most of its readings.
+
+    Between two readings it lies on the line between them; beyond the last it is the last. A Cook-Torrance paint is
+    read by the virtual instrument.
+    """
+    read = as_readings(paint)
+    light = read.main_light_deg
+    rows = sorted((m.aspecular_deg, m.lab) for m in read.measurements if m.illumination_deg == light)
+    angles = [angle for angle, _ in rows]
+    lightness, a, b = (float(np.interp(FACE_DEG, angles, [lab[i] for _, lab in rows])) for i in range(3))
+    return lightness, a, b
+
+
+def as_readings(paint: Paint | CookTorrancePaint) -> Paint:
+    """Return a paint as readings; one of another kind is read by the virtual instruments at six angles.
+
+    Raises
+    ------
+    SuiteError
+        What is read of it is beyond a paint's range.
+    """
+    return paint if isinstance(paint, Paint) else _measured(paint)
+
+
+@lru_cache(maxsize=4096)
+def _measured(paint: CookTorrancePaint) -> Paint:
+    # The instruments load the whole of reflectance, which palettes of flat colours never need.
+    from brdf_suite.documents.paint import PARAMETERS, Gloss, Measurement
+    from brdf_suite.reflectance.build import build_reflectance
+    from brdf_suite.reflectance.spectrophotometer import measure
+
+    found = measure(build_reflectance(paint))
+    gloss = PARAMETERS["gloss.gu_20"]
+    gu_20, gu_60 = (min(gloss.high, max(gloss.low, found.gloss[angle])) for angle in (20, 60))
+    readings = tuple(
+        Measurement(r.geometry.illumination_deg, r.geometry.aspecular_deg, r.lab) for r in found.readings
+    )
+    source = f"{paint.source} Read by virtual instruments.".strip()
+    return Paint(paint.name, readings, Gloss(gu_20, gu_60), paint.flakes, notes=paint.notes, source=source)
+
+
+def flat_of(entry: Entry, models: Collection[str]) -> FlatColour:
+    """Return an entry as a flat colour in one of ``models``, its own numbers where that can be.
+
+    ``models`` must have Lab (which is written as that of D50 and 2°) or RGB (sRGB, not clipped).
+    """
+    content = entry.content
+    if isinstance(content, FlatColour):
+        for own in (content, *content.others):
+            if own.model in models and (own.model not in _WITH_WHITE or _is_icc(own)):
+                return own if own is content else replace(own, name=content.name)
+        encoded = encoded_rgb(content)
+        if encoded is not None and "RGB" in models:
+            return FlatColour(content.name, "RGB", encoded, content.space if content.model == "RGB" else "")
+        lab: Lab = tuple(flat_labs([content])[0].tolist())
+    else:
+        lab = face_lab(content)
+    if "Lab" in models:
+        return FlatColour(content.name, "Lab", lab_d50(lab), "", "D50", 2)
+    red, green, blue = working_to_display(lab_to_working(lab)).tolist()
+    return FlatColour(content.name, "RGB", (red, green, blue))
+
+
+def rgb8_of(entry: Entry) -> tuple[int, int, int]:
+    """Return an entry as sRGB of 8 bits, clipped to what a screen can show.
+
+    RGB of another space is taken to sRGB; that of an unknown one keeps its numbers.
+    """
+    content = entry.content
+    if isinstance(content, FlatColour) and content.model == "RGB" and content.space and "srgb" not in (
+        content.space.lower().replace(" ", "")
+    ):  # fmt: skip
+        values = working_to_display(lab_to_working(flat_labs([content])[0])).tolist()
+    else:
+        values = list(flat_of(entry, ("RGB",)).values)
+    red, green, blue = (round(255.0 * min(1.0, max(0.0, value))) for value in values)
+    return red, green, blue
+
+
+def lab_d50(lab: Lab) -> Lab:
+    """Return L*a*b* of D50 and 2°, as colour profiles have it, of that of D65 and 10°."""
+    d65 = 100.0 * WORKING_TO_XYZ.sum(axis=1)
+    xyz = adapt_xyz(working_to_xyz(lab_to_working(lab)), d65, WHITES["D50", 2])
+    lightness, a, b = xyz_to_lab(xyz, WHITES["D50", 2]).tolist()
+    return lightness, a, b
+
+
+def _is_icc(colour: FlatColour) -> bool:
+    """Whether its white is that of colour profiles, or it says nothing else."""
+    return colour.illuminant in ("", "D50") and colour.observer_deg in (0, 2)

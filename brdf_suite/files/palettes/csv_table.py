@@ -1,0 +1,247 @@
+"""CSV: a row per entry, as spreadsheets and paint formulation systems take it.
+
+The columns of a paint are those of :mod:`brdf_suite.files.exports.csv_table` (``L_15``, ``a_15``, ``b_15`` … by angle,
+``G20``, settings); before them stand what a palette adds: ``group``, ``code``, ``tags``, ``usage``, ``date`` and
+``entry_notes``. A flat colour has its ``model``, ``values`` and ``space`` instead, and under ``L_45`` … what it looks
+like under D65 to the 10° observer, for whoever reads the table.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+
+from brdf_suite.appearance.flat_colours import flat_labs, within_paint
+from brdf_suite.documents.flat_colour import MODELS, FlatColour
+from brdf_suite.documents.palette import USAGES, Entry, GroupPath, Palette
+from brdf_suite.files.exports.csv_table import (
+    COLUMN,
+    DELIMITERS,
+    Table,
+    angles_of,
+    guarded,
+    is_table,
+    known_settings,
+    row_of,
+    unguarded,
+)
+from brdf_suite.files.measured.bounded_reading import number_in
+from brdf_suite.files.palettes.collecting import Collector, decoded
+from brdf_suite.files.palettes.conversions import as_readings
+from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+
+_FIRST = ("name", "group", "code", "tags", "usage", "date", "entry_notes")
+_FLAT = ("model", "values", "space", "illuminant", "observer_deg", "wavelengths")
+_LAST = ("source", "notes")
+_FACE = ("L_45", "a_45", "b_45")
+
+
+def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
+    """Return the palette of a table; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
+    collector = Collector(path)
+    text = decoded(content, path, collector)
+    if not text.strip():
+        raise collector.fail("is empty", "line 1")
+    delimiter = max(DELIMITERS, key=text.split("\n", 1)[0].count)
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
+    try:
+        columns = [name.strip() for name in next(reader)]
+        rows = _Rows(columns, collector, comma=delimiter != ",")
+        # Rows are counted before any is made: a million of them are refused at once.
+        lines = []
+        for cells in reader:
+            if any(cells):
+                lines.append((reader.line_num, cells))
+                collector.check_count(len(lines), f"line {reader.line_num}")
+    except csv.Error as error:
+        raise collector.fail(f"is not valid CSV ({error})", f"line {reader.line_num}") from error
+    for line, cells in lines:
+        rows.add(cells, line)
+    rows.tell()
+    return collector.finish()
+
+
+class _Rows:
+    def __init__(self, columns: list[str], collector: Collector, *, comma: bool) -> None:
+        self._columns, self._collector = columns, collector
+        twice = (
+            sorted({name for name in columns if columns.count(name) > 1}) if len(columns) < 10_000 else [""]
+        )
+        if twice:
+            raise collector.fail(
+                f"the column {twice[0][:80]!r} is there twice, or there are too many", "line 1"
+            )
+        angles = [name for name in columns if COLUMN.fullmatch(name)]
+        if "name" not in columns or not (angles or "model" in columns):
+            raise collector.fail("has no column 'name', or none of readings as 'L_45'", "line 1")
+        self._angles = angles
+        self._table = Table(collector.path, angles, comma=comma)
+        self._groups: set[GroupPath] = set()
+
+    def tell(self) -> None:
+        """Note the columns that nothing is made of."""
+        readings = {axis + name[1:] for name in self._angles for axis in "Lab"}
+        known = {*_FIRST, *_FLAT, *_LAST, "G20", "G60"} | readings | known_settings()
+        for name in self._columns:
+            if name not in known:
+                self._collector.note(f"The column {name[:80]!r} is none of a palette's and was passed over.")
+        if "G20" not in self._columns and not all(entry.is_flat for entry in self._collector.entries):
+            self._collector.note("The table says nothing of gloss; the paints get 90 GU at 20°.")
+
+    def add(self, cells: list[str], line: int) -> None:
+        """Add the entry of a row."""
+        collector, place = self._collector, f"line {line}"
+        if len(cells) > len(self._columns):
+            raise collector.fail(f"has more than {len(self._columns)} cells", place)
+        row = dict(zip(self._columns, cells, strict=False))
+        usage = row.get("usage", "") or "process"
+        if usage not in USAGES:
+            raise collector.fail(
+                f"one of {', '.join(USAGES)} is wanted, not {usage[:40]!r}", f"{place}, column usage"
+            )
+        collector.add(
+            place,
+            self._flat(row, line) if row.get("model") else self._paint(row, line),  # type: ignore[arg-type]  # paints too
+            group=self._group(row.get("group", ""), place),
+            code=unguarded(row.get("code", "")),
+            tags=_parts(row.get("tags", ""), ";"),
+            notes=collector.lines(unguarded(row.get("entry_notes", ""))),
+            usage=usage,  # type: ignore[arg-type]  # one of its words
+            date=row.get("date", "").strip(),
+        )
+
+    def _group(self, text: str, place: str) -> GroupPath:
+        path = tuple(self._collector.name(name) for name in _parts(text, "/"))
+        for depth in range(1, len(path) + 1):
+            if path[:depth] not in self._groups:
+                self._groups.add(path[:depth])
+                self._collector.group(place, path[: depth - 1], path[depth - 1])
+        return path
+
+    def _flat(self, row: dict[str, str], line: int) -> FlatColour:
+        collector, place = self._collector, f"line {line}"
+        model = row["model"].strip()
+        if model not in MODELS:
+            raise collector.fail(
+                f"one of {', '.join(MODELS)} is wanted, not {model[:40]!r}", f"{place}, column model"
+            )
+        observer = row.get("observer_deg", "").strip() or "0"
+        return collector.colour(
+            place,
+            collector.name(unguarded(row.get("name", ""))),
+            model,  # type: ignore[arg-type]  # one of its words
+            [number_in(collector.path, word, line, "a value") for word in row.get("values", "").split()],
+            space=unguarded(row.get("space", "")),
+            illuminant=row.get("illuminant", ""),
+            observer_deg=int(observer) if observer in ("0", "2", "10") else -1,
+            wavelengths_nm=tuple(
+                number_in(collector.path, word, line, "a wavelength")
+                for word in row.get("wavelengths", "").split()
+            ),
+        )
+
+    def _paint(self, row: dict[str, str], line: int) -> object:
+        read_at = [
+            name for name in self._angles if any(row.get(axis + name[1:], "").strip() for axis in "Lab")
+        ]
+        if len(read_at) >= 3:
+            return self._table.paint(row, line)
+        if not read_at:
+            raise self._collector.fail("has neither readings nor a model", f"line {line}")
+        # One or two angles make no paint, but they are a colour.
+        self._collector.note("{n} row[|s] [has|have] fewer than three angles and became flat colours.")
+        face = "L_45" if "L_45" in read_at else read_at[0]
+        lab = [number_in(self._collector.path, row.get(axis + face[1:], "").replace(",", "."), line, axis + face[1:])
+               for axis in "Lab"]  # fmt: skip
+        name = self._collector.name(unguarded(row.get("name", "")))
+        return self._collector.colour(f"line {line}", name, "Lab", lab, illuminant="D65", observer_deg=10)
+
+
+def write(palette: Palette) -> bytes:
+    """Return a table with a row for each entry, in UTF-8 with the mark by which spreadsheets know it."""
+    flat = [entry.content for entry in palette if isinstance(entry.content, FlatColour)]
+    labs = dict(zip(map(id, flat), flat_labs(flat), strict=True))
+    rows = [_row(entry, labs) for entry in palette]
+    names = dict.fromkeys(name for row in rows for name in row) | dict.fromkeys(_FACE)
+    angles = sorted((column for column in names if COLUMN.fullmatch(column)), key=angles_of)
+    colours = [axis + column[1:] for column in angles for axis in "Lab"]
+    used = [name for name in (*_FIRST, *_FLAT) if name in names or name == "name"]
+    settings = sorted(names.keys() - set(colours) - {*_FIRST, *_FLAT, *_LAST, "G20", "G60"})
+    columns = [*used, *colours, "G20", "G60", *settings, *_LAST]
+    text = io.StringIO(newline="")
+    writer = csv.DictWriter(text, columns, restval="")
+    writer.writeheader()
+    writer.writerows(rows)
+    return text.getvalue().encode("utf-8-sig", "replace")
+
+
+def _row(entry: Entry, labs: dict[int, object]) -> dict[str, str]:
+    content = entry.content
+    if isinstance(content, FlatColour):
+        face = within_paint(labs[id(content)])  # type: ignore[arg-type]  # three numbers
+        row = {
+            "name": guarded(content.name),
+            "model": content.model,
+            "values": " ".join(map(repr, content.values)),
+            **dict(zip(_FACE, map(repr, face), strict=True)),
+        }
+        if content.space:
+            row["space"] = guarded(content.space)
+        if content.illuminant:
+            row["illuminant"] = content.illuminant
+        if content.observer_deg:
+            row["observer_deg"] = str(content.observer_deg)
+        if content.wavelengths_nm:
+            row["wavelengths"] = " ".join(map(repr, content.wavelengths_nm))
+    else:
+        row = row_of(as_readings(content))
+    own = {
+        "group": _joined(entry.group, "/"),
+        "code": guarded(entry.code),
+        "tags": _joined(entry.tags, ";"),
+        "usage": "" if entry.usage == "process" else entry.usage,
+        "date": entry.date,
+        "entry_notes": guarded(entry.notes),
+    }
+    return {**row, **{name: text for name, text in own.items() if text}}
+
+
+def _joined(parts: tuple[str, ...], mark: str) -> str:
+    """Several texts in one cell: with a mark between them, or as JSON where one holds the mark or would be lost."""
+    plain = mark.join(parts)
+    lossless = tuple(_parts(plain, mark)) == parts and not plain.startswith(("=", "+", "-", "@", "'"))
+    return plain if lossless else json.dumps(list(parts), ensure_ascii=False)
+
+
+def _parts(text: str, mark: str) -> tuple[str, ...]:
+    if not text:
+        return ()
+    if text.startswith("["):
+        try:
+            found = json.loads(text)
+        except (ValueError, RecursionError):
+            found = None
+        if isinstance(found, list) and all(isinstance(part, str) for part in found):
+            return tuple(found)
+    return tuple(part.strip() for part in re.split(re.escape(mark), text))
+
+
+def _sniff(head: bytes, _size: int) -> bool:
+    return is_table(head)
+
+
+FORMAT = PaletteFormat(
+    name="csv",
+    title="CSV table with angles",
+    endings=(".csv",),
+    models=MODELS,
+    groups="nested",
+    paints=True,
+    holds="Paints with L*a*b* at every angle (D65, 10°), gloss, flakes and settings; flat colours in every model; "
+    "groups, codes, tags, usage, dates and notes.",
+    sniff=_sniff,
+    read=read,
+    write=write,
+)

@@ -1,0 +1,12 @@
+"""The names of the tags in which this suite keeps in CxF3 what the format has no place for."""
+
+from __future__ import annotations
+
+GROUP, CODE, LABELS, USAGE, DATE, NOTES, FLAT = (
+    "palette.group", "palette.code", "palette.tags", "palette.usage", "palette.date", "palette.notes", "palette.flat",
+)  # fmt: skip
+"""Of an entry."""
+PALETTE, COLUMNS, COLOUR, GROUPS = "palette.name", "palette.columns", "palette.colour", "palette.groups"
+"""Of the file, with ``palette.notes``."""
+SPECTRA = "cxf.spectra"
+"""Under this name an entry keeps the spectra of a multi-angle sample, so that they can go back."""

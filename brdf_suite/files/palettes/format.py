@@ -1,0 +1,83 @@
+"""What the registry knows of one palette format, and what comes of reading and writing one."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from brdf_suite.documents.palette import Palette
+
+PathLike = str | os.PathLike[str]
+Groups = Literal["none", "flat", "nested"]
+
+Order = Literal["kept", "by groups", "none first"]
+
+LARGEST = 64 << 20
+"""Bytes of a foreign palette; a hundred thousand colours with names have about five million."""
+
+
+@dataclass(frozen=True)
+class Read:
+    """A palette that was read, with what was repaired, assumed or left out on the way, in sentences."""
+
+    palette: Palette
+    notes: tuple[str, ...]
+    format: PaletteFormat
+
+
+@dataclass(frozen=True)
+class Written:
+    """In which format a palette was written, how many bytes, and what that format could not hold, in sentences."""
+
+    format: PaletteFormat
+    size: int
+    losses: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class PaletteFormat:
+    """One format.
+
+    Parameters
+    ----------
+    name
+        Short, as a command-line word.
+    title
+        For lists and dialogs.
+    endings
+        Lower case, with the dot; the first is the usual one.
+    models
+        The models of flat colours that keep their own numbers.
+    groups
+        Whether there are groups, and groups within groups.
+    paints
+        Whether it holds the readings of a paint at several angles.
+    holds
+        What it carries, a sentence for the user.
+    sniff
+        ``(head, size) -> bool``: whether the first bytes (up to 64 KiB) of a file of ``size`` bytes are of this format.
+        It may not raise.
+    read
+        ``(content, path) -> (palette, notes)``; a :class:`~brdf_suite.errors.FileError` with the place where it is
+        damaged. ``path`` is what messages call it, and where a file says no name its stem is the palette's.
+    write
+        ``palette -> content``, or None where the format is only read. What it cannot hold is found by reading the
+        content back (:mod:`brdf_suite.files.palettes.losses`).
+    order
+        In which order entries are written: as they stand, by groups (:meth:`Palette.sections`), or by groups with those
+        in none before all others.
+    """
+
+    name: str
+    title: str
+    endings: tuple[str, ...]
+    models: tuple[str, ...]
+    groups: Groups
+    paints: bool
+    holds: str
+    sniff: Callable[[bytes, int], bool]
+    read: Callable[[bytes, PathLike], tuple[Palette, tuple[str, ...]]]
+    write: Callable[[Palette], bytes] | None = None
+    order: Order = "kept"

@@ -1,0 +1,141 @@
+"""What a format does not hold of a palette, found by looking: it is written to memory and read back."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+
+_SAME = 1e-9
+
+
+def encoded(palette: Palette, known: PaletteFormat) -> bytes:
+    """Return the content of a palette's file in a format.
+
+    Raises
+    ------
+    SuiteError
+        The format is only read, or cannot hold so many colours.
+    """
+    from brdf_suite.errors import SuiteError
+
+    if known.write is None:
+        raise SuiteError(f"{known.title} is only read here; choose another format.")
+    return known.write(palette)
+
+
+def losses_of(palette: Palette, known: PaletteFormat, content: bytes, path: PathLike) -> tuple[str, ...]:
+    """Return what of a palette is missing or changed in the content of its file, in sentences."""
+    back, _ = known.read(content, path)
+    sections = palette.sections() if known.order != "kept" else [(None, palette.entries)]
+    if known.order == "none first":
+        sections.sort(key=lambda section: section[0] is not None)
+    entries = [entry for _, section in sections for entry in section]
+    told = _of_entries(entries, list(back))
+    if [e.id for e in entries] != [e.id for e in palette] and not _keeps_order(palette, back):
+        told.append("The entries of each group stand together there.")
+    return (*told, *_of_palette(palette, back))
+
+
+def _keeps_order(palette: Palette, back: Palette) -> bool:
+    """Whether the entries come back in their order all the same, as far as names and groups tell."""
+    return [(e.name, e.group) for e in palette] == [(e.name, e.group) for e in back]
+
+
+def _of_entries(entries: list[Entry], back: list[Entry]) -> list[str]:
+    counts: Counter[str] = Counter()
+    models: Counter[tuple[str, str]] = Counter()
+    for entry, other in zip(entries, back, strict=False):
+        _compare(entry, other, counts, models)
+    told = []
+    if len(back) < len(entries):
+        told.append(f"{_many(len(entries) - len(back), 'entry')} left out.")
+    for (own, new), count in models.items():
+        rough = ", worked out without a profile" if own in ("CMYK", "CMY", "Gray") or new == "CMYK" else ""
+        told.append(f"{_many(count, 'colour')} in {own} {_were(count)} written as {new}{rough}.")
+    sentences = {
+        "paint": "{paint} {is} written as the one colour at 45°: other angles, gloss and flakes are left out.",
+        "instrument": "Only what the virtual instruments read of {paint} goes in.",
+        "paint fields": "Some settings of {paint} are left out or changed.",
+        "rounded": "The numbers of {colour} are rounded.",
+        "others": "Further numbers of {colour} in other models are left out.",
+        "space": "The colour spaces of {colour} are left out.",
+        "white": "The whites that {colour} {is} measured by are left out.",
+        "name": "The names of {entry} are left out or changed.",
+        "group": "The groups of {entry} are left out or changed.",
+        "code": "The codes of {entry} are left out or changed.",
+        "tags": "The tags of {entry} are left out.",
+        "notes": "The notes of {entry} are left out or changed.",
+        "usage": "Whether {entry} {is} spot, global or process colours is left out.",
+        "date": "The dates of {entry} are left out.",
+        "foreign": "What other programs' files said further of {entry} is left out.",
+    }
+    for key, sentence in sentences.items():
+        count = counts[key]
+        if count:
+            words = {word: _many(count, word) for word in ("paint", "colour", "entry")}
+            text = sentence.replace("{is}", "is" if count == 1 else "are")
+            for word, many in words.items():
+                text = text.replace("{" + word + "}", many)
+            told.append(text)
+    return told
+
+
+def _compare(entry: Entry, other: Entry, counts: Counter[str], models: Counter[tuple[str, str]]) -> None:
+    own, new = entry.content, other.content
+    if isinstance(own, FlatColour) and isinstance(new, FlatColour):
+        if own.model != new.model:
+            models[own.model, new.model] += 1
+        elif any(abs(a - b) > _SAME * max(1.0, abs(a)) for a, b in zip(own.values, new.values, strict=False)):
+            counts["rounded"] += 1
+        else:
+            counts["space"] += own.space != new.space
+            counts["white"] += (own.illuminant, own.observer_deg) != (new.illuminant, new.observer_deg)
+        counts["others"] += own.others != new.others
+    elif isinstance(new, FlatColour):
+        counts["paint"] += 1
+    elif type(own) is not type(new):
+        counts["instrument"] += 1
+    else:
+        counts["paint fields"] += own != new and own.name == new.name
+    counts["name"] += entry.name != other.name
+    for field in ("group", "code", "tags", "notes", "usage", "date", "foreign"):
+        counts[field] += getattr(entry, field) != getattr(other, field)
+
+
+def _of_palette(palette: Palette, back: Palette) -> list[str]:
+    told = []
+    if palette.name != back.name:
+        told.append("The palette's name is left out: that of the file counts.")
+    for field, word in (("notes", "notes"), ("colour", "colour"), ("columns", "count of columns")):
+        own, new = getattr(palette, field), getattr(back, field)
+        if own and own != new:
+            told.append(f"The palette's {word} {'are' if field == 'notes' else 'is'} left out or changed.")
+    if palette.foreign and palette.foreign != back.foreign:
+        told.append("What another program's file said further of the palette is left out.")
+    paths = {group.path for group in back.groups}
+    used = {entry.group[:depth] for entry in palette for depth in range(1, len(entry.group) + 1)}
+    empty = sum(group.path not in paths and group.path not in used for group in palette.groups)
+    if empty:
+        told.append(f"{_many(empty, 'empty group')} {_were(empty)} left out.")
+    groups = {group.path: group for group in back.groups}
+    changed = sum(
+        (group.notes, group.colour) != (groups[group.path].notes, groups[group.path].colour)
+        if group.path in groups
+        else bool(group.notes or group.colour)
+        for group in palette.groups
+    )
+    if changed:
+        told.append(f"The notes or colours of {_many(changed, 'group')} are left out.")
+    return told
+
+
+def _many(count: int, word: str) -> str:
+    plural = "entries" if word == "entry" else word + "s"
+    return f"{count:,} {word if count == 1 else plural}"
+
+
+def _were(count: int) -> str:
+    return "is" if count == 1 else "are"

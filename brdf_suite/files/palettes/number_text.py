@@ -1,0 +1,29 @@
+"""Numbers as decimal texts on whatever scale a format has them, such that the very same number comes back."""
+
+from __future__ import annotations
+
+from decimal import Context, Decimal
+
+_EXACT = Context(prec=40)
+_LONGEST = 60
+"""Characters; a longer text is no number that a program wrote, and counts as the number that it is near."""
+
+
+def scaled(value: float, up: int, down: int = 1) -> str:
+    """Return ``value * up / down``; :func:`unscaled` of it is ``value``, to the last bit.
+
+    The text has as many digits as that takes, most often no more than the number itself.
+
+    >>> scaled(0.07, 100), unscaled("7.0", 100)
+    ('7.0', 0.07)
+    """
+    product = _EXACT.divide(_EXACT.multiply(Decimal(value), Decimal(up)), Decimal(down))
+    short = repr(float(product))
+    return short if unscaled(short, up, down) == value else f"{product:.25g}"
+
+
+def unscaled(text: str, up: int, down: int = 1) -> float:
+    """Return the number of which a text is ``up / down`` times as much; the text must be a finite number."""
+    if len(text) > _LONGEST:
+        return float(text) / up * down
+    return float(_EXACT.divide(_EXACT.multiply(Decimal(text), Decimal(down)), Decimal(up)))

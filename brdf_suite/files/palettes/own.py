@@ -1,0 +1,31 @@
+""".brdfpalette among the other formats: this program's own, which holds everything."""
+
+from __future__ import annotations
+
+import re
+
+from brdf_suite.documents.flat_colour import MODELS
+from brdf_suite.documents.palette import Palette
+from brdf_suite.documents.palette_store import PALETTE_ENDING, encode_palette, palette_of_bytes
+from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+
+_HEAD = re.compile(rb'\s*\{\s*"format"\s*:\s*"brdfpalette"')
+
+
+def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
+    """Return the palette of a ``.brdfpalette`` file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
+    return palette_of_bytes(content, path), ()
+
+
+FORMAT = PaletteFormat(
+    name="brdfpalette",
+    title="BRDF Suite palette",
+    endings=(PALETTE_ENDING,),
+    models=MODELS,
+    groups="nested",
+    paints=True,
+    holds="Everything.",
+    sniff=lambda head, _size: bool(_HEAD.match(head.removeprefix(b"\xef\xbb\xbf"))),
+    read=read,
+    write=encode_palette,
+)

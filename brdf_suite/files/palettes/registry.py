@@ -1,0 +1,165 @@
+"""Which format a palette's file has, and reading and writing by it.
+
+A file is known by its content; only where several formats could be meant does its ending decide. A new format is one
+module and one line here: every check of the formats goes over this list.
+"""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.palette import Palette
+from brdf_suite.documents.palette_store import LARGEST_PALETTE
+from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.files.measured.bounded_reading import read_bytes
+from brdf_suite.files.palettes import (
+    acb,
+    aco,
+    act,
+    ase,
+    css,
+    csv_table,
+    cxf3,
+    gpl,
+    jasc_pal,
+    json_tokens,
+    kpl,
+    own,
+    riff_pal,
+    sbz,
+    scribus,
+    soc,
+)
+from brdf_suite.files.palettes.format import LARGEST, PaletteFormat, PathLike, Read, Written
+from brdf_suite.files.palettes.losses import encoded, losses_of
+
+FORMATS: tuple[PaletteFormat, ...] = (
+    own.FORMAT,
+    ase.FORMAT,
+    acb.FORMAT,
+    gpl.FORMAT,
+    kpl.FORMAT,
+    sbz.FORMAT,
+    cxf3.FORMAT,
+    scribus.FORMAT,
+    soc.FORMAT,
+    riff_pal.FORMAT,
+    jasc_pal.FORMAT,
+    csv_table.FORMAT,
+    css.FORMAT,
+    json_tokens.FORMAT,
+    aco.FORMAT,
+    act.FORMAT,
+)
+"""In the order in which they are tried; those that least can be told by come last."""
+
+_HEAD = 1 << 16
+
+
+def format_named(name: str) -> PaletteFormat:
+    """Return the format of a short name; :class:`SuiteError` where there is none."""
+    for known in FORMATS:
+        if known.name == name:
+            return known
+    raise SuiteError(f"No palette format is called {name!r}; there are {', '.join(f.name for f in FORMATS)}.")
+
+
+def format_for(path: PathLike) -> PaletteFormat:
+    """Return the format that a file is written in by its ending; :class:`FileError` where there is none."""
+    ending = Path(path).suffix.lower()
+    for known in FORMATS:
+        if ending in known.endings and known.write is not None:
+            return known
+    endings = ", ".join(
+        sorted({end for known in FORMATS if known.write is not None for end in known.endings})
+    )
+    raise FileError(
+        path, f"the ending {ending or '(none)'} names no palette format that is written here ({endings})"
+    )
+
+
+def sniff(content: bytes, path: PathLike) -> PaletteFormat:
+    """Return the format of a file's content; :class:`FileError` where it is of none that is known."""
+    if not content:
+        raise FileError(path, "is empty", "byte 0")
+    head, size = content[:_HEAD], len(content)
+    found = [known for known in FORMATS if known.sniff(head, size)]
+    ending = Path(path).suffix.lower()
+    # Formats that a signature tells are sure; the last two are told by a few numbers or the size alone.
+    named = [known for known in found if ending in known.endings]
+    if found and found[0] in (aco.FORMAT, act.FORMAT) and named:
+        return named[0]
+    if found:
+        return found[0]
+    titles = ", ".join(known.title for known in FORMATS)
+    raise FileError(path, f"is of no palette format that is known here ({titles})", "byte 0")
+
+
+def read_palette(path: PathLike) -> Read:
+    """Return the palette in a file of any known format, whatever its name.
+
+    Raises
+    ------
+    FileError
+        It cannot be read, is of no known format, or is damaged; with the place: byte, line or field. Nothing is partly
+        read.
+    """
+    return read_content(read_bytes(path, LARGEST_PALETTE), path)
+
+
+def read_content(content: bytes, path: PathLike, known: PaletteFormat | None = None) -> Read:
+    """Return the palette in the content of a file, of a format where that is known; errors as :func:`read_palette`."""
+    if known is None:
+        known = sniff(content, path)
+    if known is not own.FORMAT and len(content) > LARGEST:
+        raise FileError(
+            path, f"has {len(content):,} bytes, more than the {LARGEST:,} allowed", f"byte {LARGEST}"
+        )
+    with _no_collection():
+        palette, notes = known.read(content, path)
+    return Read(palette, notes, known)
+
+
+def losses(palette: Palette, known: PaletteFormat, path: PathLike = "") -> tuple[str, ...]:
+    """Return what a format cannot hold of a palette, in sentences, without writing anything to the disk.
+
+    A file that says no name has its own, so whether the palette's is lost depends on ``path``.
+
+    Raises
+    ------
+    SuiteError
+        It cannot be written in that format at all.
+    """
+    return losses_of(palette, known, encoded(palette, known), path or f"the {known.title} file")
+
+
+def write_palette(palette: Palette, path: PathLike, known: PaletteFormat | None = None) -> Written:
+    """Write a palette, whole or not at all, in the format given or that the ending names.
+
+    Raises
+    ------
+    SuiteError
+        The ending names no format, the format cannot hold the palette, or the disk refuses.
+    """
+    if known is None:
+        known = format_for(path)
+    content = encoded(palette, known)
+    lost = losses_of(palette, known, content, path)
+    write_atomically(path, content)
+    return Written(known, len(content), lost)
+
+
+@contextmanager
+def _no_collection() -> Iterator[None]:
+    """Hold the collector of cycles: a hundred thousand new objects make it look through them again and again."""
+    running = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if running:
+            gc.enable()

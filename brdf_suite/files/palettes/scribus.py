@@ -1,0 +1,119 @@
+"""Scribus XML: colours as layout needs them, with flags for inks of their own and for registration marks.
+
+Older files hold ``RGB="#rrggbb"`` or ``CMYK="#ccmmyykk"`` in bytes; newer ones ``SPACE="RGB"`` with R, G, B from 0 to
+255, ``SPACE="CMYK"`` with C, M, Y, K in percent, or ``SPACE="Lab"`` with L, A, B. Both are read. A colour is written
+the old way where bytes hold it exactly, so that every version of Scribus reads it.
+"""
+
+from __future__ import annotations
+
+import re
+
+from brdf_suite.documents.flat_colour import FlatColour, Model
+from brdf_suite.documents.palette import Entry, Foreign, Palette, Usage
+from brdf_suite.files.cxf_specification import number
+from brdf_suite.files.hardened_xml import Element
+from brdf_suite.files.palettes.collecting import Collector
+from brdf_suite.files.palettes.conversions import flat_of
+from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.number_text import scaled, unscaled
+from brdf_suite.files.palettes.xml_writing import attribute, mentions, root_named
+
+_ROOT = "SCRIBUSCOLORS"
+_HEX = re.compile("#?((?:[0-9a-fA-F]{2})+)")
+_REGISTER = "scribus.register"
+_TRUE = ("1", "true", "yes")
+
+
+def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
+    """Return the palette of a Scribus file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
+    collector = Collector(path)
+    root = root_named(content, path, _ROOT)
+    collector.check_count(len(root.children), f"line {root.line}")
+    for element in root.children:
+        if element.name != "COLOR":
+            collector.note("{n} element[ that is no colour|s that are no colours] [is|are] passed over.")
+            continue
+        place = f"line {element.line}"
+        has = element.attributes.get
+        foreign: Foreign = ((_REGISTER, "1"),) if has("Register", "0").lower() in _TRUE else ()
+        usage: Usage = "spot" if has("Spot", "0").lower() in _TRUE else "process"
+        collector.add(place, _colour(element, collector, place), usage=usage, foreign=foreign)
+    return collector.finish(root.attributes.get("Name", ""))
+
+
+def _colour(element: Element, collector: Collector, place: str) -> FlatColour:
+    given = element.attributes
+    name = collector.name(given.get("NAME", given.get("Name", "")))
+    models: tuple[Model, ...] = ("CMYK", "RGB")
+    for key in models:
+        if key in given:
+            found = _HEX.fullmatch(given[key].strip())
+            values = bytes.fromhex(found[1]) if found else b""
+            if len(values) != len(key):
+                raise collector.fail(
+                    f"{len(key)} bytes as in #{'33' * len(key)} are wanted for {key}, not {given[key][:40]!r}",
+                    place,
+                )
+            return collector.colour(place, name, key, [value / 255.0 for value in values])
+    space = given.get("SPACE", "")
+
+    def numbers(keys: str, scale: int) -> list[float]:
+        missing = [key for key in keys if key not in given]
+        if missing:
+            raise collector.fail(f"a colour in {space} without {', '.join(missing)}", place)
+        texts = [given[key].strip() for key in keys]
+        for key, text in zip(keys, texts, strict=True):
+            number(element, text, collector.path, key)  # so that what is none is told with its line
+        return [unscaled(text, scale) for text in texts]
+
+    if space == "CMYK":
+        return collector.colour(place, name, "CMYK", numbers("CMYK", 100))
+    if space == "RGB":
+        return collector.colour(place, name, "RGB", numbers("RGB", 255))
+    if space == "Lab":
+        return collector.colour(place, name, "Lab", numbers("LAB", 1), illuminant="D50", observer_deg=2)
+    raise collector.fail(f"the colour space {space[:40]!r} is not known; RGB, CMYK and Lab are", place)
+
+
+def write(palette: Palette) -> bytes:
+    """Return the content of a Scribus file."""
+    rows = "".join(f"  <COLOR {_attributes(entry)}/>\n" for entry in palette)
+    text = f'<?xml version="1.0" encoding="UTF-8"?>\n<{_ROOT} Name={attribute(palette.name)}>\n{rows}</{_ROOT}>\n'
+    return text.encode("utf-8")
+
+
+def _attributes(entry: Entry) -> str:
+    colour = flat_of(entry, ("RGB", "CMYK", "Lab"))
+    if colour.model == "Lab":
+        keys = 'SPACE="Lab" ' + " ".join(
+            f'{key}="{v!r}"' for key, v in zip("LAB", colour.values, strict=True)
+        )
+    else:
+        whole = [round(255.0 * value) for value in colour.values]
+        if all(
+            value == byte / 255.0 and 0 <= byte <= 255
+            for value, byte in zip(colour.values, whole, strict=True)
+        ):
+            keys = f'{colour.model}="#{bytes(whole).hex()}"'
+        else:
+            scale = 100 if colour.model == "CMYK" else 255
+            numbers = zip(colour.model, colour.values, strict=True)
+            keys = f'SPACE="{colour.model}" ' + " ".join(f'{key}="{scaled(v, scale)}"' for key, v in numbers)
+    spot = int(entry.usage == "spot")
+    register = int((_REGISTER, "1") in entry.foreign)
+    return f'NAME={attribute(entry.name)} {keys} Spot="{spot}" Register="{register}"'
+
+
+FORMAT = PaletteFormat(
+    name="scribus",
+    title="Scribus colours (XML)",
+    endings=(".xml",),
+    models=("RGB", "CMYK", "Lab"),
+    groups="none",
+    paints=False,
+    holds="Names in any script, RGB, CMYK and Lab with every digit, inks of their own, registration marks.",
+    sniff=lambda head, _size: mentions(head, _ROOT),
+    read=read,
+    write=write,
+)
