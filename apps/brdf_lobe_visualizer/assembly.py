@@ -90,8 +90,7 @@ class LobeVisualizer:
         if self._started:
             return
         self._started = True
-        for one in asked:
-            self.sources.open(one)
+        self.sources.open_many(asked)
         if not asked and not self.desk.subjects:
             self._default = default_paint_name()
             self.sources.open(self._default, remember=False)

@@ -202,7 +202,8 @@ class Desk(QObject):
     def set_incidence(self, theta_deg: float, phi_deg: float) -> None:
         """Put the light there; angles are brought into their range."""
         theta = min(max(float(theta_deg), 0.0), MOST_THETA_DEG)
-        phi = -((180.0 - float(phi_deg)) % 360.0 - 180.0)
+        # The sum takes the sign of a zero away.
+        phi = 0.0 - ((180.0 - float(phi_deg)) % 360.0 - 180.0)
         if (theta, phi) != self._incidence:
             self._incidence = (theta, phi)
             self.incidence_changed.emit(theta, phi)

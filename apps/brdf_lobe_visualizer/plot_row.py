@@ -65,13 +65,16 @@ class PlotRow(QWidget):
         """Return the keys of those that are shown."""
         return tuple(key for key, button in self._buttons.items() if button.isChecked())
 
+    def even(self) -> None:
+        """Give all plots the same width: one that has just come would otherwise have what its least is."""
+        self._split.setSizes([10_000] * self._split.count())
+
     def set_shown(self, key: str, shown: bool, *, remember: bool = True) -> None:
         """Show or hide a plot, and remember it, unless it is for this run alone."""
         self._buttons[key].setChecked(shown)
         self._plots[key].setVisible(shown)
         self._split.setVisible(bool(self.shown()))
-        # All alike again: one that has just come would otherwise have what its least size is.
-        self._split.setSizes([self._split.width()] * self._split.count())
+        self.even()
         if remember:
             settings().setValue(_SHOWN_KEY, " ".join(self.shown()))
         self.shown_changed.emit(key, shown)

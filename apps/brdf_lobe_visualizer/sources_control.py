@@ -62,10 +62,10 @@ class Sources(QObject):
         """Whether anything is being read."""
         return self.tasks.busy
 
-    def open(self, asked: str | Path, *, alone: bool = False, remember: bool = True) -> str:
-        """Begin to open a name or a file; it comes after the subjects that are there, or ``alone`` in their place.
+    def open(self, asked: str | Path, *, remember: bool = True, select: bool = True) -> str:
+        """Begin to open a name or a file, to come after the subjects that are there; return the key of the job.
 
-        Returns the key of the job.
+        With ``select`` it is the one in front then.
         """
         name = str(asked)
         turn = next(self._numbers)
@@ -77,7 +77,7 @@ class Sources(QObject):
 
         def done(found: Opened) -> None:
             self._ended(job)
-            self._take(name, found, turn, alone=alone, remember=remember)
+            self._take(name, found, turn, remember=remember, select=select)
 
         def failed(error: Exception) -> None:
             self._ended(job)
@@ -89,9 +89,11 @@ class Sources(QObject):
         return job
 
     def open_many(self, asked: Iterable[str | Path]) -> None:
-        """Begin to open several."""
-        for one in asked:
-            self.open(one)
+        """Begin to open several; the first of them is in front where nothing was."""
+        names = list(asked)
+        nothing = not self._desk.subjects
+        for place, one in enumerate(names):
+            self.open(one, select=len(names) == 1 or (nothing and place == 0))
 
     def add(self, subject: Subject, turn: int | None = None) -> str:
         """Put a subject on the desk, with a key and a line of its own; return the key.
@@ -138,11 +140,9 @@ class Sources(QObject):
         """End what is being read."""
         self.tasks.stop()
 
-    def _take(self, name: str, found: Opened, turn: int, *, alone: bool, remember: bool) -> None:
-        if alone:
-            self._desk.set_subjects(())
+    def _take(self, name: str, found: Opened, turn: int, *, remember: bool, select: bool) -> None:
         keys = [self.add(subject, turn) for subject in found.subjects]
-        if keys:
+        if keys and select:
             self._desk.set_front(keys[0])
         if remember:
             self._remember(name)

@@ -146,6 +146,7 @@ class LobeWindow(SuiteWindow):
         widths = [widget.sizeHint().width() for widget in beside]
         self.top_split.setSizes([max(self.width() - sum(widths), _VIEW_WIDTH), *widths])
         self.centre_split.setSizes([3 * self.height() // 5, 2 * self.height() // 5])
+        self.plots.even()
         self.restore_layout()
 
     def show_recent(self, paths: Sequence[Path]) -> None:

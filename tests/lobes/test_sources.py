@@ -138,6 +138,7 @@ def test_files_keep_the_order_in_which_they_were_asked_for(program, qtbot, share
     with qtbot.waitSignal(program.sources.idle, timeout=60_000):
         program.sources.open_many([shared_data / "brdf" / "bird_example.json", "blue", "table1_white"])
     assert [s.title for s in program.desk.subjects] == ["bird_example.json", "Blue", "White"]
+    assert program.desk.front.title == "bird_example.json"
     lines = {(s.colour, s.dash) for s in program.desk.subjects}
     assert len(lines) == 3
 
