@@ -47,6 +47,11 @@ class Space(QObject):
         self.surface = SurfaceSection(desk, self.state)
         self.parts = PartsSection(desk, self.state)
         self._timer = QTimer(self, singleShot=True, interval=0, timeout=self.draw_now)
+        # Numbers that follow the picture wait until it rests: setting one costs as much as a surface's colours.
+        self._full = 0.0
+        self._settle = QTimer(
+            self, singleShot=True, interval=150, timeout=lambda: self.surface.hold(self._full)
+        )
         window.set_centre(self._holder, tab_hides_panels=True)
         for signal in (
             desk.subjects_changed,
@@ -101,6 +106,7 @@ class Space(QObject):
         """End what moves."""
         self.sweep.set_running(False)
         self._timer.stop()
+        self._settle.stop()
 
     # Drawing.
 
@@ -110,7 +116,8 @@ class Space(QObject):
         if self.view is not None and self._maker is not None:
             scene = self._maker.scene(self.state.options)
             self.view.set_scene(scene)
-            self.surface.hold(scene.scale.full)
+            self._full = scene.scale.full
+            self._settle.start()
 
     def picture(self, width: int, height: int) -> QImage:
         """Return the view as a picture of any size; a null one where there is none."""

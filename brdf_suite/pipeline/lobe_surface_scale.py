@@ -54,8 +54,8 @@ class RadiusScale:
         risen = np.log10(np.maximum(share, least))
         risen *= np.float32(1.0 / self.decades)
         risen += np.float32(1.0)
-        # The least value misses 0 by a rounding.
-        return np.asarray(np.maximum(risen, np.float32(0.0)))
+        # The least value would miss 0 by a rounding; a NaN stays one.
+        return np.asarray(risen * (share > least))
 
     def value(self, radius: float) -> float:
         """Return the value in 1/sr that is drawn at ``radius``, above 0; the inverse of :meth:`radius`."""

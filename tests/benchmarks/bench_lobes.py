@@ -1,0 +1,40 @@
+"""Lobe Visualizer: surfaces in three dimensions, slice plots in a drag, opening a table; each in its own process."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from brdf_suite.cli.bench import load_module
+from brdf_suite.progress import part
+
+_HERE = Path(__file__).parent
+_surface = load_module(_HERE / "lobes_surface.py")
+_slices = load_module(_HERE / "lobes_slices.py")
+_open = load_module(_HERE / "lobes_open.py")
+
+NAME = "lobes"
+BOUNDS = (
+    _surface.BOUNDS
+    | {
+        "slices_median_ms": (
+            "<=",
+            16.0,
+            "ms",
+            "six reflectances in polar plot and curves, from the incidence to painted, median of a drag",
+        ),
+        "slices_p99_ms": ("", None, "ms", "the same, 99th percentile"),
+        "slices_cpu_ms": ("", None, "ms", "processor's time of it, median"),
+        "slices_both_median_ms": ("", None, "ms", "with each one's fit as a second line, median"),
+        "slices_both_p99_ms": ("", None, "ms", "the same, 99th percentile"),
+        "slices_both_cpu_ms": ("", None, "ms", "processor's time of it, median"),
+    }
+    | _open.BOUNDS
+)
+NOTES = _surface.NOTES
+
+
+def run(progress=None):
+    """Return the figures of :data:`BOUNDS`."""
+    found = _surface.run(part(progress, 0.0, 0.4))
+    found |= _slices.measure()
+    return found | _open.run(part(progress, 0.7, 1.0))
