@@ -1,8 +1,9 @@
 """Make the pictures of docs/lobe_visualizer.md: the real window, on an X server without a screen.
 
 Run ``.venv/bin/python packaging/screenshots_lobes.py [NAME …]``; they are written to docs/images/. ``--theme``,
-``--size``, ``--scale`` and ``--into`` make them elsewhere in another look. Settings are fresh ones for every picture. Measured data
-are read from the folder that ``BRDF_SUITE_SHARED`` names; a picture whose data are not there is left out, and said so.
+``--size``, ``--scale`` and ``--into`` make them elsewhere in another look. Settings are fresh ones for every picture.
+Measured data are read from the folder that ``BRDF_SUITE_SHARED`` names; a picture whose data are not there is left out,
+and said so.
 """
 
 from __future__ import annotations
