@@ -82,7 +82,7 @@ class ColorSwatch:
         """Do what can wait until the window is painted: the library of the last run, link, unsaved work."""
         self.library.restore()
         for part in self.parts:
-            begin = getattr(part, "begin", None)
+            begin = getattr(part, "begin_part", None)
             if begin is not None:
                 begin()
         self._offer_recovery()

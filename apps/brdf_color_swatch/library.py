@@ -195,8 +195,11 @@ class Library(QObject):
     def ask_open(self, path: Path | None = None) -> str | None:
         """Open ``path``, or ask for a file; return its key. It is read in the background."""
         if path is None:
-            files = self._any_files()
-            path = files.ask_open_path()
+            from brdf_color_swatch.export_part import open_filters
+
+            recent = self.recent()
+            folder = recent[0].parent if recent else Path.home()
+            path = self.dialogs.open_path(folder, open_filters())
             if path is None:
                 return None
         key = self.add_path(path)
@@ -238,9 +241,9 @@ class Library(QObject):
         if item is None:
             return
         path, stamp = (read.path, read.stamp) if read.is_ours else (None, None)
-        self._fill(item, read.palette, path, clean=read.is_ours, stamp=stamp, rows=read.rows)
-        assert item.palette is not None
-        item.palette.origin = None if read.is_ours else read.path
+        # What was imported is in its own file still: nothing would be lost with it until it is changed.
+        origin = None if read.is_ours else read.path
+        self._fill(item, read.palette, path, clean=True, stamp=stamp, rows=read.rows, origin=origin)
         self._any_files().remember(read.path)
         self.settled.emit(f"open {key}")
         if read.notices:
@@ -276,13 +279,14 @@ class Library(QObject):
         clean: bool,
         stamp: FileStamp | None,
         rows: Rows | None = None,
+        origin: Path | None = None,
     ) -> None:
         store: DocumentStore[Palette] = DocumentStore(palette, self)
         store.replace(palette, path, clean=clean, stamp=stamp)
         files = DocumentFiles(store, self._format, self.dialogs, self)
         watch = FileWatch(self)
         opened = OpenPalette(
-            store, files, self._recovery(store), watch, rows or rows_of(palette.entries), palette
+            store, files, self._recovery(store), watch, rows or rows_of(palette.entries), palette, origin
         )
         item.palette, item.path, item.state = opened, path, "open"
         files.failed.connect(self.message)
@@ -450,7 +454,10 @@ class Library(QObject):
 
     def remember(self) -> None:
         """Note which files the library has, for the next start."""
-        settings().setValue(_KEY, [str(item.path) for item in self.items if item.path is not None])
+        paths = [
+            item.path or (item.palette.origin if item.palette is not None else None) for item in self.items
+        ]
+        settings().setValue(_KEY, [str(path) for path in paths if path is not None])
 
     def restore(self) -> None:
         """Put the files of the last run into the library, unread; those that are gone are left out."""

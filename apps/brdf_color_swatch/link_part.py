@@ -66,7 +66,7 @@ class LinkPart:
         self._enable()
         self._show_peers()
 
-    def begin(self) -> None:
+    def begin_part(self) -> None:
         """Look for the other programs."""
         self.link.start()
 

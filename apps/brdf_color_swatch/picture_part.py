@@ -34,7 +34,7 @@ class PicturePart:
         self.pictures.waiting_changed.connect(self._tell)
         self.pictures.unavailable.connect(self._unavailable)
 
-    def begin(self) -> None:
+    def begin_part(self) -> None:
         """Begin to draw, once the window is there."""
         self._begun = True
         self._relook(None, self._desk.look)

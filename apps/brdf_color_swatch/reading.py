@@ -10,8 +10,9 @@ from brdf_qt.file_stamp import FileStamp, stamp_of
 from brdf_color_swatch.columns import rows_of
 from brdf_color_swatch.rows import Rows
 from brdf_suite.documents.palette import Palette
-from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
 from brdf_suite.progress import Progress
+
+OURS = "brdfpalette"
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,12 +29,13 @@ class Read:
 
 def read_palette_file(path: Path, progress: Progress) -> Read:
     """Read ``path`` of any format; raise :class:`~brdf_suite.errors.FileError` where it cannot be."""
+    # With it come the parsers of every format: not at the start of the program.
+    from brdf_suite.files.palettes import read_palette
+
     # Before the content: a change in between is then asked about once too often, never lost.
     stamp = stamp_of(path)
     progress(0.0, path.name)
-    if path.suffix.lower() == PALETTE_ENDING:
-        palette, notices, ours = load_palette(path), (), True
-    else:
-        raise NotImplementedError
+    read = read_palette(path)
     progress(0.8, path.name)
-    return Read(path.absolute(), palette, rows_of(palette.entries), stamp, ours, tuple(notices))
+    rows = rows_of(read.palette.entries)
+    return Read(path.absolute(), read.palette, rows, stamp, read.format.name == OURS, tuple(read.notes))
