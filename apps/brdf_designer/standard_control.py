@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +14,9 @@ from PySide6.QtCore import QDateTime, QLocale, QObject
 
 from brdf_designer.desk import Desk
 from brdf_designer.measured_endings import standard_patterns
+from brdf_designer.standard_keeping import StandardKeeping
+from brdf_designer.standard_kept import Kept, Request, Swap, load_request
+from brdf_designer.standard_memory import Record
 from brdf_designer.standard_section import StandardSection
 from brdf_designer.standard_settings import ToleranceSettings, load, save
 from brdf_designer.standard_state import state_of, verdict_word
@@ -24,45 +27,11 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.scene import paint_names
 from brdf_suite.pipeline.standard import BatchReport, Standard, judge_batch, paint_like, standard_of
-from brdf_suite.progress import Progress
 
 KEY = "standard"
 _BATCHES = "standard batches"
 MOST_BATCHES = 200
-MOST_READ_AHEAD = 20
 _TAB, _SHIPPED = "tab ", "shipped "
-
-
-@dataclass(frozen=True)
-class _Swap:
-    """Paint and standard before and after they changed places; undo brings both back."""
-
-    paint_before: Paint
-    standard_before: Standard
-    paint_after: Paint
-    standard_after: Standard
-
-
-@dataclass(frozen=True)
-class _Request:
-    """A file to load, and where (illumination, aspecular angle) it is going to be read."""
-
-    path: str
-    geometries: tuple[tuple[float, float], ...]
-
-
-@dataclass
-class _Kept:
-    """What is kept for one document."""
-
-    standards: tuple[Standard, ...] = ()
-    chosen: int = 0
-    batches: tuple[Paint, ...] = ()
-    swaps: list[_Swap] = field(default_factory=list)
-
-    @property
-    def standard(self) -> Standard | None:
-        return self.standards[self.chosen] if self.standards else None
 
 
 class StandardControl(QObject):
@@ -71,7 +40,7 @@ class StandardControl(QObject):
     def __init__(self, desk: Desk, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk, self._window = desk, window
-        self._kept: dict[int, _Kept] = {}
+        self._kept: dict[int, Kept] = {}
         self._settings = load()
         self._tasks = TaskRunner(self)
         self._shown = False
@@ -98,6 +67,7 @@ class StandardControl(QObject):
         desk.paint_changed.connect(self._paint_changed)
         desk.document_switched.connect(self._switched)
         desk.documents.row_changed.connect(self._batches_later)
+        self._keeping = StandardKeeping(desk, self, self)
         self._switched()
 
     # What the user asks for.
@@ -125,7 +95,9 @@ class StandardControl(QObject):
 
     def load(self, name_or_path: str | Path) -> None:
         """Load the standards in a file, or a shipped paint, beside the desk."""
-        self._read(KEY, name_or_path, lambda found: self.set_standards(found))
+        path = Path(name_or_path)
+        source = str(path.absolute()) if path.is_file() else ""
+        self._read(KEY, name_or_path, lambda found: self.set_standards(found, source=source))
 
     def load_known(self, key: str) -> None:
         """Take an open tab's paint as it is now, or a shipped one, by its key in the menu of Load."""
@@ -142,25 +114,29 @@ class StandardControl(QObject):
         shipped = [(f"{_SHIPPED}{name}", name.replace("_", " ").capitalize()) for name in paint_names()]
         self.section.show_known(tabs, shipped)
 
-    def set_standards(self, standards: Sequence[Standard], chosen: int = 0) -> None:
-        """Give the document in front these standards to choose from."""
+    def set_standards(self, standards: Sequence[Standard], chosen: int = 0, source: str = "") -> None:
+        """Give the document in front these standards to choose from; ``source`` is the file that has them."""
         kept = self._of_front
-        kept.standards, kept.chosen = tuple(standards), chosen
+        kept.standards, kept.chosen, kept.source, kept.awaited = tuple(standards), chosen, source, None
         # What is opened next may not take the place of a tab that has a standard.
         self._desk.documents.front.pristine = False
         self._show_choices()
         self.host.set_open(True)
         self.refresh()
+        self._note()
 
     def choose(self, index: int) -> None:
         """Judge against another standard of the same file."""
         self._of_front.chosen = index
         self.refresh()
+        self._note()
 
     def remove(self) -> None:
         """Judge against nothing."""
         self._of_front.standards = ()
+        self._of_front.awaited = None
         self.refresh()
+        self._note()
 
     def swap(self) -> None:
         """Edit the standard, and judge it against what was edited; one step, which undo takes back whole."""
@@ -174,9 +150,8 @@ class StandardControl(QObject):
             self._desk.show_message(message_of(error, KEY, todo=tr("Nothing was swapped.")))
             return
         turned = standard_of(paint, tr("Swapped with {name}").format(name=standard.name))
-        kept.swaps.append(_Swap(paint, standard, after, turned))
-        kept.standards, kept.chosen = (turned,), 0
-        self._show_choices()
+        kept.swaps.append(Swap(paint, standard, after, turned))
+        self._turn(turned)
         if after == paint:
             self.refresh()
         self._desk.edit(after, tr("Swap with Standard"))
@@ -214,27 +189,76 @@ class StandardControl(QObject):
         return [self._desk.paint, *others, *self._of_front.batches]
 
     @property
-    def _of_front(self) -> _Kept:
-        return self._kept.setdefault(self._desk.document_key, _Kept())
+    def _of_front(self) -> Kept:
+        return self._kept.setdefault(self._desk.document_key, Kept())
 
     def _switched(self) -> None:
         self._angles: list[float] | None = None
         self._show_choices()
         self.refresh()
+        self._read_again()
 
     def _paint_changed(self, paint: Paint) -> None:
         kept = self._of_front
         for swap in kept.swaps:
             # The very objects: what undo and redo put back, and no edit that only looks the same.
             if paint is swap.paint_before and kept.standard is swap.standard_after:
-                kept.standards, kept.chosen = (swap.standard_before,), 0
-                self._show_choices()
+                self._turn(swap.standard_before)
                 break
             if paint is swap.paint_after and kept.standard is swap.standard_before:
-                kept.standards, kept.chosen = (swap.standard_after,), 0
-                self._show_choices()
+                self._turn(swap.standard_after)
                 break
         self.refresh()
+
+    def _turn(self, standard: Standard) -> None:
+        kept = self._of_front
+        kept.standards, kept.chosen, kept.source = (standard,), 0, ""
+        self._show_choices()
+        self._note()
+
+    # From run to run.
+
+    def record(self, key: int) -> Record | None:
+        """Return the standard of a document, to be kept for the next run."""
+        return self._kept[key].record() if key in self._kept else None
+
+    def restore(self, key: int, record: Record) -> None:
+        """Give a document the standard that was kept for it; the rest of its file is read where it comes in front."""
+        self._kept[key] = Kept((record.standard,), 0, record.source, record if record.source else None)
+
+    def _read_again(self) -> None:
+        """Read the file of a standard that was kept: what else is in it, and a reflectance that was measured."""
+        key, kept = self._desk.document_key, self._of_front
+        record = kept.awaited
+        if record is None:
+            return
+
+        def take(found: tuple[Standard, ...]) -> None:
+            if kept.awaited is not record:
+                return
+            kept.awaited = None
+            if record.is_of(found):
+                kept.standards, kept.chosen = found, record.chosen
+            else:
+                kept.source = ""
+                self._tell_kept(tr("{file} has changed.").format(file=record.source))
+            if key == self._desk.document_key:
+                self._show_choices()
+                self.refresh()
+
+        def failed(_error: Exception) -> None:
+            if kept.awaited is record:
+                kept.awaited = None
+                self._tell_kept(tr("{file} can no longer be read.").format(file=record.source))
+
+        self._tasks.submit(f"{KEY} again", load_request, self._request(record.source), take, failed)
+
+    def _tell_kept(self, what: str) -> None:
+        todo = tr("The standard stays as it was; load the file again to take what it has now.")
+        self._desk.show_message(Message(KEY, what, todo=todo))
+
+    def _note(self) -> None:
+        self._keeping.note(self._desk.documents.front)
 
     def _show_choices(self) -> None:
         kept = self._of_front
@@ -329,14 +353,17 @@ class StandardControl(QObject):
             if front == self._desk.document_key:
                 done(found)
 
-        pairs = tuple((m.illumination_deg, m.aspecular_deg) for m in self._desk.paint.measurements)
         self._tasks.submit(
             key,
-            _load,
-            _Request(str(name_or_path), pairs),
+            load_request,
+            self._request(str(name_or_path)),
             take,
             lambda error: self._desk.show_message(message_of(error, key)),
         )
+
+    def _request(self, name_or_path: str) -> Request:
+        pairs = tuple((m.illumination_deg, m.aspecular_deg) for m in self._desk.paint.measurements)
+        return Request(name_or_path, pairs)
 
     def _add_commands(self) -> None:
         add = self._window.add_command
@@ -344,17 +371,6 @@ class StandardControl(QObject):
         add("paint", tr("&Load Standard…"), "Ctrl+Shift+L", self.ask_standard, "load_standard")
         self.swap_action = add("paint", tr("S&wap with Standard"), None, self.swap, "swap_standard")
         self.remove_action = add("paint", tr("&Remove Standard"), None, self.remove, "remove_standard")
-
-
-def _load(request: _Request, progress: Progress) -> tuple[Standard, ...]:
-    from brdf_suite.pipeline.standard_files import load_standards
-
-    found = load_standards(request.path, progress)
-    # What has to be measured of it is measured here, and not in the first edit that is judged.
-    for standard in found[:MOST_READ_AHEAD]:
-        for illumination, aspecular in request.geometries:
-            standard.lab_at(illumination, aspecular)
-    return found
 
 
 def _title(standard: Standard) -> str:

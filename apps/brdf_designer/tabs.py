@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from brdf_qt.dialogs import Dialogs
 from brdf_qt.document_files import DocumentFiles, DocumentFormat
@@ -28,7 +29,8 @@ MOST_CLOSED = 20
 class OpenDocument:
     """One open paint. ``key`` is its own for the run of the program, also after it was closed and had back.
 
-    ``original`` is the paint as it was opened; ``pristine``: the program began with it, and nobody has asked for it.
+    ``original`` is the paint as it was opened; ``pristine``: the program began with it, and nobody has asked for it;
+    ``beside`` what was kept beside it, where it was recovered.
     """
 
     key: int
@@ -37,6 +39,7 @@ class OpenDocument:
     recovery: Recovery[Paint]
     original: Paint
     pristine: bool = False
+    beside: Any = None
 
     @property
     def title(self) -> str:
@@ -155,6 +158,7 @@ class Documents(QObject):
     def recover(self, item: Recovered[Paint]) -> OpenDocument:
         """Open unsaved work of a run that was ended."""
         document = self._made(DocumentStore(item.value, self))
+        document.beside = item.beside
         document.recovery.take(item)
         self._insert(document)
         return document

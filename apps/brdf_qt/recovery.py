@@ -37,6 +37,8 @@ class Recovered(Generic[T]):
     when: datetime
     file: Path
     stamp: FileStamp | None = None
+    beside: Any = None
+    """What the program kept beside the document, as plain values: see :attr:`Recovery.beside`."""
 
 
 class Recovery(QObject, Generic[T]):
@@ -57,6 +59,8 @@ class Recovery(QObject, Generic[T]):
         super().__init__(parent)
         self._store, self._format, self._failed = store, form, failed
         self._fails = self._closed = False
+        self.beside: Callable[[], Any] | None = None
+        """Asked for plain values to be kept beside an unsaved document; :meth:`note` where they are others."""
         self._folder = state_folder("autosave")
         self._file = self._folder / f"{uuid.uuid4().hex}{_ENDING}"
         self._lock = _lock(self._file)
@@ -73,6 +77,11 @@ class Recovery(QObject, Generic[T]):
         """Start the second that may be lost; a timer that runs is left alone, so that a drag is saved too."""
         if not self._timer.isActive():
             self._timer.start()
+
+    def note(self) -> None:
+        """What is kept beside the document is another: write it within the second."""
+        if not self._closed:
+            self._schedule()
 
     def write(self) -> bool:
         """Write the unsaved document now; where all is saved, remove the file. False where that failed."""
@@ -100,6 +109,8 @@ class Recovery(QObject, Generic[T]):
             "time": datetime.now().isoformat(timespec="microseconds"),
             "document": self._format.to_json(self._store.value),
         }
+        if self.beside is not None:
+            content["beside"] = self.beside()
         # No fsync: what a killed process has written stays in the system, and this runs between two frames.
         draft = self._file.with_suffix(".tmp")
         draft.write_text(json.dumps(content, ensure_ascii=False), encoding="utf-8")
@@ -130,6 +141,7 @@ class Recovery(QObject, Generic[T]):
             datetime.fromisoformat(content["time"]),
             file,
             None if stamp is None else FileStamp.from_json(stamp),
+            content.get("beside"),
         )
 
     def take(self, item: Recovered[T]) -> None:

@@ -73,6 +73,10 @@ class Standard:
             self._computed[key] = report.readings[0].lab
         return self._computed[key], True
 
+    def computed(self) -> dict[tuple[float, float], Lab]:
+        """Return what was read of its reflectance so far, by illumination and aspecular angle, degrees."""
+        return dict(self._computed)
+
     @cached_property
     def seen(self) -> Reflectance | None:
         """Its reflectance; of a paint it is built at the first call. ``None`` where there is none.

@@ -1640,6 +1640,18 @@
         <translation>Mit Bezug tauschen</translation>
     </message>
     <message>
+        <source>{file} has changed.</source>
+        <translation>{file} hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>{file} can no longer be read.</source>
+        <translation>{file} ist nicht mehr lesbar.</translation>
+    </message>
+    <message>
+        <source>The standard stays as it was; load the file again to take what it has now.</source>
+        <translation>Der Bezug bleibt, wie er war; die Datei neu laden, um zu nehmen, was sie jetzt enthält.</translation>
+    </message>
+    <message>
         <source>Standards ({patterns})</source>
         <translation>Bezüge ({patterns})</translation>
     </message>
