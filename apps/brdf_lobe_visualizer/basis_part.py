@@ -7,7 +7,7 @@ of a folder can be started here. Beside the search's errors stands that of the s
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from brdf_qt.elided_label import ElidedLabel
 from brdf_qt.file_watch import FileWatch
@@ -25,11 +25,13 @@ from brdf_lobe_visualizer.subjects import Subject
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.fitting.basis_search.database import database_sha256
-from brdf_suite.fitting.basis_search.stored import StoredSearch, load_search
 from brdf_suite.fitting.lobes.basis import STORED_NAME
-from brdf_suite.pipeline.basis_of_paint import ErrorsOverCount, errors_over_count
 from brdf_suite.resources import resource, resource_root
+
+# The search is much to import for a start, and this plot is often hidden: what is of it is imported where it is used.
+if TYPE_CHECKING:
+    from brdf_suite.fitting.basis_search.stored import StoredSearch
+    from brdf_suite.pipeline.basis_of_paint import ErrorsOverCount
 
 BASIS = "basis"
 _FOLDER_KEY = "lobes/basis_folder"
@@ -181,6 +183,8 @@ class Basis(QObject):
 
     def _read(self) -> None:
         """Read the search that is shown; where that cannot be, a message tells and the old one stays."""
+        from brdf_suite.fitting.basis_search.stored import load_search
+
         if self._source is None:
             self.search = None
         else:
@@ -221,6 +225,8 @@ class Basis(QObject):
     def _is_stale(self, search: StoredSearch) -> bool:
         if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):
             return False  # a file of its own: of which paints nobody knows
+        from brdf_suite.fitting.basis_search.database import database_sha256
+
         try:
             return database_sha256(self.folder) != search.sha256
         except (SuiteError, OSError):
@@ -320,6 +326,8 @@ class Basis(QObject):
 
 
 def _errors(request: tuple[Any, dict[int, tuple[float, ...]]], progress: Any) -> ErrorsOverCount:
+    from brdf_suite.pipeline.basis_of_paint import errors_over_count
+
     return errors_over_count(*request, progress)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from brdf_qt.translation import tr
@@ -14,8 +14,10 @@ from brdf_lobe_visualizer.basis_run import MOST_LOBES
 from brdf_lobe_visualizer.crosshair import Readout, Row
 from brdf_lobe_visualizer.slice_lines import Line
 from brdf_lobe_visualizer.subjects import DASHES, Srgb, Subject
-from brdf_suite.fitting.basis_search.stored import StoredSearch
-from brdf_suite.pipeline.basis_of_paint import ErrorsOverCount
+
+if TYPE_CHECKING:  # much to import for a start
+    from brdf_suite.fitting.basis_search.stored import StoredSearch
+    from brdf_suite.pipeline.basis_of_paint import ErrorsOverCount
 
 _MEAN_DASH, _WORST_DASH = DASHES[0], DASHES[1]
 

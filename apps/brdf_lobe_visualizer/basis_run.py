@@ -12,8 +12,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 
-from brdf_suite.fitting.basis_search.workers import usable_cores
-
 PATIENCE_MS = 10_000
 """A cancelled search ends within an evaluation; one that does not by then is ended by force."""
 MOST_LOBES = 11
@@ -46,6 +44,8 @@ class BasisRun(QObject):
 
     def start(self) -> None:
         """Begin, or go on from what is kept."""
+        from brdf_suite.fitting.basis_search.workers import usable_cores  # much to import for a start
+
         # A core is left to the windows.
         workers = max(1, usable_cores() - 1)
         words = ["basis", "--follow", "--database", str(self.folder), "-o", str(self.output)]

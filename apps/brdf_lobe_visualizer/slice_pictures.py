@@ -111,7 +111,7 @@ def make_grid(request: Request, progress: Progress | None = None) -> Grid:
                 ""
                 if error is None
                 else tr("RMS {share} %").format(
-                    share=f"{100.0 * error.relative:.1f}" if np.isfinite(error.relative) else "–",
+                    share=_percent(error.relative),
                 )
             )
             pictures[1, column] = _picture(fits[column], request, white, column, None, note=note)
@@ -125,6 +125,12 @@ def make_grid(request: Request, progress: Progress | None = None) -> Grid:
         turned = {(column, row): picture for (row, column), picture in pictures.items()}
         return Grid(request.columns, tuple(rows), turned, bar, request.axes)
     return Grid(tuple(rows), request.columns, pictures, bar, request.axes)
+
+
+def _percent(share: float) -> str:
+    if not np.isfinite(share):
+        return "–"
+    return f"{100.0 * share:.{0 if share >= 0.1 else 1}f}"
 
 
 def _differences(
@@ -179,7 +185,7 @@ def _picture(
     if first and request.samples is not None and request.places is not None:
         points = request.places(request.samples, column)
     if first and gone is not None and gone.any():
-        note = tr("hatched: not measured")
+        note = tr("hatched: holes")
     return Picture(codes, one, ~pairs.above, gone, points, note)
 
 

@@ -1,0 +1,145 @@
+"""The basis in the real window: the stored search, the selected paint's errors, searches as processes and in files."""
+
+from __future__ import annotations
+
+import shutil
+import uuid
+from pathlib import Path
+
+import numpy as np
+import pytest
+from brdf_lobe_visualizer.assembly import LobeVisualizer
+from brdf_lobe_visualizer.basis_part import BASIS, Basis
+from brdf_lobe_visualizer.basis_run import BasisRun
+from brdf_lobe_visualizer.fits import Fits
+from brdf_lobe_visualizer.subjects import Subject
+from PySide6.QtCore import QCoreApplication, QEvent
+
+from brdf_suite.fitting.basis_search.document import save_state
+from brdf_suite.fitting.basis_search.stored import load_search
+from brdf_suite.fitting.lobes.basis import STORED_NAME
+from brdf_suite.pipeline.scene import find_any_paint
+from brdf_suite.reflectance.build import build_reflectance
+from brdf_suite.reflectance.models.lambertian import Lambertian
+from brdf_suite.resources import resource, resource_root
+
+STORED = Path(str(resource("basis", STORED_NAME)))
+
+
+@pytest.fixture(scope="module")
+def window_with_basis(qapp, tmp_path_factory):
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
+        patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
+        patched.setattr(Fits, "_look", lambda _self: None)
+        program = LobeVisualizer((Basis,))
+        program.window.resize(1100, 700)
+        program.window.show()
+        yield program
+        program.close()
+        program.window.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def basis(window_with_basis, qtbot) -> Basis:
+    program = window_with_basis
+    part = next(part for part in program.parts if isinstance(part, Basis))
+    program._started = True
+    program.desk.set_subjects(())
+    program.window.plots.set_shown(BASIS, True)
+    part.show_shipped()
+    qtbot.waitUntil(lambda: part.is_complete)
+    return part
+
+
+@pytest.fixture
+def desk(window_with_basis):
+    return window_with_basis.desk
+
+
+def test_the_stored_search_is_drawn(basis) -> None:
+    search = load_search(STORED)
+    points = basis.view.plots._dots.getData()
+    assert len(points[0]) == sum(result.count for result in search.results)
+    last = search.results[-1]
+    assert np.sort(points[1][points[0] == last.count]) == pytest.approx(np.log10(last.exponents))
+    words = basis.view.note.text()
+    assert "Shipped paints" in words
+    assert f"default: {search.default_count} lobes" in words
+    assert "changed" not in words
+    basis.view.plots._read_exponents(float(search.default_count))
+    assert f"{search.default_count} lobes" in basis.view.plots.readouts[0].text()
+    basis.view.plots._read_errors(1.2)
+    assert "worst" in basis.view.plots.readouts[1].text()
+
+
+def test_the_selected_paint_has_its_errors_live(basis, desk, qtbot) -> None:
+    search = load_search(STORED)
+    for name in ("blue_metallic", "satin_blue"):
+        desk.add(Subject(name, name, build_reflectance(find_any_paint(name))))
+    for name in ("blue_metallic", "satin_blue"):
+        desk.set_front(name)
+        qtbot.waitUntil(
+            lambda name=name: basis.view.plots.own is not None and basis.view.plots.own[0].key == name
+        )
+        errors = basis.view.plots.own[1]
+        place = search.paints.index(name)
+        assert errors.errors == pytest.approx([result.errors[place] for result in search.results], rel=1e-6)
+    desk.add(Subject("satin_blue", "matt", Lambertian(0.5)))
+    qtbot.waitUntil(lambda: not basis.view.plots.own[1].whole)
+    assert "matt: colour alone" in basis.view.note.text()
+    desk.set_subjects(())
+    qtbot.waitUntil(lambda: basis.view.plots.own is None)
+
+
+def test_a_running_search_is_followed(basis, qtbot, tmp_path: Path) -> None:
+    search = load_search(STORED)
+    state = tmp_path / "basis.json.part"
+    settings = {"database_sha256": "x", "paints": list(search.paints), "starts": 4}
+    save_state(state, settings, search.results[:2])
+    basis.show_file(state)
+    assert len(basis.search.results) == 2
+    assert "2 counts so far" in basis.view.note.text()
+    save_state(state, settings, search.results[:5])
+    qtbot.waitUntil(lambda: len(basis.search.results) == 5)
+    assert len(basis.view.plots._dots.getData()[0]) == 1 + 2 + 3 + 4 + 5
+    state.write_text("{")
+    qtbot.waitUntil(lambda: BASIS in basis._window.messages.shown())
+    assert len(basis.search.results) == 5  # what was read stays
+
+
+def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_path: Path) -> None:
+    paints = tmp_path / "paints"
+    paints.mkdir()
+    shutil.copy(resource_root() / "paints" / "solid_red.brdfpaint", paints)
+    basis.show_folder(paints)
+    assert "not searched yet" in basis.view.note.text()
+    basis.view.search.click()
+    assert not basis.view.search.isEnabled()
+    assert basis.view.progress.jobs == (BASIS,)
+    qtbot.waitUntil(lambda: basis.run is None)
+    assert [result.count for result in basis.search.results] == [1]
+    assert basis.search.default_count == 1
+    assert basis.view.progress.jobs == ()
+    assert "changed" not in basis.view.note.text()
+    shutil.copy(resource_root() / "paints" / "satin_blue.brdfpaint", paints)
+    qtbot.waitUntil(lambda: "changed since" in basis.view.note.text())
+    # Now one that is stopped: it keeps its place and tells nothing.
+    basis.view.search.click()
+    basis.run.cancel()
+    qtbot.waitUntil(lambda: basis.run is None)
+    assert BASIS not in basis._window.messages.shown()
+    basis.view.reset.click()
+    assert "Shipped paints" in basis.view.note.text()
+
+
+def test_what_cannot_be_searched_is_told(basis, qtbot, tmp_path: Path) -> None:
+    basis.show_folder(tmp_path)
+    basis.start_search()
+    assert basis.run is None
+    assert BASIS in basis._window.messages.shown()
+    run = BasisRun(tmp_path, tmp_path / "basis.json", 3, basis)
+    with qtbot.waitSignal(run.failed) as told:
+        run.start()
+    assert "no paint" in told.args[0]

@@ -1,0 +1,400 @@
+"""The slices in the real window: lines where ``eval`` has them, readouts, holes, differences, CSV, images."""
+
+from __future__ import annotations
+
+import csv
+import io
+import uuid
+from pathlib import Path
+
+import numpy as np
+import pytest
+from brdf_lobe_visualizer.assembly import LobeVisualizer
+from brdf_lobe_visualizer.fits import Fits
+from brdf_lobe_visualizer.slice_options import SliceOptions, SliceState
+from brdf_lobe_visualizer.slices import CURVES, HALF_ANGLE, POLAR, UNROLLED, Slices
+from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, SamplePoints, Subject, SubjectFit
+from PySide6.QtCore import QCoreApplication, QEvent, QPointF, Qt
+from PySide6.QtGui import QColor, QGuiApplication, QMouseEvent
+from PySide6.QtWidgets import QApplication
+
+from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.geometry.directions import illumination, mirror, spherical
+from brdf_suite.pipeline.slices import light_at, view_at
+from brdf_suite.reflectance.models.lambertian import Lambertian
+from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
+
+
+class Spike:
+    """Exponent 10⁵ about the mirror direction, 10,000 high."""
+
+    def eval(self, wi, wo):
+        dot = np.einsum("...i,...i", mirror(wi), wo)
+        return np.repeat((1e4 * np.maximum(dot, 0.0) ** 1e5)[..., None], 3, axis=-1)
+
+
+class Zero:
+    def eval(self, wi, wo):
+        return np.zeros(np.broadcast_shapes(wi.shape, wo.shape))
+
+
+class Nothing:
+    def eval(self, wi, wo):
+        return np.full(np.broadcast_shapes(wi.shape, wo.shape), np.nan)
+
+
+def fit_of(kd: float) -> SubjectFit:
+    zero = np.zeros((1, 3))
+    return SubjectFit(LobeWeights(np.array([9.0]), np.full(3, kd), zero, zero, np.pi / 4.0, 1.0), 0.0)
+
+
+def subject(key: str, reflectance: object, number: int = 0, **more: object) -> Subject:
+    return Subject(key, key, reflectance, LINE_COLOURS[number], DASHES[number % len(DASHES)], **more)
+
+
+@pytest.fixture(scope="module")
+def window_with_slices(qapp, tmp_path_factory):
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
+        patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
+        # Fits come as the tests give them.
+        patched.setattr(Fits, "_look", lambda _self: None)
+        program = LobeVisualizer((Slices,))
+        program.window.resize(1300, 800)
+        program.window.show()
+        yield program
+        program.close()
+        program.window.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def slices(window_with_slices, qtbot) -> Slices:
+    program = window_with_slices
+    part = next(part for part in program.parts if isinstance(part, Slices))
+    qtbot.waitUntil(lambda: part.polar.plot is not None)
+    program._started = True
+    program.desk.set_subjects(())
+    program.desk.show_all()
+    program.desk.reset_options()
+    program.desk.reset_incidence()
+    part.state.reset()
+    for key in program.window.plots.plots:
+        program.window.plots.set_shown(key, key in (POLAR, CURVES))
+    return part
+
+
+@pytest.fixture
+def desk(slices, window_with_slices):
+    return window_with_slices.desk
+
+
+def hover(plot, x: float, y: float) -> None:
+    """Move the mouse over a place of a plot's numbers."""
+    box = plot.getPlotItem().vb
+    place = QPointF(plot.mapFromScene(box.mapViewToScene(QPointF(x, y))))
+    move(plot.viewport(), place)
+
+
+def move(widget, place: QPointF) -> None:
+    none = Qt.MouseButton.NoButton
+    event = QMouseEvent(
+        QEvent.Type.MouseMove, place, widget.mapToGlobal(place), none, none, Qt.KeyboardModifier.NoModifier
+    )
+    QApplication.sendEvent(widget, event)
+
+
+def line(lines, key: str, kind: str = "target"):
+    return next(one for one in lines.lines if (one.key, one.kind) == (key, kind))
+
+
+def test_the_lines_are_eval_at_those_directions(slices, desk, qtbot) -> None:
+    paint = PoulinFournier(kd=0.3)
+    desk.add(subject("metal", paint))
+    desk.set_options(cosine="light", channel="g")
+    desk.set_incidence(35.0, 70.0)
+    qtbot.waitUntil(lambda: slices.is_complete)
+    wanted = paint.eval(light_at(35.0, 70.0), view_at(20.0, 70.0))[1] * np.cos(np.radians(35.0))
+    polar, curves = slices.polar.lines, slices.curves.lines
+    assert np.interp(20.0, polar.cut.angle_deg, line(polar, "metal").value) == pytest.approx(wanted, rel=1e-2)
+    assert np.interp(15.0, curves.cut.angle_deg, line(curves, "metal").value) == pytest.approx(
+        wanted, rel=1e-2
+    )
+    desk.set_incidence(35.0, 0.0)  # the azimuth matters
+    qtbot.waitUntil(lambda: slices.is_complete)
+    other = np.interp(20.0, slices.polar.lines.cut.angle_deg, line(slices.polar.lines, "metal").value)
+    assert abs(other - wanted) > 0.01 * wanted
+
+
+def test_the_lobe_is_drawn_where_the_mirror_direction_is(slices, desk, qtbot) -> None:
+    desk.add(subject("spike", Spike(), 3))
+    for theta, to_right in ((50.0, True), (0.0, None)):
+        desk.set_incidence(theta, 0.0)
+        qtbot.waitUntil(lambda: slices.is_complete)
+        picture = slices.polar.plot.grab().toImage()
+        colour = QColor.fromRgbF(*LINE_COLOURS[3])
+        near = [
+            (x, y)
+            for x in range(0, picture.width())
+            for y in range(0, picture.height())
+            if sum(
+                abs(a - b)
+                for a, b in zip(picture.pixelColor(x, y).getRgb()[:3], colour.getRgb()[:3], strict=True)
+            )
+            < 60
+        ]
+        assert near, "the spike is not drawn"
+        ratio = picture.devicePixelRatio()
+        box = slices.polar.plot.getPlotItem().vb
+        tip = min(near, key=lambda place: place[1])
+        at = box.mapSceneToView(
+            slices.polar.plot.mapToScene(QPointF(tip[0] / ratio, tip[1] / ratio).toPoint())
+        )
+        assert np.degrees(np.arctan2(at.x(), at.y())) == pytest.approx(theta, abs=2.0)
+        assert (at.x() > 0.3) is (to_right is True)
+
+
+def test_curves_know_their_axes_logs_and_marks(slices, desk, qtbot) -> None:
+    desk.add(subject("spike", Spike()))
+    for axis in ("gamma", "theta_o", "theta_h", "theta_d"):
+        slices.curves.axis_buttons[axis].click()
+        qtbot.waitUntil(lambda: slices.is_complete)
+        assert slices.curves.lines.cut.axis == axis
+        assert slices.curves.plot.getAxis("bottom").labelText.split(" ")[-1] == "(°)"
+        peak = slices.curves.lines.cut.angle_deg[np.nanargmax(line(slices.curves.lines, "spike").value)]
+        assert peak == pytest.approx(
+            {"gamma": 0.0, "theta_o": 45.0, "theta_h": 0.0}.get(axis, peak), abs=1e-9
+        )
+    slices.curves.axis_buttons["theta_h"].click()
+    slices.curves.log_angle.click()
+    assert slices.curves.logs == (True, True)
+    qtbot.waitUntil(lambda: slices.is_complete)
+    (low, high), (bottom, top) = slices.curves.plot.viewRange()
+    assert (low, high) == pytest.approx((-2.0, np.log10(90.0)))
+    assert top >= 4.0 + np.log10(np.cos(np.radians(45.0))) - 1e-6
+    assert bottom == pytest.approx(top - 7.0)
+    slices.curves.log_value.click()
+    qtbot.waitUntil(lambda: slices.is_complete)
+    assert slices.curves.plot.viewRange()[1][0] == 0.0
+
+
+def test_the_crosshair_tells_every_visible_value_with_its_unit(slices, desk, qtbot) -> None:
+    desk.add(subject("bright", Lambertian(0.8), 0))
+    desk.add(subject("dark <b>", Lambertian(0.2), 1))
+    desk.set_options(cosine="none")
+    slices.state.set(log_value=False)
+    qtbot.waitUntil(lambda: slices.is_complete)
+    hover(slices.curves.plot, 30.0, 0.1)
+    told = slices.curves.readout.text()
+    assert slices.curves.readout.isVisible()
+    for words in ("γ 30.0°", "bright", "0.2546", "dark &lt;b&gt;", "0.06366", "(1/sr)"):
+        assert words in told, told
+    desk.set_hidden("bright", True)
+    qtbot.waitUntil(lambda: slices.is_complete)
+    hover(slices.polar.plot, 0.3, 0.5)
+    assert "bright" not in slices.polar.readout.text()
+    assert "θo 3" in slices.polar.readout.text()
+    QApplication.sendEvent(slices.polar.plot, QEvent(QEvent.Type.Leave))
+    assert not slices.polar.readout.isVisible()
+
+
+def test_target_fit_and_difference(slices, desk, qtbot) -> None:
+    desk.add(subject("one", Lambertian(0.5), fit=fit_of(0.1)))
+    desk.add(subject("two", Lambertian(0.2), 1))
+    desk.set_options(cosine="none", shown="both")
+    qtbot.waitUntil(lambda: slices.is_complete)
+    lines = slices.curves.lines
+    assert {(one.key, one.kind) for one in lines.lines} == {
+        ("one", "target"),
+        ("one", "fit"),
+        ("two", "target"),
+    }
+    assert lines.errors["one"].rms == pytest.approx(0.5 / np.pi - 0.1)
+    assert "one: RMS" in slices.curves.note.text().replace("Fit of ", "")
+    desk.set_options(shown="difference")
+    qtbot.waitUntil(lambda: slices.is_complete)
+    assert [(one.key, one.kind) for one in slices.curves.lines.lines] == [("one", "difference")]
+    assert np.nanmax(line(slices.curves.lines, "one", "difference").value) == pytest.approx(0.1 - 0.5 / np.pi)
+    desk.set_compared("two")
+    qtbot.waitUntil(lambda: slices.is_complete)
+    against = line(slices.curves.lines, "one", "difference").value
+    assert np.nanmax(np.abs(against - 0.3 / np.pi)) < 1e-12
+    low, high = slices.curves.plot.viewRange()[1]
+    assert low == -high
+    # A lobe that is switched off is missing in the fit.
+    desk.set_options(shown="fit", lobes_off=frozenset({("diffuse", 0)}))
+    qtbot.waitUntil(lambda: slices.is_complete)
+    assert np.nanmax(line(slices.curves.lines, "one", "fit").value) == 0.0
+
+
+def test_zero_nothing_and_holes_are_told_and_no_exception(slices, desk, qtbot) -> None:
+    def measured(wi, wo):
+        return np.asarray(np.broadcast_arrays(wi, wo)[1][..., 0] < 0.5)
+
+    desk.add(subject("holes", Lambertian(0.5), measured=measured))
+    desk.add(subject("zero", Zero(), 1))
+    desk.add(subject("nothing", Nothing(), 2))
+    for key in (UNROLLED, HALF_ANGLE):
+        slices._window.plots.set_shown(key, True)
+    desk.set_options(shown="both")
+    qtbot.waitUntil(lambda: slices.is_complete)
+    note = slices.curves.note.text()
+    for words in ("hatched: not measured", "zero: 0 everywhere", "nothing: nothing to draw here"):
+        assert words in note
+    assert slices.curves._bands.isVisible()
+    holes = slices.unrolled.grid.pictures[0, 0].holes
+    assert holes[:, -1].all()
+    assert not holes[:, 0].any()
+    for key in ("zero", "nothing"):
+        desk.set_front(key)
+        qtbot.waitUntil(lambda: slices.is_complete)
+        slices.unrolled.grab()
+    desk.set_subjects(())
+    qtbot.waitUntil(lambda: slices.is_complete)
+    assert not slices.polar.plot.isVisible()
+    assert slices.polar.empty.isVisible()
+    assert slices.unrolled.empty.isVisible()
+
+
+def test_samples_lie_on_the_line(slices, desk, qtbot) -> None:
+    matt = Lambertian(0.5)
+    wi = illumination(np.array([45.0, 45.5, 10.0, 45.0]))
+    wo = spherical(np.radians([30.0, 50.0, 20.0, 30.0]), np.radians([0.0, 180.0, 0.0, 60.0]))
+    points = SamplePoints(wi, wo, matt.eval(wi, wo))
+    desk.add(subject("points", matt, samples=points))
+    desk.set_options(cosine="none")
+    qtbot.waitUntil(lambda: slices.is_complete)
+    found = slices.curves.lines.points["points"]
+    assert np.sort(found.angle_deg) == pytest.approx(
+        [15.0, 95.5]
+    )  # the others are out of the plane or the light
+    assert found.value == pytest.approx(0.5 / np.pi)
+    slices._window.plots.set_shown(UNROLLED, True)
+    slices.state.set(incidences_deg=(10.0, 45.0, 70.0))
+    qtbot.waitUntil(lambda: slices.is_complete)
+    shown = [slices.unrolled.grid.pictures[0, column].points for column in range(3)]
+    # One light of 10°; three of 45°, and none of 70°; swapped pairs count where their light fits.
+    assert [len(points) for points in shown] == [1, 3, 0]
+
+
+def test_curves_are_copied_as_numbers(slices, desk, qtbot, tmp_path: Path) -> None:
+    desk.add(subject("matt, grey", Lambertian(0.5)))
+    desk.set_options(cosine="none")
+    slices.copy_curves()
+    text = QGuiApplication.clipboard().text()
+    rows = list(csv.reader(io.StringIO(text)))
+    assert rows[0] == ["Aspecular angle γ (°)", "matt, grey: Y  f_r (1/sr)"]
+    assert text.splitlines()[1] == "# Lobe Visualizer, incidence 45°, azimuth 0°"
+    values = np.array(rows[2:], float)
+    assert np.array_equal(values[:, 0], np.sort(values[:, 0]))
+    assert values[:, 1] == pytest.approx(0.5 / np.pi)
+    path = tmp_path / "curves.csv"
+    slices.save_curves(path)
+    assert path.read_text() == text
+    slices.save_curves(tmp_path / "no folder" / "curves.csv")
+    assert "curves" in slices._window.messages.shown()
+
+
+def test_the_unrolled_images_have_target_above_and_fit_below(slices, desk, qtbot) -> None:
+    desk.add(subject("spike", Spike(), fit=fit_of(0.1)))
+    slices._window.plots.set_shown(UNROLLED, True)
+    qtbot.waitUntil(lambda: slices.is_complete)
+    grid = slices.unrolled.grid
+    assert grid.columns == ("10°", "40°", "70°")
+    assert set(grid.pictures) == {(row, column) for row in range(2) for column in range(3)}
+    values = [grid.pictures[0, column].value for column in range(3)]
+    peaks = [int(np.argmax(value) % value.shape[1]) for value in values]
+    assert peaks == sorted(peaks)
+    assert peaks[0] > values[0].shape[1] // 2
+    # On the screen too: the brightest place of the third picture is far at the right, in its middle.
+    place = slices.unrolled.images.place_of(0, 2)
+    shot = slices.unrolled.images.grab().toImage()
+    ratio = shot.devicePixelRatio()
+    lit = [
+        (x, y)
+        for x in range(int(place.left()) + 1, int(place.right()))
+        for y in range(int(place.top()) + 1, int(place.bottom()))
+        if shot.pixelColor(int(x * ratio), int(y * ratio)).lightness() > 120
+    ]
+    assert lit
+    across = (np.mean([x for x, _ in lit]) - place.left()) / place.width()
+    down = (np.mean([y for _, y in lit]) - place.top()) / place.height()
+    assert across > 0.8
+    assert down == pytest.approx(0.5, abs=0.06)
+    move(slices.unrolled.images, place.center())
+    assert "θo 0" in slices.unrolled.readout.text() or "θo 1" in slices.unrolled.readout.text()
+    assert "target" in slices.unrolled.readout.text()
+    assert "fit" in slices.unrolled.readout.text()
+    desk.set_options(shown="difference", channel="r")
+    qtbot.waitUntil(lambda: slices.is_complete)
+    assert len(slices.unrolled.grid.rows) == 3
+    assert slices.unrolled.grid.rows[2].startswith("fit − target")
+
+
+def test_the_half_angle_slice_follows_its_slider(slices, desk, qtbot) -> None:
+    metal = PoulinFournier()
+    desk.add(subject("metal", metal))
+    slices._window.plots.set_shown(HALF_ANGLE, True)
+    qtbot.waitUntil(lambda: slices.is_complete)
+    before = slices.half_angle.grid.pictures[0, 0].value
+    slices.section.phi_d_slider.setValue(20)
+    qtbot.waitUntil(lambda: slices.is_complete)
+    after = slices.half_angle.grid.pictures[0, 0].value
+    assert slices.state.options.phi_d_deg == 20.0
+    assert not np.array_equal(before, after, equal_nan=True)
+    nothing = slices.half_angle.grid.pictures[0, 0].nothing
+    assert nothing[0, -1]  # below the horizon
+    place = slices.half_angle.images.place_of(0, 0)
+    move(slices.half_angle.images, QPointF(place.left() + 2.0, place.center().y()))
+    assert "φd 20°" in slices.half_angle.readout.text()
+    slices.section.reset.click()
+    assert slices.state.options == SliceOptions()
+    assert slices.section.phi_d_slider.value() == 90
+
+
+def test_hidden_plots_are_drawn_when_they_are_shown(slices, desk, qtbot) -> None:
+    plots = slices._window.plots
+    plots.set_shown(POLAR, False)
+    desk.add(subject("one", Lambertian(0.5)))
+    qtbot.waitUntil(lambda: slices.is_complete)
+    seen = slices.polar.lines
+    assert seen is None or not seen.lines or seen.lines[0].key != "one"
+    plots.set_shown(POLAR, True)
+    qtbot.waitUntil(lambda: slices.is_complete)
+    assert slices.polar.lines.lines[0].key == "one"
+
+
+def test_a_drag_evaluates_each_subject_once_a_step(slices, desk, qtbot) -> None:
+    class Counted(Lambertian):
+        calls = 0
+
+        def eval(self, wi, wo):
+            Counted.calls += 1
+            return super().eval(wi, wo)
+
+    desk.add(subject("one", Counted(0.5)))
+    qtbot.waitUntil(lambda: slices.is_complete)
+    Counted.calls = 0
+    desk.set_incidence(30.0, 0.0)
+    slices.draw_now()
+    assert Counted.calls == 1  # polar plot and curves share what the plane has
+    desk.set_options(channel="r")
+    slices.draw_now()
+    assert Counted.calls == 1  # another channel is of the same values
+
+
+def test_options_are_remembered_and_what_cannot_be_is_not(slices) -> None:
+    slices.state.set(axis="theta_h", phi_d_deg=400.0, incidences_deg=(5.0, 20.0, 120.0))
+    again = SliceState()
+    assert (again.options.axis, again.options.phi_d_deg) == ("theta_h", 180.0)
+    assert again.options.incidences_deg == (5.0, 20.0, 89.0)
+    from brdf_qt.settings import settings
+
+    for broken in ('{"axis": "up"}', "no json", '{"incidences_deg": [1]}', '{"ev": NaN}'):
+        settings().setValue("lobes/slices", broken)
+        assert SliceState().options == SliceOptions()
+    assert slices.set_from_script("slices.tone", "gamma")
+    assert slices.state.options.tone == "gamma"
+    assert not slices.set_from_script("slices.tone", "bright")
+    assert not slices.set_from_script("slices.nothing", "1")
+    assert not slices.set_from_script("other.tone", "log")
