@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from brdf_suite.cli import palette_find
 from brdf_suite.cli.output import print_json
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare the command and its parts."""
     command = commands.add_parser(
         "palette",
-        help="convert a palette, or tell what is in one",
+        help="convert a palette, tell what is in one, or find paints in it",
         description="Read palettes of every format that people have, known by their content: .brdfpalette, ASE, ACO, "
         "ACB, GPL, KPL, Scribus XML, SOC, PAL, ACT, SBZ, CxF3, CSS, JSON, CSV.",
     )
@@ -63,6 +64,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     info.add_argument("file", metavar="FILE", type=Path, help="a palette of any format")
     info.add_argument("--json", action="store_true", help="print everything as one JSON object")
     info.set_defaults(run=run_info)
+    palette_find.add(parts)
 
 
 def run_convert(options: argparse.Namespace) -> int:

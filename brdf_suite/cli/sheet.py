@@ -1,4 +1,4 @@
-"""``brdf-suite sheet PALETTE|FOLDER -o out.png``: every paint in the same light, with its figures."""
+"""``brdf-suite sheet PALETTE|FOLDER -o out.png|out.pdf``: every paint in the same light, with its figures."""
 
 from __future__ import annotations
 
@@ -15,16 +15,25 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     command = commands.add_parser(
         "sheet",
-        help="render the paints of a palette or a folder to one PNG, with their figures",
-        description="Render every paint of a .brdfpalette file or of a folder on the same surface in the same light, "
-        "each with its name, flop index and L*a*b* at 15, 45 and 110°.",
+        help="render the paints of a palette or a folder to one PNG or PDF, with their figures",
+        description="Render every paint of a palette (of any format that palette info reads) or of a folder on the "
+        "same surface in the same light, each with its name, flop index and L*a*b* at 15, 45 and 110°.",
     )
     command.add_argument(
-        "source", type=Path, metavar="PALETTE|FOLDER", help="a palette, or a folder of .brdfpaint"
+        "source", type=Path, metavar="PALETTE|FOLDER", help="a palette, or a folder of .brdfpaint files"
     )
-    command.add_argument("-o", "--output", type=Path, required=True, metavar="FILE", help="the sheet (.png)")
+    command.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="FILE", help="the sheet (.png or .pdf)"
+    )
     command.add_argument(
         "--columns", type=int, default=None, metavar="N", help="in a row (default: a sheet of 4 to 3)"
+    )
+    command.add_argument(
+        "--form",
+        choices=("surface", "chips", "flop_strip"),
+        default="surface",
+        help="what stands for a paint: the surface, bands of its colours at 15, 45 and 110°, or the strip of its flop "
+        "(default: surface)",
     )
     add_scene(command, (360, 240))
     add_picture(command, radiance=False, sheet=True)
@@ -47,6 +56,7 @@ def run(options: argparse.Namespace) -> int:
             options.output,
             options.columns,
             settings_of(options),
+            form=None if options.form == "surface" else options.form,
             progress=progress,
         )
     if options.json:
@@ -58,5 +68,6 @@ def run(options: argparse.Namespace) -> int:
             print(f"note: {notice}")
         for problem in made.problems:
             print(f"not drawn: {problem}")
-        print(f"{made.path}: {made.paints} paints, {made.width}×{made.height}")
+        size = f"{made.pages} pages" if made.pages else f"{made.width}×{made.height}"
+        print(f"{made.path}: {made.paints} paints, {size}")
     return 1 if made.problems else 0

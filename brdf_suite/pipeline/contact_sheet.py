@@ -1,37 +1,37 @@
-"""A contact sheet: every paint of a palette or a folder on the same form in the same light, with its figures."""
+"""A contact sheet: every paint of a palette or a folder on the same form in the same light, with its figures.
+
+As PNG one tall picture, as PDF pages of A4.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.appearance.display_space import SRGB_SPACE, DisplaySpace
 from brdf_suite.appearance.flat_colours import paint_of
-from brdf_suite.appearance.flop import flop_index
-from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
-from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint
+from brdf_suite.documents.palette import Palette
+from brdf_suite.documents.store import PAINT_ENDING, load_any_paint
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, SuiteError, ValueRangeError
-from brdf_suite.pipeline.exposure import metered
+from brdf_suite.files.palettes import read_palette
+from brdf_suite.pipeline.contact_sheet_pictures import ItemPictures, SheetItem, caption, item_pictures
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target
 from brdf_suite.pipeline.sheet_text import font_for, shortened
-from brdf_suite.pipeline.still import LoadedScene, loaded_scene
+from brdf_suite.pipeline.swatch_look import Form
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.realtime.display import Display
-
-if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
 
 Size = tuple[int, int]
 MOST_PAINTS = 5000
 MOST_COLUMNS = 40
-ANGLES_DEG = (15.0, 45.0, 110.0)
-_SAME_ANGLE_DEG = 0.5
+PDF_ENDING = ".pdf"
 
 _GREY = 119
 """L* 50, the grey against which paint is judged."""
@@ -40,18 +40,11 @@ _MARGIN = 16
 
 
 @dataclass(frozen=True)
-class SheetItem:
-    """A paint of a sheet, or why there is none; ``group`` is the heading that it stands under."""
-
-    name: str
-    group: str
-    paint: AnyPaint | None
-    problem: str = ""
-
-
-@dataclass(frozen=True)
 class Sheet:
-    """What was written. ``problems`` tell of the paints that could not be drawn, by name."""
+    """What was written. ``problems`` tell of the paints that could not be drawn, by name.
+
+    ``width`` and ``height`` are those of a PNG in pixels; a PDF has ``pages`` instead.
+    """
 
     path: Path
     width: int
@@ -59,10 +52,11 @@ class Sheet:
     paints: int
     problems: tuple[str, ...]
     notices: tuple[str, ...]
+    pages: int = 0
 
 
 def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
-    """Return the title and the paints of a palette file, a paint file, or a folder of paints, by name.
+    """Return the title and the paints of a palette of any format, a paint file, or a folder of paints, by name.
 
     A paint of a folder that cannot be read is an item with its problem.
 
@@ -78,17 +72,25 @@ def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
         if len(files) > MOST_PAINTS:
             raise FileError(source, f"holds {len(files)} paints; a sheet takes {MOST_PAINTS}")
         return source.absolute().name, [_item_of(file) for file in files]
-    if source.suffix.lower() == PALETTE_ENDING:
-        palette = load_palette(source)
-        items = []
-        for group, entries in palette.sections():
-            title = "" if group is None else ", ".join(group.path)
-            items += [SheetItem(paint.name, title, paint) for paint in (paint_of(e.content) for e in entries)]
+    if source.suffix.lower() != PAINT_ENDING:
+        palette = read_palette(source).palette
+        items = palette_items(palette)
         if not items:
             raise FileError(source, "holds no paint")
+        if len(items) > MOST_PAINTS:
+            raise FileError(source, f"holds {len(items):,} paints; a sheet takes {MOST_PAINTS:,}")
         return palette.name, items
     paint = load_any_paint(source)
     return paint.name, [SheetItem(paint.name, "", paint)]
+
+
+def palette_items(palette: Palette) -> list[SheetItem]:
+    """Return the entries of a palette under the headings of their groups; a flat colour counts as a solid paint."""
+    items = []
+    for group, entries in palette.sections():
+        title = "" if group is None else ", ".join(group.path)
+        items += [SheetItem(paint.name, title, paint) for paint in (paint_of(e.content) for e in entries)]
+    return items
 
 
 def _item_of(file: Path) -> SheetItem:
@@ -107,14 +109,10 @@ def write_sheet(
     columns: int | None = None,
     settings: PictureSettings | None = None,
     *,
+    form: Form | None = None,
     progress: Progress | None = None,
 ) -> Sheet:
-    """Draw every paint of ``source`` (:func:`sheet_items`) and write the sheet as PNG, row by row.
-
-    ``cell`` is the size of one picture in pixels. Each has its name, the flop index and L*a*b* at 15, 45 and 110°
-    below it: of a designed paint its readings, of any other what its reflectance gives. Automatic exposure is
-    measured for the first paint, so that all stand in the same light. A paint that cannot be drawn has its reason in
-    the picture's place.
+    """Draw every paint of ``source`` (:func:`sheet_items`) and write the sheet; see :func:`write_sheet_of`.
 
     Raises
     ------
@@ -123,36 +121,118 @@ def write_sheet(
     Cancelled
         The progress callback asked for it; the old file stays.
     """
+    _check(path, columns, settings or PictureSettings())
+    title, items = sheet_items(source)
+    return write_sheet_of(title, items, view, cell, path, columns, settings, form=form, progress=progress)
+
+
+def write_sheet_of(
+    title: str,
+    items: Sequence[SheetItem],
+    view: View,
+    cell: Size,
+    path: Path,
+    columns: int | None = None,
+    settings: PictureSettings | None = None,
+    *,
+    form: Form | None = None,
+    progress: Progress | None = None,
+) -> Sheet:
+    """Draw paints and write the sheet: as PNG, row by row, or where ``path`` ends in .pdf as pages of A4.
+
+    ``cell`` is the size of one picture in pixels. Each has its name, the flop index and L*a*b* at 15, 45 and 110°
+    below it: of a designed paint its readings, of any other what its reflectance gives. Automatic exposure is
+    measured for the first paint, so that all stand in the same light. A paint that cannot be drawn has its reason in
+    the picture's place. ``form``, ``chips`` or ``flop_strip``, shows the colours themselves instead of the surface.
+    Errors as :func:`write_sheet`.
+    """
+    settings = settings or PictureSettings()
+    space = _check(path, columns, settings)
+    if not items:
+        raise FileError(path, "there is no paint to draw")
+    subtitle = _subtitle(view, form)
+    if path.suffix.lower() == PDF_ENDING:
+        return _write_pdf(title, subtitle, items, view, cell, path, columns, settings, form, progress)
     from brdf_suite.files.images import write_png_strips
 
-    settings = settings or PictureSettings()
-    if path.suffix.lower() != ".png" or settings.bits not in (None, 8):
-        raise FileError(path, "sheets are written as PNG of 8 bits; give a name that ends in .png")
-    _, space = settings.of_file(path)
-    check_target(path)
-    if columns is not None and not 1 <= columns <= MOST_COLUMNS:
-        raise ValueRangeError("columns", f"1 to {MOST_COLUMNS} stand in a row, not {columns}")
-    title, items = sheet_items(source)
     columns = min(len(items), columns or max(1, round(math.sqrt(len(items) * cell[1] * 1.3 / cell[0]))))
-    layout = _Layout.of(title, _subtitle(view), items, cell, columns)
+    layout = _Layout.of(title, subtitle, items, cell, columns)
     problems: list[str] = []
-    with loaded_scene(view, part(progress, 0.0, 0.2)) as loaded:
-        painter = _Painter(loaded, view, settings, Display(space), layout, problems)
+    with item_pictures(view, cell, settings, Display(space), form, part(progress, 0.0, 0.2)) as pictures:
+        painter = _Painter(pictures, layout, problems)
         rows = painter.strips(part(progress, 0.2, 1.0))
         metadata = {
             "Software": "BRDF Suite",
             "Title": title,
-            "Description": f"{len(items)} paints, {_subtitle(view)}",
+            "Description": f"{len(items)} paints, {subtitle}",
         }
         write_png_strips(path, layout.size, rows, metadata, space)
-        notices = (*loaded.prepared.environment.notes, *loaded.mesh.notes)
+        notices = pictures.notices
     report(progress, 1.0, "written")
-    if layout.missing:
-        notices = (*notices, f"no font of this system has the letters {layout.missing}")
-    return Sheet(path, *layout.size, len(items), tuple(problems), notices)
+    return Sheet(path, *layout.size, len(items), tuple(problems), _with_missing(notices, layout.missing))
 
 
-def _subtitle(view: View) -> str:
+def _write_pdf(
+    title: str,
+    subtitle: str,
+    items: Sequence[SheetItem],
+    view: View,
+    cell: Size,
+    path: Path,
+    columns: int | None,
+    settings: PictureSettings,
+    form: Form | None,
+    progress: Progress | None,
+) -> Sheet:
+    # With the writer of pages, which pictures do not need.
+    from brdf_suite.documents.atomic import write_atomically
+    from brdf_suite.pipeline.contact_sheet_pdf import DEFAULT_COLUMNS, pdf_sheet
+
+    problems: list[str] = []
+    with item_pictures(view, cell, settings, Display(), form, part(progress, 0.0, 0.2)) as pictures:
+        data, pages, missing = pdf_sheet(
+            title,
+            subtitle,
+            items,
+            cell,
+            columns or DEFAULT_COLUMNS,
+            pictures.draw,
+            problems,
+            part(progress, 0.2, 1.0),
+        )
+        notices = pictures.notices
+    write_atomically(path, data)
+    report(progress, 1.0, "written")
+    return Sheet(path, 0, 0, len(items), tuple(problems), _with_missing(notices, missing), pages)
+
+
+def _check(path: Path, columns: int | None, settings: PictureSettings) -> DisplaySpace:
+    """Refuse what cannot be written before anything is read or drawn; return the colours of the file."""
+    ending = path.suffix.lower()
+    if ending not in (".png", PDF_ENDING) or settings.bits not in (None, 8):
+        raise FileError(
+            path, "sheets are written as PNG of 8 bits or as PDF; give a name that ends in .png or .pdf"
+        )
+    if columns is not None and not 1 <= columns <= MOST_COLUMNS:
+        raise ValueRangeError("columns", f"1 to {MOST_COLUMNS} stand in a row, not {columns}")
+    if ending == PDF_ENDING:
+        if settings.colour_space not in (None, "srgb"):
+            raise FileError(path, "a PDF has pictures in sRGB; leave the colour space out")
+        check_target(path)
+        return SRGB_SPACE
+    _, space = settings.of_file(path)
+    check_target(path)
+    return space
+
+
+def _with_missing(notices: tuple[str, ...], missing: str) -> tuple[str, ...]:
+    return (*notices, f"no font of this system has the letters {missing}") if missing else notices
+
+
+def _subtitle(view: View, form: Form | None) -> str:
+    if form in ("chips", "flop_strip"):
+        shown = "colours at 15, 45 and 110°" if form == "chips" else "colours from 15 to 110°"
+        return f"{shown}; L*a*b* D65, 10°, light at 45°"
     measured = " from what is measured at the first" if view.exposure_mode == "automatic" else ""
     return (
         f"{Path(view.surface).stem} in {Path(view.environment).stem}, {view.exposure_ev:+g} EV{measured}, "
@@ -240,18 +320,8 @@ _FIGURES = "flop L*a*b* 0123456789.,-+°: ()"
 class _Painter:
     """Draws the sheet's strips; one paint after the other is shown in the one scene."""
 
-    def __init__(
-        self,
-        loaded: LoadedScene,
-        view: View,
-        settings: PictureSettings,
-        display: Display,
-        layout: _Layout,
-        problems: list[str],
-    ) -> None:
-        self._loaded, self._settings, self._display = loaded, settings, display
-        self._layout, self._problems = layout, problems
-        self._view = replace(loaded.composed(view, layout.cell), clipping_marks=False, gamut_marks=False)
+    def __init__(self, pictures: ItemPictures, layout: _Layout, problems: list[str]) -> None:
+        self._pictures, self._layout, self._problems = pictures, layout, problems
         self._done = 0
 
     def strips(self, progress: Progress | None) -> Iterator[NDArray[np.uint8]]:
@@ -299,18 +369,8 @@ class _Painter:
         """Put the paint's picture into the sheet and return the lines below its name."""
         from PIL import Image
 
-        from brdf_suite.pipeline.any_fit import fit_document
-
         try:
-            if item.paint is None:
-                raise SuiteError(f"{item.name}: {item.problem}")
-            fit = fit_document(item.paint)
-            self._loaded.scene.set_paint_fit(fit)
-            renderer = self._loaded.scene.renderer
-            self._view = metered(renderer, self._view, self._layout.cell)
-            pixels = renderer.render_image(
-                self._view, self._layout.cell, self._settings.samples, display=self._display
-            )
+            pixels, lines = self._pictures.draw(item)
         except SuiteError as error:
             self._problems.append(str(error))
             return [
@@ -318,34 +378,7 @@ class _Painter:
                 *_wrapped(str(error), self._layout.fonts["text"], self._layout.cell[0], 3),
             ]
         image.paste(Image.fromarray(pixels), (left, 0))
-        return caption(fit)
-
-
-def caption(fit: AnyFit) -> list[str]:
-    """Return the flop index and L*a*b* at 15, 45 and 110° with the light at 45°, as lines of text."""
-    found = _readings(fit)
-    lines = []
-    if len(found) == len(ANGLES_DEG):
-        index = flop_index(*(found[angle][0] for angle in ANGLES_DEG))
-        lines.append("flop -" if math.isnan(index.value) else f"flop {index.value:.1f}")
-    for angle, (lightness, a, b) in found.items():
-        # A minus that every font has.
-        lines.append(f"{angle:g}°: L* {lightness:.1f}  a* {a:.1f}  b* {b:.1f}")
-    return lines
-
-
-def _readings(fit: AnyFit) -> dict[float, tuple[float, float, float]]:
-    if fit.paint_fit is not None:
-        measured = [(m.illumination_deg, m.aspecular_deg, m.lab) for m in fit.paint_fit.paint.measurements]
-    else:
-        measured = [(angle.illumination_deg, angle.aspecular_deg, angle.lab) for angle in fit.angles]
-    found = {}
-    for wanted in ANGLES_DEG:
-        for light, aspecular, lab in measured:
-            if abs(light - 45.0) < _SAME_ANGLE_DEG and abs(aspecular - wanted) < _SAME_ANGLE_DEG:
-                found[wanted] = lab
-                break
-    return found
+        return lines
 
 
 def _wrapped(text: str, font: Any, width: int, lines: int) -> list[str]:
@@ -360,4 +393,13 @@ def _wrapped(text: str, font: Any, width: int, lines: int) -> list[str]:
     return [shortened(line, font, width) for line in wrapped]
 
 
-__all__ = ["MOST_COLUMNS", "Sheet", "SheetItem", "caption", "sheet_items", "write_sheet"]
+__all__ = [
+    "MOST_COLUMNS",
+    "Sheet",
+    "SheetItem",
+    "caption",
+    "palette_items",
+    "sheet_items",
+    "write_sheet",
+    "write_sheet_of",
+]

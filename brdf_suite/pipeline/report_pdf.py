@@ -10,7 +10,6 @@ from __future__ import annotations
 import io
 import json
 import textwrap
-from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +17,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.exports import json_document
 from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike
 from brdf_suite.files.measured.bounded_reading import read_bytes
+from brdf_suite.pipeline.pdf_pen import Pen
 from brdf_suite.pipeline.report import Report, ReportOptions, report_losses, write_report
 from brdf_suite.pipeline.report_html import HEADINGS, cells, conventions, standard_cells, standard_headings
 from brdf_suite.pipeline.report_plots import GRID, INK, SOFT, STYLES, Line, Mark, Plot, plots_of
@@ -56,7 +56,7 @@ def sheet(made: Report) -> tuple[bytes, tuple[str, ...]]:
     canvas.setTitle(made.title)
     canvas.setCreator("BRDF Suite")
     canvas.setSubject("Paint report")
-    pen = _Pen(canvas)
+    pen = Pen(canvas, _HEIGHT)
     _Page(made, pen).draw()
     _attach(
         canvas, json.dumps(json_document.document([made.subject]), allow_nan=False).encode("ascii") + b"\n"
@@ -91,123 +91,10 @@ def _attach(canvas: Canvas, content: bytes) -> None:
     document.Catalog.Names = document.Reference(tree)
 
 
-class _Pen:
-    """Draws with y down from the upper edge, and finds a font for every letter; ``missing`` are those without."""
-
-    def __init__(self, canvas: Canvas) -> None:
-        self.canvas = canvas
-        self.missing = ""
-        self._fonts: dict[str, str] = {}
-
-    def text(
-        self,
-        x: float,
-        y: float,
-        text: str,
-        size: float,
-        *,
-        anchor: str = "start",
-        colour: str = INK,
-        bold: bool = False,
-        italic: bool = False,
-    ) -> None:
-        """Draw a text whose baseline is at ``y``."""
-        runs = list(self._runs(text, bold, italic))
-        width = sum(self.canvas.stringWidth(run, font, size) for run, font in runs)
-        x -= {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor] * width
-        self.canvas.setFillColor(colour)
-        for run, font in runs:
-            self.canvas.setFont(font, size)
-            self.canvas.drawString(x, _HEIGHT - y, run)
-            x += self.canvas.stringWidth(run, font, size)
-
-    def width(self, text: str, size: float, *, bold: bool = False) -> float:
-        """Return the width of a text."""
-        return float(
-            sum(self.canvas.stringWidth(run, font, size) for run, font in self._runs(text, bold, False))
-        )
-
-    def shortened(self, text: str, size: float, room: float, *, bold: bool = False) -> str:
-        """Return as much of a text as fits, with three dots where it is cut."""
-        while text and self.width(text, size, bold=bold) > room:
-            text = text.removesuffix("…")[:-1].rstrip() + "…"
-        return text
-
-    def rectangle(self, x: float, y: float, width: float, height: float, colour: str) -> None:
-        """Fill a rectangle whose upper left corner is at ``x``, ``y``."""
-        self.canvas.setFillColor(colour)
-        self.canvas.rect(x, _HEIGHT - y - height, width, height, stroke=0, fill=1)
-
-    def line(self, stroke: Line, x: float = 0.0, y: float = 0.0) -> None:
-        """Draw a line, moved by ``x``, ``y``."""
-        self.canvas.setStrokeColor(stroke.colour)
-        self.canvas.setLineWidth(stroke.width)
-        self.canvas.setDash(*((list(stroke.dashes),) if stroke.dashes else ([], 0)))
-        path = self.canvas.beginPath()
-        for index, (px, py) in enumerate(stroke.points):
-            (path.lineTo if index else path.moveTo)(x + px, _HEIGHT - y - py)
-        self.canvas.drawPath(path)
-
-    def mark(self, mark: Mark, x: float, y: float) -> None:
-        """Draw a reading, moved by ``x``, ``y``."""
-        self.canvas.setDash([], 0)
-        if mark.filled:
-            self.canvas.setFillColor(mark.colour)
-            self.canvas.circle(x + mark.x, _HEIGHT - y - mark.y, 2.2, stroke=0, fill=1)
-            return
-        self.canvas.setFillColor("#ffffff")
-        self.canvas.setStrokeColor(mark.colour)
-        self.canvas.setLineWidth(1.0)
-        self.canvas.rect(x + mark.x - 2.2, _HEIGHT - y - mark.y - 2.2, 4.4, 4.4, stroke=1, fill=1)
-
-    def _runs(self, text: str, bold: bool, italic: bool) -> Iterator[tuple[str, str]]:
-        """Yield stretches of a text and the font that has all their letters."""
-        plain = "Helvetica-Bold" if bold else "Helvetica-Oblique" if italic else "Helvetica"
-        run, font = "", plain
-        for letter in text:
-            found = self._font_of(letter, plain)
-            if found != font and run:
-                yield run, font
-                run = ""
-            run, font = run + (letter if found else "?"), found or plain
-        if run:
-            yield run, font
-
-    def _font_of(self, letter: str, plain: str) -> str:
-        """The font of a letter; empty where none has it."""
-        try:
-            letter.encode("cp1252")
-        except UnicodeEncodeError:
-            pass
-        else:
-            return plain
-        if letter not in self._fonts:
-            self._fonts[letter] = "Symbol" if letter in "Δαγθ" else self._embedded(letter)
-            if not self._fonts[letter] and letter not in self.missing:
-                self.missing += letter
-        return self._fonts[letter]
-
-    def _embedded(self, letter: str) -> str:
-        from reportlab.pdfbase import pdfmetrics
-        from reportlab.pdfbase.ttfonts import TTFError, TTFont
-
-        from brdf_suite.pipeline.sheet_text import font_for
-
-        font, missing = font_for([letter], 12)
-        if missing or not isinstance(font.path, str):
-            return ""
-        try:
-            if font.path not in pdfmetrics.getRegisteredFontNames():
-                pdfmetrics.registerFont(TTFont(font.path, font.path))
-        except TTFError:  # outlines of a kind that cannot be embedded
-            return ""
-        return font.path
-
-
 class _Page:
     """Lays the report out from the top of the page downwards."""
 
-    def __init__(self, made: Report, pen: _Pen) -> None:
+    def __init__(self, made: Report, pen: Pen) -> None:
         self.made, self.pen = made, pen
         self.left, self.right = _MARGIN, _WIDTH - _MARGIN
         self.room = self.right - self.left

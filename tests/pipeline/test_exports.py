@@ -24,12 +24,19 @@ from brdf_suite.documents.view_settings import Lamp, SurfaceLook
 from brdf_suite.errors import Cancelled, FileError, SuiteError, ValueRangeError
 from brdf_suite.pipeline import sheet_text, video
 from brdf_suite.pipeline.any_fit import fit_any
-from brdf_suite.pipeline.contact_sheet import caption, sheet_items, write_sheet
+from brdf_suite.pipeline.contact_sheet import (
+    SheetItem,
+    caption,
+    sheet_items,
+    write_sheet,
+)
+from brdf_suite.pipeline.contact_sheet_pictures import item_pictures
 from brdf_suite.pipeline.picture_file import PictureSettings
 from brdf_suite.pipeline.still import render_to_file
 from brdf_suite.pipeline.turning import turned
 from brdf_suite.pipeline.turntable import Turn, framed_all_round, write_turntable
 from brdf_suite.realtime.camera import Bounds, matrices
+from brdf_suite.realtime.display import Display
 from brdf_suite.realtime.tone_curves import to_display
 
 VIEW = View(Camera(azimuth_deg=30.0, elevation_deg=15.0), surface="sphere", background="grey")
@@ -315,12 +322,56 @@ def test_a_sheet_of_a_folder_tells_of_what_cannot_be_read(tmp_path: Path) -> Non
         sheet_items(empty)
 
 
+def test_a_sheet_as_pages(tmp_path: Path) -> None:
+    from pypdf import PdfReader
+
+    source, path = tmp_path / "a.brdfpalette", tmp_path / "sheet.pdf"
+    more = tuple(Entry(replace(BLUE, name=f"Blau {index}"), group=("Viele",)) for index in range(9))
+    save_palette(replace(palette(), entries=(*palette().entries, *more)), source)
+    made = write_sheet(source, VIEW, (60, 40), path, 3, form="chips")
+    assert (made.paints, made.pages, made.width) == (12, 2, 0)
+    # A chip shows a reading, and needs no paint that has it.
+    assert [problem.split(":")[0] for problem in made.problems] == ["Impossible"]
+    pages = PdfReader(path).pages
+    assert len(pages) == 2
+    texts = [page.extract_text() for page in pages]
+    assert "Summer" in texts[0]
+    assert "Blues" in texts[0]
+    for index in range(9):
+        assert sum(f"Blau {index}" in text for text in texts) == 1
+    assert "could not be drawn" in texts[0]
+    first = next(iter(pages[0].images)).image
+    assert first.size == (60, 40)
+    drawn = write_sheet(source, VIEW, (40, 30), tmp_path / "drawn.pdf")
+    # Pictures of one paint under several names are kept once.
+    assert sum(len(page.images) for page in PdfReader(drawn.path).pages) >= 2
+
+
+def test_paints_of_a_sheet_are_drawn_as_each_alone() -> None:
+    items = [SheetItem(paint.name, "", paint) for paint in (WHITE, BLUE)]
+    pictures = []
+    for order in (items, items[::-1]):
+        # The first is drawn as any picture is, the others from what was kept of the surface.
+        with item_pictures(VIEW, (40, 30), PictureSettings(), Display(), None) as drawing:
+            pictures.append({item.name: drawing.draw(item)[0].astype(int) for item in order})
+    for item in items:
+        assert np.abs(pictures[0][item.name] - pictures[1][item.name]).max() <= 1
+    assert np.abs(pictures[0][WHITE.name] - pictures[0][BLUE.name]).max() > 50
+
+
+def test_a_sheet_takes_palettes_of_other_programs(shared_data: Path) -> None:
+    title, items = sheet_items(shared_data / "palettes" / "ase" / "nord.ase")
+    assert title
+    assert len(items) > 10
+    assert all(item.paint is not None and item.name for item in items)
+
+
 def test_a_cancelled_sheet_leaves_nothing(tmp_path: Path) -> None:
     source = tmp_path / "a.brdfpalette"
     save_palette(palette(), source)
     with pytest.raises(Cancelled):
         write_sheet(source, VIEW, (40, 30), tmp_path / "sheet.png", progress=stop_at(0.5))
-    with pytest.raises(FileError, match="PNG of 8 bits"):
+    with pytest.raises(FileError, match="PNG of 8 bits or as PDF"):
         write_sheet(source, VIEW, (40, 30), tmp_path / "sheet.exr")
     with pytest.raises(ValueRangeError, match="columns"):
         write_sheet(source, VIEW, (40, 30), tmp_path / "sheet.png", 0)
