@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from brdf_qt.icons import icon
 from brdf_qt.translation import tr
-from PySide6.QtCore import QPoint, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QDropEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -76,6 +76,15 @@ class _Rows(QTreeWidget):
     key_pressed = Signal(str)
     dropped = Signal(str, int)
 
+    def event(self, event: QEvent) -> bool:
+        """Keep the legend's keys from commands of the window that have the same one, as Space has."""
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            plain = event.modifiers() in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier)
+            if plain and Qt.Key(event.key()) in _KEYS:
+                event.accept()
+                return True
+        return super().event(event)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         modifiers = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         key = Qt.Key(event.key())
@@ -139,7 +148,7 @@ class Legend(QWidget):
         box.setSpacing(4)
         box.addLayout(self._head())
         box.addWidget(self.pages, 1)
-        self.setMinimumWidth(260)
+        self.setMinimumWidth(200)
 
     def show_rows(self, rows: Sequence[LegendRow], front: str) -> None:
         """Show these rows, of which that of key ``front`` is selected."""
@@ -172,7 +181,7 @@ class Legend(QWidget):
                 self.rows.editItem(self.rows.topLevelItem(place), TITLE)
 
     def sizeHint(self) -> QSize:
-        return QSize(300, 240)
+        return QSize(270, 240)
 
     def _build_rows(self) -> None:
         rows = self.rows

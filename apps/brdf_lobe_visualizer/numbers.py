@@ -146,7 +146,7 @@ class Numbers(QObject):
         window.add_command(
             "edit",
             mark("&Copy Figures"),
-            "Ctrl+Shift+C",
+            "Ctrl+Shift+N",
             self.copy,
             icon="copy",
             tip=mark("Copy the table shown"),

@@ -6,11 +6,13 @@ from brdf_qt.choice_button import ChoiceButton
 from brdf_qt.settings import settings
 from brdf_qt.translation import tr
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QSplitter, QVBoxLayout, QWidget
 
 _SHOWN_KEY = "lobes/plots"
 _FIRST = 3
 """So many of the plots are shown at a first start."""
+_UNBOUND = 16_777_215
+"""The height that Qt takes for no limit (QWIDGETSIZE_MAX)."""
 
 
 class PlotRow(QWidget):
@@ -38,7 +40,15 @@ class PlotRow(QWidget):
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(4)
         box.addLayout(self._head)
-        box.addWidget(self._split, 1)
+        # Where there is no room for the least that all of them need, they are scrolled and do not lie over one another.
+        self._scroll = scroll = QScrollArea()
+        scroll.setObjectName("plots_scroll")
+        scroll.setFrameShape(QScrollArea.Shape.NoFrame)
+        scroll.setWidgetResizable(True)
+        scroll.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        scroll.setWidget(self._split)
+        box.addWidget(scroll, 1)
         self.hide()
 
     @property
@@ -59,6 +69,7 @@ class PlotRow(QWidget):
         self._split.setStretchFactor(self._split.count() - 1, 1)
         plot.setVisible(first)
         self._plots[key], self._buttons[key] = plot, button
+        self._show_any()
         self.show()
 
     def shown(self) -> tuple[str, ...]:
@@ -69,11 +80,17 @@ class PlotRow(QWidget):
         """Give all plots the same width: one that has just come would otherwise have what its least is."""
         self._split.setSizes([10_000] * self._split.count())
 
+    def _show_any(self) -> None:
+        """Leave the room to the view above where no plot is chosen."""
+        some = bool(self.shown())
+        self._scroll.setVisible(some)
+        self.setMaximumHeight(_UNBOUND if some else self._head.sizeHint().height())
+
     def set_shown(self, key: str, shown: bool, *, remember: bool = True) -> None:
         """Show or hide a plot, and remember it, unless it is for this run alone."""
         self._buttons[key].setChecked(shown)
         self._plots[key].setVisible(shown)
-        self._split.setVisible(bool(self.shown()))
+        self._show_any()
         self.even()
         if remember:
             settings().setValue(_SHOWN_KEY, " ".join(self.shown()))

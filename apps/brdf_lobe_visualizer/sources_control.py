@@ -16,7 +16,7 @@ from PySide6.QtCore import QObject, Signal
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.late_progress import LateProgress
 from brdf_lobe_visualizer.sources import ENTRY_MARK, Opened, open_source
-from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, Subject
+from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, Dash, Srgb, Subject
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.progress import Progress
 
@@ -56,6 +56,7 @@ class Sources(QObject):
         self._numbers = count(1)
         self._waiting: dict[str, str] = {}
         self._turn: dict[str, int] = {}
+        self._lines: dict[int, tuple[Srgb, Dash]] = {}
 
     @property
     def busy(self) -> bool:
@@ -71,6 +72,8 @@ class Sources(QObject):
         turn = next(self._numbers)
         job = f"open {turn}"
         self._waiting[job] = name
+        # Chosen now, so that lines follow the order of what was asked for and not that of what was read first.
+        self._lines[turn] = self.next_line()
         shown = Path(name.partition(ENTRY_MARK)[0]).name
         text = tr("Reading {name}").format(name=shown)
         moved = self._progress.begin(job, text, lambda: self._cancelled(job))
@@ -102,7 +105,7 @@ class Sources(QObject):
         file that is read for longer keeps its place.
         """
         key = f"subject {next(self._numbers)}"
-        colour, dash = self.next_line()
+        colour, dash = self._lines.pop(turn, None) or self.next_line()
         subjects = list(self._desk.subjects)
         place = len(subjects)
         if turn is not None:
@@ -113,9 +116,9 @@ class Sources(QObject):
         self._desk.set_subjects(subjects)
         return key
 
-    def next_line(self) -> tuple[tuple[float, float, float], str]:
+    def next_line(self) -> tuple[Srgb, Dash]:
         """Return colour and dash that the fewest subjects have: each colour with a dash of its own first."""
-        used = [(s.colour, s.dash) for s in self._desk.subjects]
+        used = [(s.colour, s.dash) for s in self._desk.subjects] + list(self._lines.values())
         lines = [
             (colour, DASHES[(place + turn) % len(DASHES)])
             for turn in range(len(DASHES))
@@ -185,6 +188,7 @@ class Sources(QObject):
 
     def _look_idle(self) -> None:
         if not self._waiting:
+            self._lines.clear()
             self.idle.emit()
 
     def _ended(self, job: str) -> None:
