@@ -16,7 +16,7 @@ from moderngl import Context
 
 from brdf_suite.errors import GraphicsError
 
-__all__ = ["Context", "adopt_context", "create_context", "graphics_errors"]
+__all__ = ["Context", "adopt_context", "create_context", "draws_in_software", "graphics_errors"]
 
 REQUIRED_VERSION = 330
 
@@ -25,6 +25,8 @@ _HINT = {
     "win32": "Install the graphics driver of the machine",
     "darwin": "OpenGL 3.3 needs a graphical login session on macOS",
 }
+
+_SOFTWARE = ("llvmpipe", "softpipe", "swiftshader", "software rasterizer")
 
 
 def create_context() -> moderngl.Context:
@@ -97,6 +99,12 @@ class _Loader:
 
     def __exit__(self, *_: object) -> None:
         """Nothing was made current."""
+
+
+def draws_in_software(context: moderngl.Context) -> bool:
+    """Tell whether processors draw what a graphics card would, by the renderer's name; the context is current."""
+    name = str(context.info.get("GL_RENDERER", "")).lower()
+    return any(known in name for known in _SOFTWARE)
 
 
 def _checked(context: moderngl.Context) -> moderngl.Context:

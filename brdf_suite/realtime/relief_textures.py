@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.camera import Bounds
+from brdf_suite.realtime.context import draws_in_software
 from brdf_suite.realtime.gpu_objects import GpuObjects
 from brdf_suite.realtime.programs import RELIEF_UNITS, Features
 from brdf_suite.realtime.relief_values import MaskImage, PeelTile, SlopeMap
@@ -126,7 +127,9 @@ class ReliefTextures:
         made.write(np.ascontiguousarray(pixels).tobytes())
         made.build_mipmaps()
         made.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
-        made.anisotropy = _ANISOTROPY
+        # In software it is summed texel by texel over a pixel's whole ellipse, however many tiles that covers: one
+        # frame took a hundred times as long. What a coarser level hides widens the lobes all the same.
+        made.anisotropy = 1.0 if draws_in_software(self._objects.context) else _ANISOTROPY
         self._objects.counters.texture_uploads += 1
         return made
 

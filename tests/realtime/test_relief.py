@@ -13,8 +13,11 @@ from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Relief, SurfaceLook, TwoTone
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.realtime import relief_textures
 from brdf_suite.realtime.camera import Bounds
-from brdf_suite.realtime.relief_textures import mask_coordinates
+from brdf_suite.realtime.context import Context, draws_in_software
+from brdf_suite.realtime.gpu_objects import GpuObjects
+from brdf_suite.realtime.relief_textures import ReliefTextures, mask_coordinates
 from brdf_suite.realtime.relief_values import MaskImage, PeelTile, SlopeMap
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.values import MeshPart
@@ -254,3 +257,26 @@ def test_textures_are_given_back(renderer: Renderer) -> None:
 def test_what_is_no_image_is_refused(make: Callable[[], object], words: str) -> None:
     with pytest.raises(ValueRangeError, match=words):
         make()
+
+
+@pytest.mark.parametrize(
+    ("name", "anisotropy"),
+    [("llvmpipe (LLVM 15.0.6, 256 bits)", 1.0), ("SwiftShader Device", 1.0), ("NVIDIA H100/PCIe/SSE2", 8.0)],
+)
+def test_in_software_no_texture_is_filtered_along_a_pixels_length(
+    context: Context, monkeypatch: pytest.MonkeyPatch, name: str, anisotropy: float
+) -> None:
+    monkeypatch.setattr(relief_textures, "draws_in_software", lambda _: draws_in_software(Named(name)))
+    objects = GpuObjects(context)
+    textures = ReliefTextures(objects)
+    textures.set_normal_map(constant_slope(0.1, 0.0))
+    (made,) = objects._live.values()
+    assert made.anisotropy == min(anisotropy, context.max_anisotropy)
+    textures.release()
+
+
+class Named:
+    """Stands for a context of this renderer."""
+
+    def __init__(self, name: str) -> None:
+        self.info = {"GL_RENDERER": name}
