@@ -27,6 +27,9 @@ from brdf_suite.pipeline.scene import default_paint_name
 
 _FOLDER_KEY = "folder/open"
 _ENDINGS = (
+    "*.brdfpaint *.brdfpalette *.brdftable *.binary *.bsdf *.brdf *.dat *.bin *.json *.astm *.alta *.txt "
+    "*.ase *.aco *.acb *.act *.gpl *.kpl *.sbz *.soc *.cxf *.pal *.csv *.css"
+)
     "*.brdfpaint *.brdfpalette *.brdftable *.binary *.bsdf *.brdf *.dat *.bin *.json *.astm *.alta *.txt"
 )
 

@@ -20,7 +20,7 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
-    from brdf_suite.documents.palette import Entry
+    from brdf_suite.documents.palette import Entry, Palette
     from brdf_suite.documents.store import AnyPaint
 
 MOST_AT_ONCE = 8
@@ -78,13 +78,13 @@ def open_source(asked: str, progress: Progress | None = None) -> Opened:
         from brdf_suite.documents.store import load_any_paint
 
         return _one(_of_paint(load_any_paint(asked), asked))
-    return _one(_measured(asked, progress))
+    return _foreign(asked, progress)
 
 
 def kind_of(path: str) -> Kind:
     """Return what a file is, by its content; raise :class:`FileError` where it cannot be read.
 
-    What is neither a paint nor a palette is taken for measured data, whose reader says what it cannot read.
+    What is no document of ours is taken for measured data, or for another program's palette where it is none.
     """
     try:
         with Path(path).open("rb") as stream:
@@ -118,15 +118,52 @@ def _of_paint(paint: AnyPaint, origin: str) -> Subject:
     return _described(Subject("", paint.name, reflectance, paint=paint, notes=notes, origin=origin))
 
 
+def _foreign(path: str, progress: Progress | None) -> Opened:
+    """Read a file that is no document of ours: measured data, else a palette of another program."""
+    from brdf_suite.files.measured.registry import sniff
+
+    try:
+        sniff(path)
+    except FileError as no_measurement:
+        return _foreign_palette(path, no_measurement, progress)
+    return _one(_measured(path, progress))
+
+
+def _foreign_palette(path: str, no_measurement: FileError, progress: Progress | None) -> Opened:
+    from brdf_suite.files.palettes import FORMATS, read_palette
+    from brdf_suite.files.palettes.registry import sniff
+
+    try:
+        sniff(Path(path).read_bytes(), path)
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    except FileError:
+        titles = ", ".join(known.title for known in FORMATS)
+        reason = f"{no_measurement.reason}, and no palette that is known here ({titles})"
+        raise FileError(path, reason, no_measurement.place) from no_measurement
+    read = read_palette(path)
+    return _shown_of_palette(read.palette, path, None, progress)
+
+
 def _of_palette(path: str, entry_id: str | None, progress: Progress | None) -> Opened:
+    if kind_of(path) != "palette":
+        from brdf_suite.files.palettes import read_palette
+
+        return _shown_of_palette(read_palette(path).palette, path, entry_id, progress)
     from brdf_suite.documents.palette_store import load_palette
 
-    palette = load_palette(path)
-    entries = tuple((entry.name, f"{path}{ENTRY_MARK}{entry.id}") for entry in palette)
+    return _shown_of_palette(load_palette(path), path, entry_id, progress)
+
+
+def _shown_of_palette(palette: Palette, path: str, entry_id: str | None, progress: Progress | None) -> Opened:
+    """Return the entry of an id, or the first of a palette."""
+    entries = tuple((entry.name or entry.id, f"{path}{ENTRY_MARK}{entry.id}") for entry in palette)
     if entry_id is not None:
         if entry_id not in palette.by_id:
             raise FileError(path, f"has no entry {entry_id!r}")
         return _one(_of_entry(palette.entry(entry_id), f"{path}{ENTRY_MARK}{entry_id}"))
+    if not len(palette):
+        raise FileError(path, "is a palette without a paint")
     subjects, notes = [], []
     for place, entry in enumerate(palette):
         if len(subjects) == MOST_AT_ONCE:
@@ -136,8 +173,6 @@ def _of_palette(path: str, entry_id: str | None, progress: Progress | None) -> O
             subjects.append(_of_entry(entry, entries[place][1]))
         except SuiteError as error:
             notes.append(str(error))
-    if not len(palette):
-        raise FileError(path, "is a palette without a paint")
     return Opened(tuple(subjects), palette.name, entries, tuple(notes))
 
 
@@ -198,7 +233,9 @@ def _noted(subject: Subject) -> Subject:
     if known.size and not known.any():
         notes.append("It reflects nothing in any direction that was looked at.")
     elif known.size and float(np.mean(known.max(axis=-1) > 0.0)) < _SPIKE:
-        notes.append("It reflects into one narrow lobe and nowhere else; a view that misses the lobe is dark.")
+        notes.append(
+            "It reflects into one narrow lobe and nowhere else; a view that misses the lobe is dark."
+        )
     return replace(subject, notes=tuple(notes))
 
 

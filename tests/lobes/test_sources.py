@@ -106,6 +106,17 @@ def test_a_palette_shows_its_first_paints_and_lists_them_all(tmp_path) -> None:
     assert only(origin).title == name
 
 
+@pytest.mark.parametrize("file", ["ase/nord.ase", "aco/nord.aco", "gpl/base16.gpl"])
+def test_palettes_of_other_programs_are_solid_paints(shared_data, tmp_path, file) -> None:
+    renamed = tmp_path / "colours"
+    shutil.copy(shared_data / "palettes" / file, renamed)
+    found = open_source(str(renamed))
+    assert len(found.entries) > len(found.subjects) == MOST_AT_ONCE
+    assert "flat colour" in found.subjects[0].notes[0]
+    name, origin = found.entries[-1]
+    assert only(origin).title == name
+
+
 def test_nothing_and_a_narrow_lobe_are_told(tmp_path) -> None:
     path = tmp_path / "black.brdftable"
     write_measured(IsotropicTable.from_reflectance(Lambertian((0.0, 0.0, 0.0)), HalfAngleGrid(4, 4, 8)), path)
