@@ -30,8 +30,6 @@ _ENDINGS = (
     "*.brdfpaint *.brdfpalette *.brdftable *.binary *.bsdf *.brdf *.dat *.bin *.json *.astm *.alta *.txt "
     "*.ase *.aco *.acb *.act *.gpl *.kpl *.sbz *.soc *.cxf *.pal *.csv *.css"
 )
-    "*.brdfpaint *.brdfpalette *.brdftable *.binary *.bsdf *.brdf *.dat *.bin *.json *.astm *.alta *.txt"
-)
 
 AskFiles = Callable[[LobeWindow, str, str], Sequence[str]]
 """``(window, folder, filters) -> paths``: asks which files to open; tests answer for the user."""
