@@ -26,6 +26,8 @@ def main() -> int:
     # Hundreds of tests start programs; each would compile every module again where no bytecode may be kept.
     environment.pop("PYTHONDONTWRITEBYTECODE", None)
     environment["PYTHONPYCACHEPREFIX"] = str(ROOT / ".venv" / "bytecode")
+    # A worker has a core: threads of linear algebra would wait for each other in a loop, a quarter of all time.
+    environment.setdefault("OPENBLAS_NUM_THREADS", "1")
     pytest = [python, "-m", "pytest"]
     if sys.argv[1:]:
         runs = [[*pytest, *sys.argv[1:]]]

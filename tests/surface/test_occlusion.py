@@ -69,6 +69,11 @@ def ball_on_a_sheet() -> BakedMesh:
     return bake(Mesh("ball", (*ball.parts, sheet)))
 
 
+@pytest.fixture(scope="module")
+def ball_alone() -> BakedMesh:
+    return bake(sphere())
+
+
 def test_a_sheet_under_a_ball(ball_on_a_sheet: BakedMesh) -> None:
     # The form factor of a ball wholly above the horizon: cos(theta) (R/d)^2 = (R/d)^3 where it touches the sheet.
     ball, sheet = ball_on_a_sheet.parts
@@ -106,8 +111,8 @@ def test_a_ball_over_a_sheet_and_its_bent_normal(ball_on_a_sheet: BakedMesh) -> 
         assert ball.light[k, :3] == pytest.approx(mean, abs=0.04)
 
 
-def test_an_open_place_sees_everything() -> None:
-    ball = bake(sphere())
+def test_an_open_place_sees_everything(ball_alone: BakedMesh) -> None:
+    ball = ball_alone
     light = ball.parts[0].light.astype(float)
     assert light[:, 3] == pytest.approx(1.0, abs=0.015)
     np.testing.assert_allclose(light[:, :3], ball.parts[0].normals * 2 / 3, atol=0.03)
@@ -175,8 +180,8 @@ def _closed_box(half: float) -> Part:
     return Part("box", "paint", points, np.concatenate(normals), points[:, :2], np.array(triangles))
 
 
-def test_the_floor_under_a_ball(ball_on_a_sheet: BakedMesh) -> None:
-    baked = bake(sphere())
+def test_the_floor_under_a_ball(ball_on_a_sheet: BakedMesh, ball_alone: BakedMesh) -> None:
+    baked = ball_alone
     ground = baked.ground
     rows, columns = ground.share.shape
     x = ground.low[0] + (np.arange(columns) + 0.5) / columns * (ground.high[0] - ground.low[0])
@@ -196,8 +201,8 @@ def test_the_floor_under_a_ball(ball_on_a_sheet: BakedMesh) -> None:
     assert (ball[down, 7] > black[: len(ball)][down, 3] + 0.02).all()
 
 
-def test_the_shadow_falls_away_from_the_light() -> None:
-    ground = bake(sphere()).ground
+def test_the_shadow_falls_away_from_the_light(ball_alone: BakedMesh) -> None:
+    ground = ball_alone.ground
     # A light from +x at 45 degrees, as harmonics; the floor left of the ball is darker than the one right of it.
     towards = np.array([np.sqrt(0.5), np.sqrt(0.5), 0.0])
     light = low_harmonics(towards, 6)
@@ -208,8 +213,8 @@ def test_the_shadow_falls_away_from_the_light() -> None:
     assert middle[columns // 2 - offset] < middle[columns // 2 + offset] - 0.2
 
 
-def test_the_same_mesh_gives_the_same_numbers() -> None:
-    one, other = bake(sphere()), bake(sphere())
+def test_the_same_mesh_gives_the_same_numbers(ball_alone: BakedMesh) -> None:
+    one, other = ball_alone, bake(sphere())
     assert np.array_equal(one.parts[0].light, other.parts[0].light)
     assert np.array_equal(one.ground.transfer, other.ground.transfer)
 
