@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 from brdf_qt.elided_label import ElidedLabel
-from brdf_qt.translation import tr
+from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QEvent, QRect, Qt
 from PySide6.QtGui import QPalette, QResizeEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
@@ -14,12 +14,20 @@ from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 from brdf_lobe_visualizer.crosshair import Readout, plain, rows_at
 from brdf_lobe_visualizer.options import Options
 from brdf_lobe_visualizer.slice_lines import Line, Lines, largest
+from brdf_lobe_visualizer.slice_options import Polar
 from brdf_lobe_visualizer.slice_words import degrees, quantity
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.slices_values import LOG_DECADES, Scale, nice_above, radius_of
 
-_SIDE_PX, _TOP_PX, _FOOT_PX = 34.0, 22.0, 20.0
+_SCALES: dict[Scale, str] = {
+    "linear": mark("linear radius"),
+    "cbrt": mark("cube-root radius"),
+    "log": mark("logarithmic radius"),
+}
+_SIDE_PX, _TOP_PX, _FOOT_PX = 44.0, 24.0, 22.0
 """Room for the labels round the half disc."""
+_SPREAD = {"linear": 30.0, "cbrt": 300.0}
+"""Where the greatest value is so many times the usual one, a line other than logarithmic shows the peak alone."""
 _LABELLED_DEG = (-90, -60, -30, 0, 30, 60, 90)
 
 
@@ -35,8 +43,11 @@ class PolarPlot(QWidget):
         self._theta_deg = 0.0
         self._phi_deg = 0.0
         self._options = Options()
+        self._radius: Polar = "range"
         self._rung: tuple[Scale, float] | None = None
         self.outer = 1.0
+        self.scale: Scale = "cbrt"
+        self._unit = 100.0
         self.plot: Any = None
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(0, 0, 0, 0)
@@ -79,9 +90,15 @@ class PolarPlot(QWidget):
         self._fit_range()
         self._draw()
 
-    def show_lines(self, lines: Lines, incidence_deg: tuple[float, float], options: Options) -> None:
+    def show_lines(
+        self,
+        lines: Lines,
+        incidence_deg: tuple[float, float],
+        options: Options,
+        radius: Polar = "range",
+    ) -> None:
         """Draw the lines of a cut of the plane of incidence over θo; the light is at ``incidence_deg``."""
-        self._lines, self._options = lines, options
+        self._lines, self._options, self._radius = lines, options, radius
         self._theta_deg, self._phi_deg = incidence_deg
         if self.plot is not None:
             self._draw()
@@ -114,6 +131,8 @@ class PolarPlot(QWidget):
         area: QRect = self.plot.rect()
         wide, high = max(area.width(), 1), max(area.height(), 1)
         unit = max(10.0, min((wide - 2.0 * _SIDE_PX) / 2.0, high - _TOP_PX - _FOOT_PX))
+        self._unit = unit
+        self._rung = None
         middle = 0.5 * (high - unit - _TOP_PX - _FOOT_PX) + _FOOT_PX
         self.plot.setRange(
             xRange=(-0.5 * wide / unit, 0.5 * wide / unit),
@@ -130,7 +149,7 @@ class PolarPlot(QWidget):
         if lines is None or not there:
             self.note.setText("")
             return
-        scale: Scale = self._options.radius
+        scale = self.scale = self._chosen_scale(lines)
         self.outer = nice_above(1.02 * largest(lines.lines))
         self._ring(scale)
         theta = np.radians(lines.cut.angle_deg)
@@ -145,7 +164,7 @@ class PolarPlot(QWidget):
         self._draw_points(lines, scale)
         self._place(self._light, self._light_name, -self._theta_deg, tr("light"))
         self._place(self._mirror, self._mirror_name, self._theta_deg, tr("mirror"))
-        words = [quantity(self._options)]
+        words = [quantity(self._options), tr(_SCALES[scale])]
         if lines.signed:
             words.append(tr("sizes of the differences"))
         words.append(tr("incidence {theta}°").format(theta=f"{self._theta_deg:.1f}"))
@@ -154,6 +173,12 @@ class PolarPlot(QWidget):
         if any(line.is_front and line.filled is not None and line.filled.any() for line in lines.lines):
             words.append(tr("gaps: not measured"))
         self.note.setText(" · ".join(words))
+
+    def _chosen_scale(self, lines: Lines) -> Scale:
+        if self._radius != "range":
+            return self._radius
+        chosen: Scale = self._options.radius
+        return "log" if chosen != "log" and spread_of(lines) > _SPREAD[chosen] else chosen
 
     def _draw_points(self, lines: Lines, scale: Scale) -> None:
         drawn: list[tuple[Line, Floats, Floats]] = []
@@ -187,8 +212,18 @@ class PolarPlot(QWidget):
         for item, (share, radius) in zip(self._radii, self._shares, strict=False):
             item.setText(plain(share * self.outer))
             item.setPos(radius, 0.0)
-            item.setVisible(True)
+        self._clear_radii()
         self._rung = (scale, self.outer)
+
+    def _clear_radii(self) -> None:
+        """Hide the numbers that have no room, from the outermost inwards."""
+        metrics, free = self.plot.fontMetrics(), 1e9
+        for item, (share, radius) in reversed(list(zip(self._radii, self._shares, strict=False))):
+            half = 0.5 * metrics.horizontalAdvance(plain(share * self.outer)) + 3.0
+            fits = radius * self._unit + half <= free
+            item.setVisible(fits)
+            if fits:
+                free = radius * self._unit - half
 
     def _place(self, line: Any, name: Any, angle_deg: float, text: str) -> None:
         sine, cosine = np.sin(np.radians(angle_deg)), np.cos(np.radians(angle_deg))
@@ -230,6 +265,18 @@ class PolarPlot(QWidget):
             item.set_pen(pen)
         self._rung = None
         self.readout.setPalette(QPalette(self.palette()))
+
+
+def spread_of(lines: Lines) -> float:
+    """Return how many times the median the greatest value is, of the line where that is most; at least 1."""
+    spreads = [1.0]
+    for line in lines.lines:
+        sizes = np.abs(line.value[np.isfinite(line.value)])
+        sizes = sizes[sizes > 0.0]
+        if sizes.size:
+            # Half of a line's angles lie about the peak: the quarter of the flank stands for what else there is.
+            spreads.append(float(sizes.max() / np.quantile(sizes, 0.25)))
+    return max(spreads)
 
 
 def _anchor(angle_deg: float) -> tuple[float, float]:

@@ -66,9 +66,8 @@ class SliceImageView(QWidget):
 
     def _read(self, _row: int, column: int, x: float, y: float) -> None:
         rows = []
-        across = not any(self.grid.rows)
-        for number, title in enumerate(self.grid.columns if across else self.grid.rows):
-            at = (0, number) if across else (number, column)
+        for number, title in enumerate(self.grid.rows):
+            at = (number, column)
             if at not in self.grid.pictures:
                 continue
             picture = self.grid.pictures[at]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import asdict, dataclass, replace
-from typing import Any
+from typing import Any, Literal
 
 from brdf_qt.settings import settings
 from PySide6.QtCore import QObject, Signal
@@ -13,6 +13,9 @@ from PySide6.QtCore import QObject, Signal
 from brdf_suite.pipeline.slices import AXES, Axis
 from brdf_suite.pipeline.slices_images import SEED_INCIDENCES_DEG
 from brdf_suite.pipeline.slices_tone import TONES, Tone
+
+Polar = Literal["range", "linear", "cbrt", "log"]
+POLARS: tuple[Polar, ...] = ("range", "linear", "cbrt", "log")
 
 _KEY = "lobes/slices"
 EV_RANGE = (-10.0, 10.0)
@@ -38,6 +41,9 @@ class SliceOptions:
         How images become codes, and stops above the exposure that fits their values.
     by_root
         θh of the half-angle image by its root, as measured tables have it.
+    polar
+        The radius of the polar plot: ``"range"`` is that of the views, but logarithmic where values lie so far apart
+        that nothing but their peak would be seen.
     """
 
     axis: Axis = "gamma"
@@ -51,6 +57,7 @@ class SliceOptions:
     tone: Tone = "log"
     ev: float = 0.0
     by_root: bool = True
+    polar: Polar = "range"
 
 
 _RANGES = {
@@ -133,6 +140,7 @@ def _is_known(options: SliceOptions) -> bool:
     return (
         options.axis in AXES
         and options.tone in TONES
+        and options.polar in POLARS
         and len(options.incidences_deg) == 3
         and all(isinstance(flag, bool) for flag in flags)
         and all(math.isfinite(number) for number in numbers)

@@ -58,8 +58,6 @@ class Request:
     ev: float
     quantity: str
     axes: Axes
-    across: bool = False
-    """Target and fit beside each other, where there is one column only."""
     places: Callable[[SamplePoints, int], Floats] | None = None
 
     def gives_same(self, other: Request) -> bool:
@@ -107,23 +105,17 @@ def make_grid(request: Request, progress: Progress | None = None) -> Grid:
         rows.append(tr("fit"))
         for column in columns:
             error = image_error(targets[column], fits[column])
-            note = (
-                ""
-                if error is None
-                else tr("RMS {share} %").format(
-                    share=_percent(error.relative),
-                )
-            )
-            pictures[1, column] = _picture(fits[column], request, white, column, None, note=note)
+            notes: tuple[str, ...] = ()
+            if error is not None:
+                share = _percent(error.relative)
+                notes = (tr("RMS {share} %").format(share=share), f"{share} %")
+            pictures[1, column] = _picture(fits[column], request, white, column, None, notes=notes)
     if request.difference:
         title, pictures_of = _differences(request, targets, fits, len(rows))
         if pictures_of:
             rows.append(title)
             pictures |= pictures_of
     bar = _bar(request, white)
-    if request.across:
-        turned = {(column, row): picture for (row, column), picture in pictures.items()}
-        return Grid(request.columns, tuple(rows), turned, bar, request.axes)
     return Grid(tuple(rows), request.columns, pictures, bar, request.axes)
 
 
@@ -169,7 +161,7 @@ def _picture(
     column: int,
     holes: np.ndarray[Any, np.dtype[np.bool_]] | None,
     *,
-    note: str = "",
+    notes: tuple[str, ...] = (),
     first: bool = False,
 ) -> Picture:
     one = channel_of(value, request.channel)
@@ -185,8 +177,8 @@ def _picture(
     if first and request.samples is not None and request.places is not None:
         points = request.places(request.samples, column)
     if first and gone is not None and gone.any():
-        note = tr("hatched: holes")
-    return Picture(codes, one, ~pairs.above, gone, points, note)
+        notes = (tr("hatched: not measured"), tr("holes"))
+    return Picture(codes, one, ~pairs.above, gone, points, notes)
 
 
 def _not_finite(value: Floats, pairs: Pairs) -> np.ndarray[Any, np.dtype[np.bool_]] | None:

@@ -143,7 +143,7 @@ class Slices(QObject):
         for key, cut in cuts.items():
             found = lines[id(cut)]
             if key == POLAR:
-                self.polar.show_lines(found, incidence, options)
+                self.polar.show_lines(found, incidence, options, self.state.options.polar)
             else:
                 own = self._curves_cut()
                 turned = found if own.axis == cut.axis else found.reversed_over(own, incidence[0])
@@ -233,7 +233,6 @@ class Slices(QObject):
             ev=options.ev,
             quantity=quantity(desk.options).removeprefix("Δ "),
             axes=axes,
-            across=key == HALF_ANGLE,
             places=places,
         )
 

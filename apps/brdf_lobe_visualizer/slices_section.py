@@ -20,12 +20,18 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from brdf_lobe_visualizer.slice_options import EV_RANGE, SliceOptions, SliceState
+from brdf_lobe_visualizer.slice_options import EV_RANGE, POLARS, Polar, SliceOptions, SliceState
 from brdf_suite.pipeline.slices_tone import TONES, Tone
 
 _TONES: dict[Tone, str] = {
     "gamma": mark("As a screen shows it (gamma)"),
     "log": mark("Logarithmic, 4 decades"),
+}
+_POLARS: dict[Polar, str] = {
+    "range": mark("As the range asks for"),
+    "linear": mark("Linear"),
+    "cbrt": mark("Cube root"),
+    "log": mark("Logarithmic"),
 }
 _SPACING = {True: mark("By the root, as tables have it"), False: mark("Evenly")}
 
@@ -130,6 +136,17 @@ class SlicesSection(QWidget):
             self.spacing.addItem(tr(title), by_root)
         self.spacing.activated.connect(lambda index: state.set(by_root=bool(self.spacing.itemData(index))))
         form.add_row(tr("θh of images"), self.spacing, tr("How θh is spaced along the half-angle image."))
+        self.polar = QComboBox()
+        for polar in POLARS:
+            self.polar.addItem(tr(_POLARS[polar]), polar)
+        self.polar.activated.connect(lambda index: state.set(polar=self.polar.itemData(index)))
+        form.add_row(
+            tr("Polar radius"),
+            self.polar,
+            tr(
+                "How values become radii of the polar plot; logarithmic where a peak would leave nothing else to see."
+            ),
+        )
         self.reset = QPushButton(tr("Reset slices"))
         self.reset.setObjectName("reset_slices")
         self.reset.clicked.connect(lambda: state.reset())
@@ -152,6 +169,7 @@ class SlicesSection(QWidget):
             field.set_value(angle)
         self.tone.setCurrentIndex(self.tone.findData(options.tone))
         self.ev.set_value(options.ev)
+        self.polar.setCurrentIndex(self.polar.findData(options.polar))
         self.spacing.setCurrentIndex(self.spacing.findData(options.by_root))
 
     def _angle(self, form: Form, key: str, name: str, most: float, default: float, tip: str) -> NumberField:

@@ -19,7 +19,7 @@ Cosine = Literal["none", "light", "both"]
 """What f_r is multiplied with: nothing (1/sr), N·L (reflected radiance), N·L and N·V (intensity)."""
 _CHANNELS = ("r", "g", "b")
 
-LOG_DECADES = 5.0
+LOG_DECADES = 6.0
 """A logarithmic radius goes from so many decades below its outer end, the middle of the plot, to there."""
 
 

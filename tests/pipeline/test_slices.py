@@ -127,7 +127,9 @@ def test_channels_and_radii() -> None:
     share = np.array([0.0, 1e-9, 1e-5, 1e-3, 0.125, 1.0, -1.0])
     assert radius_of(2.0 * share, "linear", 2.0)[-3:] == pytest.approx([0.125, 1.0, 0.0])
     assert radius_of(2.0 * share, "cbrt", 2.0)[-3:] == pytest.approx([0.5, 1.0, 0.0])
-    assert radius_of(2.0 * share, "log", 2.0) == pytest.approx([0, 0, 0, 0.4, 1 + np.log10(0.125) / 5, 1, 0])
+    assert radius_of(2.0 * share, "log", 2.0) == pytest.approx(
+        [0, 0, 1 / 6, 0.5, 1 + np.log10(0.125) / 6, 1, 0]
+    )
     assert np.isnan(radius_of(np.array([np.nan]), "log", 1.0)).all()
 
 
