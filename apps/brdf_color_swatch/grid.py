@@ -6,7 +6,8 @@ list; only where a swatch lies and how it looks is said here.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from PySide6.QtCore import (
     QEvent,
@@ -89,6 +90,8 @@ class SwatchGrid(QAbstractItemView):
         self.form = "sphere"
         self._hovered = -1
         self._drop_row = -1
+        self._range_start = -1
+        self._ranging = False
         self._anchor: QPoint | None = None
         self._band: QRect | None = None
         self._band_base = QItemSelection()
@@ -167,7 +170,7 @@ class SwatchGrid(QAbstractItemView):
 
     def reset(self) -> None:
         super().reset()
-        self._hovered = self._drop_row = -1
+        self._hovered = self._drop_row = self._range_start = -1
         self._band = None
         model = self.model()
         shown = model.shown if isinstance(model, SwatchModel) else None
@@ -237,7 +240,11 @@ class SwatchGrid(QAbstractItemView):
 
     def setSelection(self, rect: QRect, flags: QItemSelectionModel.SelectionFlag) -> None:
         box = rect.normalized().translated(0, self.verticalOffset())
-        if box.width() <= 1 and box.height() <= 1:
+        if self._ranging and self.currentIndex().isValid():
+            # Shift selects from one to the other as they follow, and not a rectangle between them.
+            ends = sorted((max(0, self._range_start), self.currentIndex().row()))
+            rows = list(range(ends[0], ends[1] + 1))
+        elif box.width() <= 1 and box.height() <= 1:
             row = self.layout_.at(box.left(), box.top())
             rows = [] if row is None else [row]
         else:
@@ -260,6 +267,7 @@ class SwatchGrid(QAbstractItemView):
         flag = QItemSelectionModel.SelectionFlag
         if rows:
             self.selectionModel().setCurrentIndex(self.model().index(rows[0], 0), flag.NoUpdate)
+            self._range_start = rows[0]
         self.selectionModel().select(self._selection(rows), flag.ClearAndSelect)
 
     def visualRegionForSelection(self, selection: QItemSelection) -> QRegion:
@@ -351,7 +359,21 @@ class SwatchGrid(QAbstractItemView):
             self._band_base = self.selectionModel().selection() if keeps else QItemSelection()
             self.setFocus(Qt.FocusReason.MouseFocusReason)
             return
-        super().mousePressEvent(event)
+        with self._range(event.modifiers()):
+            super().mousePressEvent(event)
+
+    @contextmanager
+    def _range(self, modifiers: Qt.KeyboardModifier) -> Iterator[None]:
+        """With Shift a range goes on from where it began; without, it begins at what becomes the current one."""
+        self._ranging = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
+        if self._ranging and self._range_start < 0:
+            self._range_start = self.currentIndex().row()
+        try:
+            yield
+        finally:
+            if not self._ranging:
+                self._range_start = self.currentIndex().row()
+            self._ranging = False
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         point = event.position().toPoint()
@@ -402,7 +424,8 @@ class SwatchGrid(QAbstractItemView):
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.currentIndex().isValid():
             self.activated.emit(self.currentIndex())
             return
-        super().keyPressEvent(event)
+        with self._range(event.modifiers()):
+            super().keyPressEvent(event)
 
     def selectAll(self) -> None:
         count = self.layout_.count

@@ -27,10 +27,10 @@ def inside(points: npt.ArrayLike, polygon: npt.ArrayLike) -> npt.NDArray[np.bool
     x, y = points[:, 0], points[:, 1]
     # A hand draws a few hundred corners: a pass over the points for each.
     for (x1, y1), (x2, y2) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-        if y1 == y2:
-            continue
         between = (y1 > y) != (y2 > y)
-        found ^= between & (x < x1 + (y - y1) * (x2 - x1) / (y2 - y1))
+        # On which side of the line a point lies; without a division, which a flat side would make overflow.
+        side = (y - y1) * (x2 - x1) - (x - x1) * (y2 - y1)
+        found ^= between & ((side > 0.0) if y2 > y1 else (side < 0.0))
     return found
 
 

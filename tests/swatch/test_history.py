@@ -1,0 +1,75 @@
+"""Any sequence of edits and as many undos gives the palettes that there were, and redo gives them back."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from brdf_color_swatch.history import History, Store
+from brdf_qt.document_store import DocumentStore
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from brdf_suite.documents import palette_edits as edits
+from brdf_suite.documents.paint import solid_paint
+from brdf_suite.documents.palette import Entry, Group, Palette
+
+KINDS = ("rename", "remove", "add", "move", "tag", "group", "across", "notes", "reload")
+
+
+def palette(name: str, count: int) -> Palette:
+    paints = [solid_paint(f"{name}{number}", (10.0 * number, 0.0, 0.0)) for number in range(count)]
+    return Palette(name, tuple(Entry(one, id=f"{name}{number}") for number, one in enumerate(paints)))
+
+
+def edit(kind: str, number: int, stores: list[Store], history: History) -> bool:
+    store, other = stores[number % 2], stores[1 - number % 2]
+    value = store.value
+    if not len(value):
+        return False
+    key = value.entries[number % len(value)].id
+    if kind == "across":
+        moved = edits.added(other.value, [value.entry(key)])
+        return history.apply("across", [(store, edits.removed(value, [key])), (other, moved)])
+    made = {
+        "rename": lambda: edits.renamed(value, key, f"n{number}"),
+        "remove": lambda: edits.removed(value, [key]),
+        "add": lambda: edits.added(value, [value.entry(key)]),
+        "move": lambda: edits.moved(value, [key], ("G",), value.entries[0].id),
+        "tag": lambda: edits.tagged(value, [key], [f"t{number % 5}"]),
+        "group": lambda: edits.with_group(value, Group((f"g{len(value.groups)}-{number}",))),
+        "notes": lambda: replace(value, notes=f"{number}"),
+        "reload": lambda: palette(value.name, number % 4),
+    }[kind]()
+    return history.apply(kind, [(store, made)])
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.lists(st.tuples(st.sampled_from(KINDS), st.integers(0, 99)), max_size=12))
+def test_undo_brings_everything_back_and_redo_too(qapp, steps: list[tuple[str, int]]) -> None:
+    stores = [DocumentStore(palette("a", 4)), DocumentStore(palette("b", 3))]
+    history = History()
+    states = [[store.value for store in stores]]
+    for kind, number in steps:
+        if edit(kind, number, stores, history):
+            states.append([store.value for store in stores])
+    for wanted in reversed(states[:-1]):
+        history.undo()
+        assert [store.value for store in stores] == wanted
+    assert not history.can_undo
+    assert all(store.is_clean for store in stores)
+    for wanted in states[1:]:
+        history.redo()
+        assert [store.value for store in stores] == wanted
+    assert not history.can_redo
+
+
+def test_a_closed_palette_takes_its_steps_along(qapp) -> None:
+    stores = [DocumentStore(palette("a", 4)), DocumentStore(palette("b", 3))]
+    history = History()
+    edit("across", 0, stores, history)
+    edit("notes", 1, stores, history)
+    history.forget(stores[1])
+    assert history.undo_name == "across"
+    history.undo()
+    assert stores[0].value == palette("a", 4)
+    assert not history.can_undo

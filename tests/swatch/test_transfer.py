@@ -1,0 +1,87 @@
+"""Swatches through the clipboard: whole to our own windows, as text and colour to others, and back from them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from brdf_color_swatch.transfer import MIME, PAINT_MIME, can_take, carry, entries_of_text, taken
+from PySide6.QtCore import QMimeData, QUrl
+from PySide6.QtGui import QColor
+
+from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.documents.paint import solid_paint
+from brdf_suite.documents.palette import Entry
+from brdf_suite.documents.store import paint_to_json, save_paint
+from brdf_suite.errors import SuiteError
+
+RED = Entry(
+    solid_paint("Réd\u4e00", (50.0, 60.0, 40.0)), id="r", group=("A", "B"), tags=("x",), notes="two\nlines"
+)
+INK = Entry(FlatColour("Ink", "CMYK", (0.1, 0.2, 0.3, 0.4)), id="i", usage="spot", code="7")
+
+
+def test_all_of_an_entry_comes_through() -> None:
+    carried = taken(carry([RED, INK], ["#aa3322", "#101010"], "p1", "me"))
+    assert carried.entries == (RED, INK)
+    assert (carried.source, carried.owner, carried.ids) == ("p1", "me", ("r", "i"))
+
+
+def test_other_programs_get_text_a_colour_and_the_paint() -> None:
+    data = carry([RED], ["#aa3322"], "p1", "me")
+    assert data.text() == "#aa3322\tRéd\u4e00"
+    assert QColor(data.colorData()).name() == "#aa3322"
+    assert json.loads(data.data(PAINT_MIME).data())["name"] == "Réd\u4e00"
+    flat = carry([INK], ["#101010"], "p1", "me")
+    assert not flat.hasFormat(PAINT_MIME)
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "model", "values"),
+    [
+        ("#ff8000  Sunset, deep", "Sunset deep", "RGB", (1.0, 128 / 255, 0.0)),
+        ("--brand: #08f;", "brand", "RGB", (0.0, 136 / 255, 1.0)),
+        ("Sea rgb(0, 51, 255)", "Sea", "RGB", (0.0, 0.2, 1.0)),
+        ("Grey L* 50.5 a* -1 b* 2", "Grey", "Lab", (50.5, -1.0, 2.0)),
+        ("lab(29.2% 39.3 20.1)", "lab(29.2% 39.3 20.1)", "Lab", (29.2, 39.3, 20.1)),
+    ],
+)
+def test_text_of_other_programs(text: str, name: str, model: str, values: tuple[float, ...]) -> None:
+    (entry,) = entries_of_text(text)
+    assert entry.content.model == model
+    assert entry.content.values == pytest.approx(values)
+    assert name in entry.name
+
+
+def test_every_line_is_a_colour_and_what_is_none_is_left_out() -> None:
+    found = entries_of_text("#112233 one\nno colour here\n#445566 two\n\x00#778899\n")
+    assert [entry.name for entry in found] == ["one", "two", "#778899"]
+    assert len({entry.id for entry in found}) == 3
+
+
+def test_a_paint_as_text_as_a_file_and_a_colour(tmp_path: Path) -> None:
+    assert entries_of_text(json.dumps(paint_to_json(RED.content)))[0].content == RED.content
+    save_paint(RED.content, tmp_path / "red.brdfpaint")
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(tmp_path / name)) for name in ("red.brdfpaint", "all.ase")])
+    carried = taken(data)
+    assert [entry.content for entry in carried.entries] == [RED.content]
+    assert carried.files == (tmp_path / "all.ase",)
+    colour = QMimeData()
+    colour.setColorData(QColor("#336699"))
+    assert can_take(colour)
+    assert taken(colour).entries[0].content.values == pytest.approx((0.2, 0.4, 0.6), abs=1e-4)
+
+
+@pytest.mark.parametrize("content", [b"{", b"[]", b'{"owner": 1}', b"\xff", b"[" * 100_000])
+def test_what_only_says_that_it_is_ours_is_refused(content: bytes) -> None:
+    data = QMimeData()
+    data.setData(MIME, content)
+    with pytest.raises(SuiteError):
+        taken(data)
+
+
+def test_nothing_is_nothing() -> None:
+    assert taken(QMimeData()).entries == ()
+    assert entries_of_text("just words") == []
