@@ -49,6 +49,8 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of an ACO file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     cursor, collector = ByteCursor(content, path), Collector(path)
     sections: dict[int, list[tuple[int, _Words, str]]] = {}
+    if not content:
+        raise cursor.fail("is empty")
     while cursor.left:
         start = cursor.at
         if sections and cursor.left < 4:

@@ -10,7 +10,6 @@ from brdf_suite.documents.flat_colour import LONGEST_NAME, FlatColour, Model
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import (
     DEEPEST_GROUP,
-    MOST_ENTRIES,
     MOST_GROUPS,
     Entry,
     Foreign,
@@ -26,6 +25,8 @@ _CHOICE = re.compile(r"\[([^\[\]|]*)\|([^\[\]|]*)\]")
 _CONTROL = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
 _CONTROL_IN_LINES = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff]")
 _LONGEST_NOTES = 100_000
+MOST_COLOURS = 30_000
+"""Of a foreign file: ten times the largest colour atlas, and as many as are read in two seconds."""
 
 
 class Collector:
@@ -54,8 +55,11 @@ class Collector:
 
     def check_count(self, count: int, place: str) -> None:
         """Refuse a file of more colours than a palette holds, before any of them is made."""
-        if count > MOST_ENTRIES:
-            raise self.fail(f"{count:,} colours are more than the {MOST_ENTRIES:,} allowed", place)
+        if count > MOST_COLOURS:
+            raise self.fail(
+                f"{count:,} colours are more than the {MOST_COLOURS:,} that a file of this kind may have",
+                place,
+            )
 
     def name(self, text: str, longest: int = LONGEST_NAME) -> str:
         """Return a name as it can be kept."""
@@ -113,7 +117,10 @@ class Collector:
         """Add an entry; errors as :meth:`colour`."""
         self.check_count(len(self.entries) + 1, place)
         try:
-            self.entries.append(Entry(content, "", group, code, tags, notes, usage, date, foreign))
+            # Its number is the id that it would get anyway.
+            self.entries.append(
+                Entry(content, str(len(self.entries) + 1), group, code, tags, notes, usage, date, foreign)
+            )
         except ValueRangeError as error:
             raise self.fail(f"{error.place}: {error.reason}", place) from error
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from brdf_suite.appearance.colorimetry import (
     WORKING_TO_XYZ,
@@ -20,6 +21,7 @@ from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Lab, Paint
 from brdf_suite.documents.palette import Entry
+from brdf_suite.geometry.directions import Floats
 
 _WITH_WHITE = ("Lab", "LCh", "XYZ")
 FACE_DEG = 45.0
@@ -76,7 +78,7 @@ def flat_of(entry: Entry, models: Collection[str]) -> FlatColour:
     content = entry.content
     if isinstance(content, FlatColour):
         for own in (content, *content.others):
-            if own.model in models and (own.model not in _WITH_WHITE or _is_icc(own)):
+            if own.model in models and (own.model not in _WITH_WHITE or is_icc(own)):
                 return own if own is content else replace(own, name=content.name)
         encoded = encoded_rgb(content)
         if encoded is not None and "RGB" in models:
@@ -108,12 +110,17 @@ def rgb8_of(entry: Entry) -> tuple[int, int, int]:
 
 def lab_d50(lab: Lab) -> Lab:
     """Return L*a*b* of D50 and 2°, as colour profiles have it, of that of D65 and 10°."""
-    d65 = 100.0 * WORKING_TO_XYZ.sum(axis=1)
-    xyz = adapt_xyz(working_to_xyz(lab_to_working(lab)), d65, WHITES["D50", 2])
-    lightness, a, b = xyz_to_lab(xyz, WHITES["D50", 2]).tolist()
+    lightness, a, b = labs_d50(lab).tolist()
     return lightness, a, b
 
 
-def _is_icc(colour: FlatColour) -> bool:
-    """Whether its white is that of colour profiles, or it says nothing else."""
+def labs_d50(lab: ArrayLike) -> Floats:
+    """Return :func:`lab_d50` of many (..., 3)."""
+    d65 = 100.0 * WORKING_TO_XYZ.sum(axis=1)
+    xyz = adapt_xyz(working_to_xyz(lab_to_working(lab)), d65, WHITES["D50", 2])
+    return xyz_to_lab(xyz, WHITES["D50", 2])
+
+
+def is_icc(colour: FlatColour) -> bool:
+    """Return whether a colour's white is that of colour profiles, or it says nothing else."""
     return colour.illuminant in ("", "D50") and colour.observer_deg in (0, 2)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from datetime import datetime
 
-import numpy as np
-
+from brdf_suite.appearance.flat_colours import flat_labs
 from brdf_suite.documents.flat_colour import FlatColour, Model
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.palette import USAGES, Entry, GroupPath, Palette
+from brdf_suite.documents.palette import USAGES, GroupPath, Palette
 from brdf_suite.documents.palette_store import flat_from_json
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.cxf import NAMESPACE, TAGS, SampleReader
@@ -18,7 +18,7 @@ from brdf_suite.files.cxf_specification import Specification, child_number, numb
 from brdf_suite.files.cxf_values import CxfSample
 from brdf_suite.files.hardened_xml import Element, parse_xml
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import flat_of
+from brdf_suite.files.palettes.conversions import is_icc, labs_d50
 from brdf_suite.files.palettes.cxf3_tags import (
     CODE,
     COLOUR,
@@ -36,6 +36,7 @@ from brdf_suite.files.palettes.cxf3_tags import (
 from brdf_suite.files.palettes.format import PathLike
 
 _ANGLES_FOR_A_PAINT = 3
+_UNCHANGED = 1e-6
 _NOT_READ = ("Emissive", "Transmittance")
 
 
@@ -62,6 +63,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
             reader.declare(tuple(_list(name)), f"line {root.line}")
         for element in elements:
             reader.add(element)
+        reader.settle()
     description = info.first("Description") if info else None
     columns = about.get(COLUMNS, "")
     return collector.finish(
@@ -85,6 +87,21 @@ def _list(text: str) -> list[str]:
 class _Reader:
     def __init__(self, specifications: Mapping[str, Specification], collector: Collector) -> None:
         self._specifications, self._collector = specifications, collector
+        self._kept: list[tuple[int, FlatColour, tuple[float, ...]]] = []
+
+    def settle(self) -> None:
+        """Put back the flat colours that this program kept, unless another has changed the values since.
+
+        All at once, since a conversion of one colour takes as long as that of thousands.
+        """
+        if not self._kept:
+            return
+        entries = self._collector.entries
+        worked_out = labs_d50(flat_labs([own for _, own, _ in self._kept])).tolist()
+        for (index, own, told), lab in zip(self._kept, worked_out, strict=True):
+            shown = _direct_lab(own) or lab
+            if all(abs(a - b) < _UNCHANGED for a, b in zip(shown, told, strict=True)):
+                entries[index] = replace(entries[index], content=own)
 
     def declare(self, path: GroupPath, place: str) -> GroupPath:
         """Begin a group, and those around it, where they have not begun."""
@@ -162,7 +179,11 @@ class _Reader:
             f"line {element.line}", name, first.model, first.values, space=first.space, illuminant=first.illuminant,
             observer_deg=first.observer_deg, wavelengths_nm=first.wavelengths_nm, others=tuple(colours[1:]),
         )  # fmt: skip
-        return _own_flat(own, found, collector.path) or found
+        kept = _own_flat(own, name, collector.path) if own else None
+        told = next((c.values for c in (found, *found.others) if c.model == "Lab"), None)
+        if kept is not None and told is not None:
+            self._kept.append((len(collector.entries), kept, told))
+        return found
 
     def _value(self, value: Element) -> FlatColour | None:
         """One value of a sample as a colour without a name; None where it is of a kind that is not read here."""
@@ -235,18 +256,19 @@ def _moment(text: str, tags: Mapping[str, str]) -> str:
         return ""
 
 
-def _own_flat(text: str, found: FlatColour, path: PathLike) -> FlatColour | None:
-    """The flat colour as this program kept it, unless another has changed the values since."""
-    if not text:
-        return None
+def _own_flat(text: str, name: str, path: PathLike) -> FlatColour | None:
+    """The flat colour as this program kept it, where it is of this sample."""
     try:
-        own = flat_from_json(json.loads(text), path, "palette.flat")
+        own = flat_from_json(json.loads(text), path, FLAT)
     except (ValueError, RecursionError, FileError):
         return None
-    told = next((c for c in (found, *found.others) if c.model == "Lab"), None)
-    shown = flat_of(Entry(own), ("Lab",))
-    same = told is not None and own.name == found.name and np.allclose(shown.values, told.values, atol=1e-6)
-    return own if same else None
+    return own if own.name == name else None
+
+
+def _direct_lab(colour: FlatColour) -> tuple[float, ...] | None:
+    """The numbers of a colour in Lab of D50, where it has any."""
+    own = (c for c in (colour, *colour.others) if c.model == "Lab" and is_icc(c))
+    return next((c.values for c in own), None)
 
 
 def _kept_spectra(sample: CxfSample) -> tuple[tuple[str, str], ...]:

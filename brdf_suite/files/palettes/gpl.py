@@ -24,6 +24,8 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     lines = decoded(content, path, collector).replace("\r\n", "\n").replace("\r", "\n").split("\n")
     if lines[0].strip() != _HEAD:
         raise collector.fail(f"does not begin with {_HEAD!r}", "line 1")
+    # Counted before any is made; the head may have three lines that are neither.
+    collector.check_count(sum(bool(line) and line[0] != "#" for line in lines) - 4, f"line {len(lines)}")
     name, columns, comments, opacity = "", 0, [], False
     for number, line in enumerate(lines[1:], 2):
         place = f"line {number}"

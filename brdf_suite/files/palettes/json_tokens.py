@@ -73,7 +73,9 @@ class _Reader:
         entries = self._collector.entries
         if self._places and len(self._places) == len(entries):
             pairs = sorted(zip(self._places, range(len(entries)), strict=True))
-            entries[:] = [entries[index] for _, index in pairs]
+            entries[:] = [
+                replace(entries[index], id=str(number)) for number, (_, index) in enumerate(pairs, 1)
+            ]
 
     def foreign(self) -> tuple[tuple[str, str], ...]:
         value = self.about.get("foreign")
@@ -156,7 +158,7 @@ class _Reader:
                 raise collector.fail(error.reason, error.place or place) from error
             if json.loads(json.dumps(_value(entry))) == value:
                 collector.check_count(len(collector.entries) + 1, place)
-                collector.entries.append(replace(entry, id="", group=group))
+                collector.entries.append(replace(entry, id=str(len(collector.entries) + 1), group=group))
                 if type(ours.get("place")) is int:
                     self._places.append(ours["place"])
                 return
