@@ -16,7 +16,7 @@ from brdf_qt.progress_strip import ProgressStrip
 from brdf_qt.settings import settings, state_folder
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QPushButton, QToolButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.basis_plots import BasisPlots
 from brdf_lobe_visualizer.basis_run import MOST_LOBES, BasisRun
@@ -51,17 +51,25 @@ class BasisView(QWidget):
         self.search = QPushButton(tr("Search"))
         self.search.setObjectName("basis_search")
         self.search.setToolTip(tr("Search the exponents that fit these paints best; it takes minutes."))
-        self.choose = QPushButton(tr("Paints…"))
+        self.database = QToolButton()
+        self.database.setObjectName("basis_database")
+        self.database.setText(tr("Database"))
+        self.database.setToolTip(tr("Which paints the lobes are searched for."))
+        self.database.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self.database)
+        menu.setToolTipsVisible(True)
+        self.choose = menu.addAction(tr("Folder of Paints…"))
         self.choose.setToolTip(tr("Take another folder of paints as the database."))
-        self.open = QPushButton(tr("Open…"))
+        self.open = menu.addAction(tr("Open a Search…"))
         self.open.setToolTip(tr("Show a search from a file, also while it is still running."))
-        self.reset = QPushButton(tr("Shipped"))
-        self.reset.setObjectName("basis_reset")
+        menu.addSeparator()
+        self.reset = menu.addAction(tr("Shipped Paints"))
         self.reset.setToolTip(tr("Back to the shipped paints and their search."))
+        self.database.setMenu(menu)
         head = QHBoxLayout()
         head.setSpacing(4)
         head.addWidget(self.note, 1)
-        for button in (self.choose, self.search, self.open, self.reset):
+        for button in (self.search, self.database):
             head.addWidget(button)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
@@ -90,9 +98,9 @@ class Basis(QObject):
         self._paints.directoryChanged.connect(lambda _path: self._tell())
         window.add_plot(BASIS, tr("Basis"), self.view)
         self.view.search.clicked.connect(self.start_search)
-        self.view.choose.clicked.connect(self._choose_folder)
-        self.view.open.clicked.connect(self._choose_file)
-        self.view.reset.clicked.connect(self.show_shipped)
+        self.view.choose.triggered.connect(self._choose_folder)
+        self.view.open.triggered.connect(self._choose_file)
+        self.view.reset.triggered.connect(self.show_shipped)
         window.add_command("view", mark("Show the Basis"), None, self._show)
         self._timer = QTimer(self, singleShot=True, interval=0, timeout=self._refresh)
         for signal in (desk.subjects_changed, desk.front_changed):

@@ -51,7 +51,7 @@ class BasisPlots(QWidget):
             plot.setMinimumSize(120, 100)
             plot.getAxis("left").setLogMode(y=True)
             plot.setLabel("bottom", tr("Number of lobes"))
-            plot.getAxis("bottom").setTicks([[(count, str(count)) for count in range(1, MOST_LOBES + 2)]])
+            plot.getAxis("bottom").setTicks([[(count, str(count)) for count in range(2, MOST_LOBES + 2, 2)]])
             self._box.addWidget(plot, 1)
         self.exponents.setLabel("left", tr("Exponent"))
         self.errors.setLabel("left", tr("Error (1: just seen)"))

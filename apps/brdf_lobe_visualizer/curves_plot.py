@@ -175,7 +175,7 @@ class CurvesPlot(QWidget):
         self._place_marks(lines.cut.axis, log_x)
         if not self._free:
             self._frame(lines, log_x, log_y)
-        self.note.setText(self._told(lines, bool(bands)))
+        self._tell(lines, bool(bands))
 
     def _placed(self, line: Line, lines: Lines, log_x: bool, log_y: bool) -> tuple[Floats, Floats]:
         x, y = lines.cut.angle_deg, line.value
@@ -230,28 +230,31 @@ class CurvesPlot(QWidget):
             self._view = view
             self.plot.setRange(xRange=x, yRange=y, padding=0.0, disableAutoRange=True)
 
-    def _told(self, lines: Lines, holes: bool) -> str:
-        words = []
-        front = next((line for line in lines.lines if line.is_front), lines.lines[-1])
-        error = lines.errors.get(front.key)
-        if error is not None:
-            words.append(
-                tr("Fit of {name}: RMS {rms} {unit} ({share} %), at most {worst} {unit} at {angle}").format(
-                    name=front.title,
+    def _tell(self, lines: Lines, holes: bool) -> None:
+        """Say how far the selected fit is from its target, and what is not to be seen; the tip tells of all fits."""
+        errors: dict[str, str] = {}
+        for line in lines.lines:
+            error = lines.errors.get(line.key)
+            if error is not None and line.key not in errors:
+                errors[line.key] = tr(
+                    "Fit of {name}: RMS {rms} {unit} ({share} %), at most {worst} {unit} at {angle}"
+                ).format(
+                    name=line.title,
                     rms=number(error.rms),
                     unit=UNIT,
                     share=f"{100.0 * error.relative:.1f}" if np.isfinite(error.relative) else "–",
                     worst=number(error.worst),
                     angle=degrees(lines.cut.axis, error.worst_deg),
                 )
-            )
-        if holes:
-            words.append(tr("hatched: not measured"))
+        rest = [tr("hatched: not measured")] if holes else []
         silent = {line.title for line in lines.lines if not np.isfinite(line.value).any()}
-        words.extend(tr("{name}: nothing to draw here").format(name=name) for name in sorted(silent))
+        rest.extend(tr("{name}: nothing to draw here").format(name=name) for name in sorted(silent))
         black = {line.title for line in lines.lines if line.kind != "difference" and _is_zero(line.value)}
-        words.extend(tr("{name}: 0 everywhere").format(name=name) for name in sorted(black))
-        return " · ".join(words)
+        rest.extend(tr("{name}: 0 everywhere").format(name=name) for name in sorted(black))
+        front = next((line for line in lines.lines if line.is_front), lines.lines[-1])
+        shown = [errors[front.key]] if front.key in errors else []
+        self.note.setText(" · ".join([*shown, *rest]))
+        self.note.setToolTip("\n".join([*errors.values(), *rest]))
 
     def _read(self, x: float, _y: float) -> None:
         if self._lines is None or not self._lines.lines:

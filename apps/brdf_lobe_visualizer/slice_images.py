@@ -27,7 +27,9 @@ from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.slices import Bools
 from brdf_suite.pipeline.slices_tone import Bytes
 
-_POINT = 3.0
+_POINT, _DOT = 3.0, 1.2
+_MANY = 60
+"""More samples than these are dots: rings would cover the picture."""
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 
 
@@ -311,13 +313,21 @@ def _draw_points(painter: QPainter, picture: Picture, place: QRectF) -> None:
     if picture.points is None:
         return
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    for x, y in picture.points.tolist():
-        centre = QPointF(place.left() + x * place.width(), place.top() + y * place.height())
-        # White in black: seen on any colour.
+    centres = [
+        QPointF(place.left() + x * place.width(), place.top() + y * place.height())
+        for x, y in picture.points.tolist()
+    ]
+    # White in black: seen on any colour.
+    if len(centres) > _MANY:
+        for colour, size in ((QColor(0, 0, 0), 2.0 * _DOT + 1.0), (QColor(255, 255, 255), 2.0 * _DOT - 0.6)):
+            painter.setPen(QPen(colour, size, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+            painter.drawPoints(centres)
+    else:
+        painter.setBrush(Qt.BrushStyle.NoBrush)
         for colour, width in ((QColor(0, 0, 0), 2.2), (QColor(255, 255, 255), 1.0)):
             painter.setPen(QPen(colour, width))
-            painter.drawEllipse(centre, _POINT, _POINT)
+            for centre in centres:
+                painter.drawEllipse(centre, _POINT, _POINT)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
 
 

@@ -44,6 +44,8 @@ class SliceOptions:
     polar
         The radius of the polar plot: ``"range"`` is that of the views, but logarithmic where values lie so far apart
         that nothing but their peak would be seen.
+    samples
+        Measured samples are drawn.
     """
 
     axis: Axis = "gamma"
@@ -58,6 +60,7 @@ class SliceOptions:
     ev: float = 0.0
     by_root: bool = True
     polar: Polar = "range"
+    samples: bool = True
 
 
 _RANGES = {
@@ -135,7 +138,7 @@ def _remembered() -> SliceOptions:
 
 
 def _is_known(options: SliceOptions) -> bool:
-    flags = (options.log_value, options.log_angle, options.follow, options.by_root)
+    flags = (options.log_value, options.log_angle, options.follow, options.by_root, options.samples)
     numbers = (*(getattr(options, name) for name in _RANGES), *options.incidences_deg)
     return (
         options.axis in AXES

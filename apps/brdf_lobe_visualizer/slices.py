@@ -7,6 +7,7 @@ at once, images on a thread: while one is made, no other is begun, and when it i
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -139,6 +140,8 @@ class Slices(QObject):
         cuts = {key: self._plane() if key == POLAR or plane else self._curves_cut() for key in wanted}
         distinct = list({id(cut): cut for cut in cuts.values()}.values())
         lines = dict(zip(map(id, distinct), self.values.of(distinct), strict=True))
+        if not self.state.options.samples:
+            lines = {at: replace(found, points={}) for at, found in lines.items()}
         incidence, options = self._desk.incidence, self._desk.options
         for key, cut in cuts.items():
             found = lines[id(cut)]
@@ -224,7 +227,7 @@ class Slices(QObject):
             other=None if other is None or other.key == subject.key else (other.title, other.reflectance),
             difference=shown == "difference",
             measured=subject.measured,
-            samples=subject.samples,
+            samples=subject.samples if options.samples else None,
             pairs=pairs,
             columns=columns,
             channel=desk.options.channel,

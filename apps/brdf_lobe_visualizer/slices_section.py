@@ -147,6 +147,12 @@ class SlicesSection(QWidget):
                 "How values become radii of the polar plot; logarithmic where a peak would leave nothing else to see."
             ),
         )
+        self.samples = QCheckBox(tr("Measured samples"))
+        self.samples.setToolTip(
+            tr("Draw the samples near a cut as rings, and those of a picture's light as dots.")
+        )
+        self.samples.clicked.connect(lambda on: state.set(samples=on))
+        form.add_wide(self.samples)
         self.reset = QPushButton(tr("Reset slices"))
         self.reset.setObjectName("reset_slices")
         self.reset.clicked.connect(lambda: state.reset())
@@ -169,6 +175,7 @@ class SlicesSection(QWidget):
             field.set_value(angle)
         self.tone.setCurrentIndex(self.tone.findData(options.tone))
         self.ev.set_value(options.ev)
+        self.samples.setChecked(options.samples)
         self.polar.setCurrentIndex(self.polar.findData(options.polar))
         self.spacing.setCurrentIndex(self.spacing.findData(options.by_root))
 

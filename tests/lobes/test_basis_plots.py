@@ -130,7 +130,7 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
     basis.run.cancel()
     qtbot.waitUntil(lambda: basis.run is None)
     assert BASIS not in basis._window.messages.shown()
-    basis.view.reset.click()
+    basis.view.reset.trigger()
     assert "Shipped paints" in basis.view.note.text()
 
 
