@@ -10,6 +10,7 @@ from OpenGL import GL
 from pyqtgraph.opengl import GLLinePlotItem, GLScatterPlotItem, GLViewWidget
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPalette, QVector3D
+from PySide6.QtOpenGL import QOpenGLVertexArrayObject
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from brdf_color_swatch.lasso import LassoLine, inside, nearest
@@ -65,6 +66,15 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         self.line = LassoLine()
         self._points: MapPoints | None = None
         self._press: QPointF | None = None
+        self._has_context = False
+        self._chosen: set[str] = set()
+        self._make_items()
+        self._words = _Words(self)
+        self._size_before = self._distance()
+        self.frame()
+        self._dress()
+
+    def _make_items(self) -> None:
         self._axes = GLLinePlotItem(mode="lines", antialias=True, width=1.0)
         self._cloud = GLScatterPlotItem(pxMode=True)
         self._ring = GLScatterPlotItem(pxMode=True)
@@ -77,10 +87,22 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
             item.setGLOptions({GL.GL_DEPTH_TEST: False, GL.GL_BLEND: True, "glBlendFunc": _BLEND})
         self._ring.setDepthValue(1)
         self._front.setDepthValue(2)
-        self._words = _Words(self)
-        self._size_before = self._distance()
-        self.frame()
+
+    def initializeGL(self) -> None:
+        # pyqtgraph keeps its programs for the process, and its buffers for the item; both belong to a context, which
+        # is another one where the panel has been floated or docked.
+        GLScatterPlotItem._shaderProgram = GLLinePlotItem._shaderProgram = None
+        if self._has_context:
+            self.items.clear()
+            self.default_vao = QOpenGLVertexArrayObject(self)
+            self._make_items()
+        self._has_context = True
+        super().initializeGL()
         self._dress()
+        if self._points is not None:
+            chosen = self._chosen
+            self.show_points(self._points)
+            self.show_chosen(chosen)
 
     # What is shown.
 
@@ -99,6 +121,7 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
 
     def show_chosen(self, ids: set[str]) -> None:
         """Show which are selected: larger, in a ring of the accent, and before the others."""
+        self._chosen = set(ids)
         if self._points is None:
             return
         known = np.isfinite(self._points.lab).all(axis=1)

@@ -1,0 +1,171 @@
+"""Files through the window: lazily read, saved, exported with what is lost, damaged, and unsaved work recovered."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from brdf_color_swatch.view_state import Scope
+from brdf_qt.dialogs import Answer
+from PySide6.QtWidgets import QPushButton
+
+from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.palette_store import load_palette, save_palette
+from brdf_suite.files.palettes import read_palette
+
+
+def press(program, key: str, text: str) -> None:
+    """Press a button of a message."""
+    message = program.window.messages.findChild(object, f"message_{key}")
+    button = next(one for one in message.findChildren(QPushButton) if one.text() == text)
+    button.click()
+
+
+def test_a_file_is_read_when_it_is_wanted_saved_and_read_again(
+    swatch, dialogs, tmp_path, names, qtbot, command
+) -> None:
+    path = tmp_path / "one.brdfpalette"
+    save_palette(replace(swatch.desk.palette, name="On disk"), path)
+    key = swatch.library.add_path(path)
+    item = swatch.library.item(key)
+    assert (item.state, item.title) == ("closed", "one")
+    swatch.desk.show_scope(Scope(key))
+    assert "Reading" in swatch.window.panes[0].note
+    qtbot.waitUntil(lambda: item.state == "open")
+    assert item.title == "On disk"
+    assert len(names(swatch)) == 6
+    swatch.desk.edit("Rename", lambda palette: replace(palette, name="Changed"))
+    assert swatch.window.isWindowModified()
+    command(swatch, "save")
+    assert not swatch.window.isWindowModified()
+    assert load_palette(path).name == "Changed"
+    swatch.library.history.undo()
+    assert swatch.window.isWindowModified()
+    dialogs.answer = Answer.CANCEL
+    command(swatch, "close")
+    assert swatch.library.item(key) is not None
+    dialogs.answer = Answer.DISCARD
+    command(swatch, "close")
+    assert swatch.library.item(key) is None
+    assert load_palette(path).name == "Changed"
+
+
+def test_what_a_format_cannot_hold_is_told_before_it_is_written(
+    swatch, dialogs, tmp_path, qtbot, command
+) -> None:
+    dialogs.path = tmp_path / "out.gpl"
+    command(swatch, "export")
+    qtbot.waitUntil(lambda: "export" in swatch.window.messages.shown())
+    message = swatch.window.messages.shown()["export"]
+    assert "45°" in message.todo
+    assert not dialogs.path.exists()
+    press(swatch, "export", "Write It")
+    qtbot.waitUntil(
+        lambda: dialogs.path.exists() and "Written" in swatch.window.messages.shown()["export"].what
+    )
+    assert [entry.name for entry in read_palette(dialogs.path).palette] == [
+        e.name for e in swatch.desk.palette
+    ]
+    dialogs.path = tmp_path / "out.xyz"
+    command(swatch, "export")
+    qtbot.waitUntil(lambda: "names no palette format" in swatch.window.messages.shown()["export"].what)
+
+
+def test_what_is_selected_is_exported_alone(swatch, dialogs, tmp_path, qtbot, command, select) -> None:
+    dialogs.path = tmp_path / "some.brdfpalette"
+    select(swatch, "Red", "Ice")
+    command(swatch, "export_selected")
+    qtbot.waitUntil(lambda: dialogs.path.exists() and "export" in swatch.window.messages.shown())
+    assert [entry.name for entry in load_palette(dialogs.path)] == ["Red", "Ice"]
+
+
+def test_a_palette_of_another_program_is_imported_and_its_file_left_alone(
+    swatch, dialogs, tmp_path, qtbot
+) -> None:
+    path = tmp_path / "web.gpl"
+    path.write_text("GIMP Palette\nName: Web\n#\n255 0 0\tRed\n0 0 255\tBlue\n")
+    content = path.read_bytes()
+    dialogs.path = path
+    swatch.window.command("open").trigger()
+    qtbot.waitUntil(lambda: swatch.desk.palette is not None and swatch.desk.palette.name == "Web")
+    assert swatch.desk.item.path is None
+    assert swatch.desk.item.is_clean
+    assert "*.gpl" in dialogs.asked[-1]
+    swatch.desk.edit("Rename", lambda palette: replace(palette, name="Mine"))
+    dialogs.path = tmp_path / "mine"
+    assert swatch.library.save(swatch.desk.state.scope.palette)
+    assert load_palette(tmp_path / "mine.brdfpalette").name == "Mine"
+    assert path.read_bytes() == content
+
+
+def test_a_damaged_file_is_told_and_read_again_once_it_is_repaired(swatch, tmp_path, qtbot, names) -> None:
+    path = tmp_path / "bad.brdfpalette"
+    path.write_text('{"format": "brdfpalette", "version": 2, "entries": [{]}')
+    swatch.window.open_asked.emit(path)
+    pane = swatch.window.panes[0]
+    qtbot.waitUntil(lambda: "Repair the file" in pane.note)
+    key = swatch.desk.state.scope.palette
+    assert swatch.library.item(key).state == "wrong"
+    assert f"open {key}" in swatch.window.messages.shown()
+    save_palette(Palette("Repaired"), path)
+    pane.action_asked.emit("again")
+    qtbot.waitUntil(lambda: swatch.library.item(key).state == "open")
+    assert "empty" in pane.note
+    assert f"open {key}" not in swatch.window.messages.shown()
+
+
+def test_a_paint_that_nobody_measured_is_worked_out_beside_the_window(swatch, qtbot, names) -> None:
+    lobes = Entry(CookTorrancePaint("Lobes", (0.2, 0.1, 0.05)), id="lobes")
+    swatch.desk.edit("Add", lambda palette: replace(palette, entries=(*palette.entries, lobes)))
+    place = swatch.desk.palette.by_id["lobes"]
+    qtbot.waitUntil(lambda: not swatch.desk.shown[0].rows.columns.waiting.any())
+    assert 0.0 < swatch.desk.shown[0].rows.lab[place, 1, 0] < 100.0
+    row = names(swatch).index("Lobes")
+    assert swatch.window.panes[0].model.index(row, 3).data()
+
+
+def test_unsaved_work_of_a_run_that_was_ended_is_offered_back(swatch, tmp_path, names) -> None:
+    path = tmp_path / "kept.brdfpalette"
+    save_palette(Palette("Kept"), path)
+    key = swatch.library.add_palette(load_palette(path), path)
+    swatch.desk.show_scope(Scope(key))
+    swatch.desk.edit("Rename", lambda palette: replace(palette, name="Half done"))
+    opened = swatch.library.item(key).palette
+    # As a kill leaves it: written, and its lock free.
+    opened.recovery.close(keep=True)
+    swatch.library._finder._folder = opened.recovery._folder
+    del swatch.library._items[key]
+    swatch.library.items_changed.emit()
+    swatch._offer_recovery()
+    assert "kept.brdfpalette" in swatch.window.messages.shown()["recovery"].what
+    press(swatch, "recovery", "Recover")
+    assert swatch.desk.palette.name == "Half done"
+    assert swatch.desk.item.path == path
+    assert not swatch.desk.item.is_clean
+    assert load_palette(path).name == "Kept"
+
+
+@pytest.mark.parametrize("key", ["new", "shipped", "again"])
+def test_an_empty_window_offers_what_to_do(swatch, qtbot, key: str) -> None:
+    swatch.window.command("close").trigger()
+    pane = swatch.window.panes[0]
+    assert "Choose a palette" in pane.note
+    if key == "again":
+        return
+    button = pane.findChild(QPushButton, f"note_{key}")
+    button.click()
+    assert swatch.desk.palette.name in ("Untitled", "Shipped Paints")
+    assert ("empty" in pane.note) is (key == "new")
+
+
+def test_the_library_remembers_its_files(swatch, tmp_path: Path, monkeypatch) -> None:
+    path = tmp_path / "one.brdfpalette"
+    save_palette(Palette("One"), path)
+    swatch.library.add_path(path)
+    swatch.library.close(swatch.desk.state.scope.palette)
+    for item in swatch.library.items:
+        del swatch.library._items[item.key]
+    swatch.library.restore()
+    assert [(item.path, item.state) for item in swatch.library.items] == [(path, "closed")]

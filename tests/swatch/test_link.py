@@ -1,0 +1,82 @@
+"""The live link, with a second program on it: paints are sent, offered, and the edited one is taken."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from brdf_qt.link import LiveLink
+from brdf_qt.link_messages import OFFER, document_checks
+
+from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.paint import solid_paint
+from brdf_suite.documents.palette import Entry
+from brdf_suite.documents.store import paint_to_json
+from brdf_suite.errors import SuiteError
+
+
+@pytest.fixture
+def part(swatch):
+    found = next(part for part in swatch.parts if hasattr(part, "link"))
+    found._edited = None
+    found.started = []
+    found.start_program = lambda program, arguments: (found.started.append(arguments) or True, 1)
+    return found
+
+
+@pytest.fixture
+def designer(part, qtbot) -> Iterator[LiveLink]:
+    """Another program on the link of this module's program."""
+    link = LiveLink("designer", name=part.link._name)
+    link.start()
+    qtbot.waitUntil(lambda: "designer" in part.link.peers)
+    yield link
+    link.close()
+    qtbot.waitUntil(lambda: not part.link.peers)
+
+
+def test_a_paint_is_offered_to_designer_and_shown_to_the_others(
+    swatch, part, designer, select, command, qtbot
+) -> None:
+    heard: list[tuple[str, dict]] = []
+    designer.received.connect(lambda topic, value: heard.append((topic, value)))
+    select(swatch, "Blue")
+    command(swatch, "to_designer")
+    qtbot.waitUntil(
+        lambda: any(topic == OFFER and value["paint"]["name"] == "Blue" for topic, value in heard)
+    )
+    assert part.started == []
+    command(swatch, "to_viewer")
+    qtbot.waitUntil(lambda: any(topic == "paint" and value["name"] == "Blue" for topic, value in heard))
+    assert part.started == [["-m", "brdf_viewer"]]
+    assert "Viewer is being started" in swatch.window.messages.shown()["send"].what
+
+
+def test_the_edited_paint_is_taken_and_searched_for(swatch, part, designer, command, names, qtbot) -> None:
+    command(swatch, "take")
+    assert "No paint is being edited" in swatch.window.messages.shown()["take"].what
+    designer.publish("paint", paint_to_json(solid_paint("Fresh", (31.0, 5.0, -38.0))))
+    qtbot.waitUntil(lambda: part._edited is not None)
+    assert "take" not in swatch.window.messages.shown()
+    command(swatch, "take")
+    assert "Fresh" in names(swatch)
+    assert swatch.desk.selected_entries[0].name == "Fresh"
+    command(swatch, "nearest_edited")
+    assert names(swatch)[:2] == ["Fresh", "Blue"]
+
+
+def test_a_paint_that_the_link_cannot_carry_is_told(swatch, part, select, command) -> None:
+    lobes = Entry(CookTorrancePaint("Lobes", (0.2, 0.1, 0.05)), id="lobes")
+    swatch.desk.edit("Add", lambda palette: type(palette)("L", (lobes,)))
+    select(swatch, "Lobes")
+    command(swatch, "to_lobes")
+    assert "Cook-Torrance" in swatch.window.messages.shown()["send"].what
+    assert part.started == []
+
+
+@pytest.mark.parametrize(
+    "value", [{}, {"to": "designer", "time": True, "paint": {}}, {"to": "designer", "time": 1.0, "paint": {}}]
+)
+def test_an_offer_that_is_none_is_refused(value: dict) -> None:
+    with pytest.raises((SuiteError, ValueError)):
+        document_checks()[OFFER](value)

@@ -1,0 +1,91 @@
+"""A file that another program writes while it is open: noticed, and taken only where the user says so."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from brdf_color_swatch.view_state import Scope
+from brdf_qt.dialogs import Overwrite
+from PySide6.QtWidgets import QPushButton
+
+from brdf_suite.documents import palette_edits as edits
+from brdf_suite.documents.palette_store import load_palette, save_palette
+
+
+@pytest.fixture
+def shared(swatch, tmp_path, qtbot):
+    """The sample in a file, open, and that file written by another program."""
+    path = tmp_path / "shared.brdfpalette"
+    save_palette(swatch.desk.palette, path)
+    key = swatch.library.add_path(path)
+    swatch.desk.show_scope(Scope(key))
+    qtbot.waitUntil(lambda: swatch.library.item(key).state == "open")
+
+    def write(change) -> None:
+        save_palette(change(load_palette(path)), path)
+        # What the system tells of the file is heard by the watch; that it is heard is its own test.
+        swatch.library.item(key).palette.watch.changed.emit(str(path))
+
+    return key, path, write
+
+
+def press(program, key: str, text: str) -> None:
+    message = program.window.messages.findChild(object, f"message_{key}")
+    next(one for one in message.findChildren(QPushButton) if one.text() == text).click()
+
+
+def test_reload_takes_what_the_file_holds_and_undo_brings_mine_back(swatch, shared, names, qtbot) -> None:
+    key, path, write = shared
+    mine = swatch.desk.palette
+    write(lambda palette: edits.renamed(palette, "red", "Crimson"))
+    assert "Crimson" not in names(swatch)
+    press(swatch, f"outside {key}", "Reload")
+    qtbot.waitUntil(lambda: "Crimson" in names(swatch))
+    assert swatch.library.item(key).is_clean
+    swatch.library.history.undo()
+    assert swatch.desk.palette == mine
+    assert not swatch.library.item(key).is_clean
+    assert load_palette(path).entry("red").name == "Crimson"
+
+
+def test_merge_keeps_both_and_saving_then_asks_nothing(swatch, shared, names, dialogs, qtbot) -> None:
+    key, path, write = shared
+    swatch.desk.edit("Rename", lambda palette: edits.renamed(palette, "blue", "Azure"))
+    mine = swatch.desk.palette
+    write(lambda palette: edits.removed(edits.renamed(palette, "red", "Crimson"), ["ice"]))
+    press(swatch, f"outside {key}", "Merge")
+    qtbot.waitUntil(lambda: "Crimson" in names(swatch))
+    assert {"Azure", "Crimson"} <= set(names(swatch))
+    assert "Ice" not in names(swatch)
+    assert f"outside {key}" not in swatch.window.messages.shown()
+    assert swatch.library.save(key)
+    assert not dialogs.asked
+    assert load_palette(path).entry("blue").name == "Azure"
+    swatch.library.history.undo()
+    assert swatch.desk.palette == mine
+
+
+def test_mine_is_kept_and_the_file_is_not_overwritten_unasked(swatch, shared, dialogs) -> None:
+    key, path, write = shared
+    swatch.desk.edit("Note", lambda palette: replace(palette, notes="mine"))
+    write(lambda palette: replace(palette, notes="theirs"))
+    press(swatch, f"outside {key}", "Keep Mine")
+    dialogs.overwrite = Overwrite.CANCEL
+    assert not swatch.library.save(key)
+    assert dialogs.asked == ["changed shared.brdfpalette"]
+    assert load_palette(path).notes == "theirs"
+    dialogs.overwrite = Overwrite.OVERWRITE
+    assert swatch.library.save(key)
+    assert load_palette(path).notes == "mine"
+
+
+def test_the_watch_hears_a_file_that_is_replaced(swatch, tmp_path, qtbot) -> None:
+    path = tmp_path / "heard.brdfpalette"
+    save_palette(swatch.desk.palette, path)
+    key = swatch.library.add_path(path)
+    swatch.desk.show_scope(Scope(key))
+    qtbot.waitUntil(lambda: swatch.library.item(key).state == "open")
+    save_palette(replace(swatch.desk.palette, notes="new"), path)
+    qtbot.waitUntil(lambda: f"outside {key}" in swatch.window.messages.shown())
+    assert swatch.desk.palette.notes == ""
