@@ -23,7 +23,6 @@ from brdf_lobe_visualizer.sources_control import Sources
 from brdf_lobe_visualizer.sources_panel import SourcesPanel
 from brdf_lobe_visualizer.status import Status
 from brdf_lobe_visualizer.window import LobeWindow
-from brdf_suite.pipeline.scene import default_paint_name
 
 _FOLDER_KEY = "folder/open"
 _ENDINGS = (
@@ -91,6 +90,9 @@ class LobeVisualizer:
         if self._started:
             return
         self._started = True
+        # Deferred to the painted window: what finds a paint knows environments too, and they are much to import.
+        from brdf_suite.pipeline.scene import default_paint_name
+
         self.sources.open_many(asked)
         if not asked and not self.desk.subjects:
             self._default = default_paint_name()

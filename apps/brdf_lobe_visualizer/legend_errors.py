@@ -40,10 +40,11 @@ class LegendErrors(QObject):
         self._desk = desk
         self._tasks = TaskRunner(self, threads=1)
         self._found: dict[str, ShownError] = {}
+        self._working: set[str] = set()
         self._of: dict[str, tuple[Reflectance, Reflectance]] = {}
         self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS, timeout=self._look)
-        desk.subjects_changed.connect(self._pause.start)
-        desk.visibility_changed.connect(self._pause.start)
+        desk.subjects_changed.connect(self._touch)
+        desk.visibility_changed.connect(self._touch)
 
     @property
     def is_complete(self) -> bool:
@@ -66,6 +67,11 @@ class LegendErrors(QObject):
         self._pause.stop()
         self._tasks.stop()
 
+    def _touch(self) -> None:
+        # Not begun anew: a drag would put it off until its end.
+        if not self._pause.isActive():
+            self._pause.start()
+
     def _look(self) -> None:
         reference = self._desk.compared
         wanted = (
@@ -79,22 +85,30 @@ class LegendErrors(QObject):
         )
         for key in set(self._of) - set(wanted):
             self._tasks.cancel(key)
+            self._working.discard(key)
             del self._of[key]
             self._found.pop(key, None)
         for key, pair in wanted.items():
             before = self._of.get(key)
-            if before is None or any(old is not new for old, new in zip(before, pair, strict=True)):
+            same = before is not None and all(a is b for a, b in zip(before, pair, strict=True))
+            # One that is in work is brought to its end, or a drag would show none.
+            if not same and key not in self._working:
                 self._of[key] = pair
                 self._submit(key, pair)
         self.changed.emit()
 
     def _submit(self, key: str, pair: tuple[Reflectance, Reflectance]) -> None:
+        self._working.add(key)
+
         def done(found: ShownError) -> None:
+            self._working.discard(key)
             self._found[key] = found
+            self._touch()
             self.changed.emit()
 
         def failed(_error: Exception) -> None:
             # The message of the subject itself tells what is wrong with it; a figure would add nothing.
+            self._working.discard(key)
             self._found.pop(key, None)
             self.changed.emit()
 

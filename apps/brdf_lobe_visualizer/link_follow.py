@@ -40,6 +40,7 @@ class FollowedPaint(QObject):
         self._tasks = TaskRunner(self, threads=1)
         self._fitter: PaintFitter | None = None
         self._newest: Paint | None = None
+        self._next: Paint | None = None
         self._exact = ExactFit(self)
         self._exact.arrived.connect(self._show)
         self._exact.failed.connect(lambda fit, _error: self._show(fit))
@@ -74,6 +75,10 @@ class FollowedPaint(QObject):
             self._fitter.close()
 
     def _fit(self, paint: Paint) -> None:
+        # One that is in work is brought to its end: were each dropped for the next, a drag would show none of them.
+        if self._tasks.busy:
+            self._next = paint
+            return
         if self._fitter is None:
             self._fitter = PaintFitter()
         self._tasks.submit(KEY, _fitted, (self._fitter, paint), self._fresh, self._refused)
@@ -82,6 +87,12 @@ class FollowedPaint(QObject):
         self._window.dismiss_message(_TOLD)
         self._exact.watch(fit)
         self._show(fit)
+        self._go_on()
+
+    def _go_on(self) -> None:
+        paint, self._next = self._next, None
+        if paint is not None:
+            self._fit(paint)
 
     def _show(self, fit: PaintFit) -> None:
         if not self.action.isChecked():
@@ -111,11 +122,13 @@ class FollowedPaint(QObject):
     def _refused(self, error: Exception) -> None:
         todo = tr("The paint before is still shown.")
         self._window.show_message(message_of(error, _TOLD, todo=todo))
+        self._go_on()
 
     def _followed(self, follow: bool) -> None:
         if follow and self._newest is not None:
             self._fit(self._newest)
         elif not follow:
+            self._next = None
             self._tasks.cancel(KEY)
             self._exact.forget()
 

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from brdf_qt.translation import tr
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
 from PySide6.QtGui import QGuiApplication, QIcon, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from brdf_suite.pipeline.reflectance_figures_text import FigureRow
+if TYPE_CHECKING:
+    # What measures is much to import, and the panel is not seen at a first start.
+    from brdf_suite.pipeline.reflectance_figures_text import FigureRow
 
 _NOTHING = 1e-9
 _Index = QModelIndex | QPersistentModelIndex

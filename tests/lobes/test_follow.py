@@ -20,7 +20,7 @@ from brdf_suite.reflectance.registry import MODELS
 def following(program, monkeypatch):
     """The program as it follows; fits are exact at once, however busy the machine is."""
     monkeypatch.setitem(PaintFitter.__init__.__kwdefaults__, "time_limit_s", 60.0)
-    program.followed._fitter = None
+    program.followed._fitter = program.followed._newest = program.followed._next = None
     program.followed.action.setChecked(True)
     yield program
     program.followed._tasks.stop()
@@ -136,3 +136,18 @@ def test_what_cannot_be_fitted_is_shown_without_one(program, qtbot) -> None:
     assert program.desk.subject(key).fit is None
     program.desk.remove(key)
     assert f"fit {key}" not in program.window.messages.shown()
+
+
+def test_a_drag_is_shown_while_it_lasts(following, qtbot) -> None:
+    """Each paint comes while the one before is still fitted; the last of them is shown in the end."""
+    shown = []
+    following.followed.arrived.connect(lambda: shown.append(front_lab(following)))
+    told(following, solid_paint("Grey", (10.0, 0.0, 0.0)))
+    for lightness in range(11, 60):
+        assert not following.followed.is_complete
+        told(following, solid_paint("Grey", (float(lightness), 0.0, 0.0)))
+    qtbot.waitUntil(lambda: following.followed.is_complete)
+    assert shown[0] == 10.0
+    assert shown[-1] == 59.0
+    following.followed.arrived.disconnect()
+    following.followed.arrived.connect(following._drop_default)

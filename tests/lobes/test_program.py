@@ -18,6 +18,9 @@ from PySide6.QtGui import QImage
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
 SLOW = {
+    "brdf_suite.pipeline.measuring",
+    "brdf_suite.pipeline.scene",
+    "brdf_suite.pipeline.any_fit",
     "trimesh",
     "moderngl",
     "colour",
