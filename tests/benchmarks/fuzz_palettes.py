@@ -1,4 +1,4 @@
-"""Damage palettes of every format in many ways and read them: no crash, no hang, no flood of memory.
+"""Cut off palettes of every format at every byte, and damage them in many ways: no crash, no hang, no flood of memory.
 
     python tests/benchmarks/fuzz_palettes.py [--mutations 100000] [--seed 0] [--formats ase aco …] [FILE...]
 
@@ -122,25 +122,39 @@ def outcome(content: bytes, known: PaletteFormat | None) -> str:
 
 
 def fuzz(
-    content: bytes, name: str, known: PaletteFormat, mutations: int, seed: int, keep: Path | None = None
+    content: bytes,
+    name: str,
+    known: PaletteFormat,
+    mutations: int,
+    seed: int,
+    keep: Path | None = None,
+    *,
+    cut: bool = False,
 ) -> tuple[Counter[str], float]:
     """Return the outcomes of all mutations of one file, and the longest reading in seconds.
 
-    Faulty content is kept in ``keep``.
+    Faulty content is kept in ``keep``. With ``cut`` the file is first read cut off at every byte.
     """
     counts: Counter[str] = Counter()
     longest = 0.0
     outcome(content, known)  # imports and caches are not what is limited
+
+    def take(damaged: bytes, reader: PaletteFormat | None, index: int) -> None:
+        nonlocal longest
+        start = time.perf_counter()
+        result = outcome(damaged, reader)
+        longest = max(longest, time.perf_counter() - start)
+        counts[result] += 1
+        if result.startswith("FAULT") and keep is not None:
+            keep.mkdir(parents=True, exist_ok=True)
+            (keep / f"{known.name}-{seed}-{index}").write_bytes(damaged)
+
+    for size in range(len(content) if cut else 0):
+        take(content[:size], known, -size)
     for index in range(mutations):
         damaged = mutate(content, random.Random(f"{seed} {name} {index}"))
         for reader in (None, known):
-            start = time.perf_counter()
-            result = outcome(damaged, reader)
-            longest = max(longest, time.perf_counter() - start)
-            counts[result] += 1
-            if result.startswith("FAULT") and keep is not None:
-                keep.mkdir(parents=True, exist_ok=True)
-                (keep / f"{known.name}-{seed}-{index}").write_bytes(damaged)
+            take(damaged, reader, index)
     return counts, longest
 
 
@@ -165,10 +179,12 @@ def main(tell: Callable[[str], None] = print) -> int:
     arguments = parser.parse_args()
     faults = 0
     for name, content, known in samples(arguments.files, arguments.formats):
-        counts, longest = fuzz(content, name, known, arguments.mutations, arguments.seed, arguments.keep)
+        counts, longest = fuzz(
+            content, name, known, arguments.mutations, arguments.seed, arguments.keep, cut=True
+        )
         tell(
-            f"{name}: {arguments.mutations} mutations, each read twice: {counts['read']} read,"
-            f" {counts['refused']} refused; the longest took {longest:.2f} s"
+            f"{name}: {arguments.mutations} mutations, each read twice, and {len(content)} beginnings:"
+            f" {counts['read']} read, {counts['refused']} refused; the longest took {longest:.2f} s"
         )
         faults += fuzz_measured.told(counts)
         sys.stdout.flush()

@@ -63,6 +63,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
                 break
             raise cursor.fail(f"version {version} is not known; 1 and 2 are", start)
         count = cursor.u16("the count of colours")
+        collector.check_count(count, f"byte {start + 2}")
         least = 10 if version == 1 else 14
         if least * count > cursor.left:
             raise cursor.fail(

@@ -51,6 +51,7 @@ def _read_data(chunk: ByteCursor, collector: Collector) -> None:
         raise chunk.fail(f"version {version:#06x} is not known; 0x0300 is", start)
     if 4 * count > chunk.left:
         raise chunk.fail(f"{count:,} colours cannot lie in a chunk of {chunk.left:,} bytes", start + 2)
+    collector.check_count(count, f"byte {start + 2}")
     for _ in range(count):
         place = f"byte {chunk.at}"
         red, green, blue, flags = chunk.take(4, "a colour")

@@ -1,0 +1,264 @@
+"""Damaged and hostile palettes: a named error with a place, or a repair that is told; never anything else."""
+
+from __future__ import annotations
+
+import importlib.util
+import io
+import json
+import math
+import struct
+import sys
+import zipfile
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from brdf_suite.errors import FileError
+from brdf_suite.files.palettes import FORMATS, PaletteFormat, format_named, read_content, read_palette
+from brdf_suite.files.palettes.collecting import MOST_COLOURS
+
+NAMES = [known.name for known in FORMATS]
+
+
+@pytest.fixture(scope="module")
+def fuzzing(checkout: Path) -> ModuleType:
+    pytest.importorskip("resource", reason="memory limits are set through the Unix module resource")
+    if not Path("/proc/self/statm").exists():
+        pytest.skip("the memory in use is read from /proc")
+    path = checkout / "tests" / "benchmarks" / "fuzz_palettes.py"
+    spec = importlib.util.spec_from_file_location("fuzz_palettes", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    module.fuzz_measured.SECONDS = 60.0  # a busy machine is no fault of a reader
+    return module
+
+
+@pytest.fixture(params=FORMATS, ids=NAMES)
+def known(request: pytest.FixtureRequest) -> PaletteFormat:
+    found: PaletteFormat = request.param
+    return found
+
+
+def refused(content: bytes, name: str) -> FileError:
+    """The error of a content read as a format; it must have a place."""
+    with pytest.raises(FileError) as caught:
+        read_content(content, "bad", format_named(name))
+    assert caught.value.place
+    assert "bad" in str(caught.value)
+    return caught.value
+
+
+def test_a_file_that_ends_anywhere_is_refused_or_read(known: PaletteFormat, fuzzing: ModuleType) -> None:
+    content = fuzzing.made_file(known)
+    read, step = 0, max(1, len(content) // 800)  # every byte of all but the longest
+    for size in range(0, len(content), step):
+        result = fuzzing.outcome(content[:size], known)
+        assert result in ("read", "refused"), size
+        read += result == "read"
+    if known.name not in ("gpl", "css", "csv", "aco", "act", "acb"):
+        assert read <= 5, "but for white space at its end every part of such a file is needed"
+
+
+def test_damaged_files_are_refused_or_read_within_the_limits(
+    known: PaletteFormat, fuzzing: ModuleType
+) -> None:
+    counts, longest = fuzzing.fuzz(fuzzing.made_file(known), known.name, known, 120, seed=7)
+    assert not [result for result in counts if result.startswith("FAULT")]
+    assert counts["read"] > 0
+    assert counts["refused"] > 0
+    assert longest < 60.0
+
+
+def zipped(parts: dict[str, bytes]) -> bytes:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in parts.items():
+            archive.writestr(name, content)
+    return buffer.getvalue()
+
+
+def riff(count: int, told: int | None = None) -> bytes:
+    """The head of a RIFF palette of ``count`` colours with room for ``told``."""
+    size = 4 * (count if told is None else told) + 4
+    return b"RIFF" + struct.pack("<I", size + 12) + b"PAL data" + struct.pack("<IHH", size, 0x300, count)
+
+
+def ase(colour: bytes) -> bytes:
+    """An ASE file of one colour without a name."""
+    return b"ASEF" + struct.pack(">HHIHIHH", 1, 0, 1, 1, 4 + len(colour), 1, 0) + colour
+
+
+KPL_INFINITE = zipped(
+    {"colorset.xml": b'<ColorSet>\n<ColorSetEntry><RGB r="inf" g="0" b="0"/></ColorSetEntry></ColorSet>'}
+)
+SBZ_TWICE = zipped({"swatchbook.xml": b"<SwatchBook><materials><color/>\n<color/></materials></SwatchBook>"})
+SBZ_CODE = zipped(
+    {
+        "swatchbook.xml": b'<SwatchBook><materials><color><values model="RGB">0 0 os.system</values></color>'
+        b'</materials><book><swatch material=""/></book></SwatchBook>'
+    }
+)
+CSV_NAN = b"name,L_15,a_15,b_15,L_45,a_45,b_45,L_75,a_75,b_75\nx,1,2,3,4,nan,6,7,8,9\n"
+CXF_UNKNOWN = (
+    b'<CxF xmlns="http://colorexchangeformat.com/CxF3-core"><Resources><ObjectCollection>\n'
+    b'<Object Name="x" Id="a"><ColorValues><ColorCIELab ColorSpecification="no"><L>x</L></ColorCIELab>'
+    b"</ColorValues></Object></ObjectCollection></Resources></CxF>"
+)
+BOMB = b"""<?xml version="1.0"?><!DOCTYPE x [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>"""
+
+
+@pytest.mark.parametrize(
+    ("name", "root", "part"),
+    [
+        ("soc", b"<color-table>&b;</color-table>", ""),
+        ("scribus", b"<SCRIBUSCOLORS>&b;</SCRIBUSCOLORS>", ""),
+        ("cxf", b'<CxF xmlns="http://colorexchangeformat.com/CxF3-core">&b;</CxF>', ""),
+        ("kpl", b"<ColorSet>&b;</ColorSet>", "colorset.xml"),
+        ("sbz", b"<SwatchBook>&b;</SwatchBook>", "swatchbook.xml"),
+    ],
+)
+def test_entities_are_never_expanded(name: str, root: bytes, part: str) -> None:
+    content = BOMB + root
+    error = refused(zipped({part: content}) if part else content, name)
+    assert "document type" in error.reason
+    deep = b"<a>" * 100 + b"</a>" * 100
+    assert "nested deeper" in refused(zipped({part: deep}) if part else deep, name).reason
+
+
+def test_zip_files_unpack_within_bounds_and_write_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("brdf_suite.files.palettes.zipped.LARGEST", 1 << 20)
+    large = zipped({"colorset.xml": b" " * (2 << 20)})
+    assert len(large) < 10_000
+    assert "unpacks to more" in refused(large, "kpl").reason
+    assert "more than 1,000 parts" in refused(zipped({f"{i}": b"" for i in range(1001)}), "kpl").reason
+    assert "has no part" in refused(zipped({"other.xml": b""}), "sbz").reason
+    evil = zipped(
+        {"../../evil.icc": b"x", "/etc/evil": b"x", "colorset.xml": b'<ColorSet name="a" version="2.0"/>'}
+    )
+    palette, notes = format_named("kpl").read(evil, "evil.kpl")
+    assert (len(palette), list(tmp_path.iterdir())) == (0, [])
+    assert "2 parts of the file without colours are left out." in notes
+    twice = io.BytesIO()
+    with zipfile.ZipFile(twice, "w") as archive:
+        archive.writestr("colorset.xml", b"<a/>")
+        with pytest.warns(UserWarning, match="Duplicate name"):
+            archive.writestr("colorset.xml", b"<b/>")
+    assert "there twice" in refused(twice.getvalue(), "kpl").reason
+
+
+LONG = "n" * 1_000_000
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("gpl", f"GIMP Palette\n1 2 3 {LONG}\n".encode()),
+        ("soc", f'<color-table><color name="{LONG}" color="#010203"/></color-table>'.encode()),
+        ("scribus", f'<SCRIBUSCOLORS><COLOR NAME="{LONG}" RGB="#010203"/></SCRIBUSCOLORS>'.encode()),
+        ("css", f':root {{ --a: #010203; /* "{LONG[:150_000]}" */ }}'.encode()),
+        ("json", json.dumps({LONG: "#010203"}).encode()),
+        ("aco", struct.pack(">HH5HI", 2, 1, 0, 257, 514, 771, 0, len(LONG)) + LONG.encode("utf-16-be")),
+    ],
+)
+def test_names_of_a_million_characters_are_cut_and_told(name: str, content: bytes) -> None:
+    palette, notes = format_named(name).read(content, "long")
+    assert len(palette.entries[0].name) == 1000
+    assert any("1 name was cut" in note for note in notes)
+    assert palette.entries[0].content.values == pytest.approx((1 / 255, 2 / 255, 3 / 255), abs=1e-4)
+
+
+def test_a_cell_of_a_million_characters_is_refused() -> None:
+    assert "field larger" in refused(f"name,L_45\n{LONG},3\n".encode(), "csv").reason
+    document = {"format": "brdfpalette", "version": 2, "name": LONG}
+    assert refused(json.dumps(document).encode(), "brdfpalette").place == "name"
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("gpl", b"GIMP Palette\n" + b"1 2 3\n" * (MOST_COLOURS + 10)),
+        ("jasc", b"JASC-PAL\n0100\n1000000\n"),
+        ("soc", b"<color-table>" + b'<color color="#000000"/>' * (MOST_COLOURS + 1) + b"</color-table>"),
+        ("csv", b"name,L_45,a_45,b_45\n" + b"x,1,2,3\n" * (MOST_COLOURS + 1)),
+        ("json", b"[" + b'"#000000",' * MOST_COLOURS + b'"#000000"]'),
+        ("ase", b"ASEF" + struct.pack(">HHI", 1, 0, 1_000_000) + bytes(6_000_000)),
+        ("aco", struct.pack(">HH", 1, 60_000) + bytes(600_000)),
+        ("riff", riff(60_000) + bytes(240_000)),
+    ],
+)  # fmt: skip
+def test_too_many_colours_are_refused(name: str, content: bytes) -> None:
+    assert "colours are more than" in refused(content, name).reason
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "place", "words"),
+    [
+        ("ase", b"ASEF" + struct.pack(">HHI", 1, 0, 5) + bytes(6), "byte 8", "5 blocks cannot lie"),
+        ("ase", b"ASEF" + struct.pack(">HHIHI", 1, 0, 1, 1, 99), "byte 12", "beyond the end"),
+        ("ase", ase(b"RGB " + struct.pack(">3fH", 0, math.nan, 0, 0)), "byte 30", "finite"),
+        ("ase", ase(b"HSV " + bytes(14)), "byte 22", "'HSV '"),
+        ("aco", struct.pack(">HH", 1, 3) + bytes(10), "byte 2", "3 colours of version 1"),
+        ("aco", struct.pack(">HH5H", 1, 1, 3, 0, 0, 0, 0), "byte 4", "maker's own"),
+        ("aco", struct.pack(">HH5HI", 2, 1, 0, 0, 0, 0, 0, 50) + bytes(4), "byte 14", "50 characters"),
+        ("acb", b"8BCB" + struct.pack(">HHI", 1, 1, 1 << 31), "byte 8", "beyond the end"),
+        ("riff", riff(9, 1) + bytes(4), "byte 22", "9 colours"),
+        ("jasc", b"JASC-PAL\n0100\n3\n1 2 3\n", "line 5", "3 colours are said to follow, 1 do"),
+        ("jasc", b"JASC-PAL\n0100\n1\n1 2 256\n", "line 4", "from 0 to 255"),
+        ("act", bytes(769), "byte 769", "769 bytes"),
+        ("act", bytes(768) + struct.pack(">HH", 999, 0), "byte 768", "999 colours"),
+        ("gpl", b"GIMP Palette\n1 2\n", "line 2", "three numbers"),
+        ("gpl", b"GIMP Palette\n1 2 3 \0\n", "byte 19", "NUL"),
+        ("soc", b'<color-table>\n<color color="blue"/></color-table>', "line 2", "#336699"),
+        ("scribus", b'<SCRIBUSCOLORS>\n<COLOR SPACE="RGB" R="nan" G="0" B="0"/></SCRIBUSCOLORS>', "line 2", "finite"),
+        ("scribus", b'<SCRIBUSCOLORS><COLOR CMYK="#0011"/></SCRIBUSCOLORS>', "line 1", "4 bytes"),
+        ("kpl", KPL_INFINITE, "colorset.xml, line 2", "finite"),
+        ("sbz", SBZ_TWICE, "swatchbook.xml, line 2", "two materials"),
+        ("sbz", SBZ_CODE, "swatchbook.xml, line 1", "finite"),
+        ("csv", CSV_NAN, "line 2, column a_45", "finite"),
+        ("csv", b"name,model,values\nx,RGB,0 1\n", "line 2", "3 numbers"),
+        ("css", b":root {\n --a: #123; /* never ends", "line 2", "does not end"),
+        ("json", b'{"a": "#123456"', "line 1, column 16", "not valid JSON"),
+        ("json", b'{"a": 3}', "the top level", "no colour"),
+        ("cxf", CXF_UNKNOWN, "line 2", "not in the file"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_named_with_its_place(name: str, content: bytes, place: str, words: str) -> None:
+    error = refused(content, name)
+    assert words in error.reason
+    assert error.place == place
+
+
+def test_repairs_are_told() -> None:
+    gpl = b"GIMP Palette\nName: \xe4\n300 -1 20\tl\xe4\tst\n"
+    palette, notes = format_named("gpl").read(gpl, "a")
+    assert palette.entries[0].content.values == (1.0, 0.0, 20 / 255)
+    assert palette.entries[0].name == "lä st"
+    assert len(notes) == 3
+    assert any("Latin-1" in note for note in notes)
+    ase = format_named("ase")
+    assert ase.write is not None
+    group = struct.pack(">HIH", 0xC001, 4, 1) + b"\0\0" + struct.pack(">HI", 0xC002, 0)
+    twice = b"ASEF" + struct.pack(">HHI", 1, 0, 6) + group + group + struct.pack(">HIHI", 0xC002, 0, 0x77, 0)
+    palette, notes = ase.read(twice, "a")
+    assert [found.path for found in palette.groups] == [("",), (" (2)",)]
+    assert len(notes) == 3
+    jasc = b"JASC-PAL\r\n0100\r\n1\r\n1 2 3\r\n4 5 6\r\n"
+    assert "1 line beyond the count" in format_named("jasc").read(jasc, "a")[1][0]
+
+
+def test_files_that_cannot_be_read_are_told(tmp_path: Path) -> None:
+    with pytest.raises(FileError, match="No such file"):
+        read_palette(tmp_path / "none.ase")
+    with pytest.raises(FileError, match="is a folder"):
+        read_palette(tmp_path)
+    empty = tmp_path / "empty.kpl"
+    empty.write_bytes(b"")
+    with pytest.raises(FileError, match="is empty"):
+        read_palette(empty)
