@@ -35,6 +35,7 @@ from brdf_suite.realtime.context import create_context
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
 
+_ball = load_module(Path(__file__).with_name("ball.py"))
 _sparkle = load_module(Path(__file__).with_name("viewer_sparkle.py"))
 
 NAME = "viewer"
@@ -190,16 +191,7 @@ def _distance() -> float:
 
 def _sphere(rings: int = 158) -> MeshPart:
     """158 rings: 99,856 triangles."""
-    v, u = np.meshgrid(
-        np.linspace(0, np.pi, rings + 1), np.linspace(0, 2 * np.pi, 2 * rings + 1), indexing="ij"
-    )
-    n = np.stack([np.sin(v) * np.sin(u), np.cos(v), np.sin(v) * np.cos(u)], -1).reshape(-1, 3)
-    row = 2 * rings + 1
-    i = (np.arange(rings)[:, None] * row + np.arange(row - 1)[None]).ravel()
-    triangles = np.concatenate(
-        [np.stack([i, i + row, i + 1], -1), np.stack([i + 1, i + row, i + row + 1], -1)]
-    )
-    return MeshPart("ball", "paint", n * RADIUS, n, triangles)
+    return _ball.ball(RADIUS, rings)
 
 
 def _maps() -> EnvironmentMaps:

@@ -21,6 +21,7 @@ import numpy as np
 
 from brdf_suite.appearance.colorimetry import LUMINANCE, display_to_lab, srgb_encode
 from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.cli.bench import load_module
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.fitting.lobes.angles import AngleFitter
 from brdf_suite.geometry.fresnel import fresnel_dielectric
@@ -34,6 +35,8 @@ from brdf_suite.realtime.look_up_table import RAMP_COSINES, LookUp, constant_lig
 from brdf_suite.realtime.tone_curves import display_light
 from brdf_suite.realtime.values import MeshPart
 from brdf_suite.reflectance.aspecular_base import AspecularBase
+
+_ball = load_module(Path(__file__).resolve().with_name("ball.py"))
 
 BINS = 4096
 SIZE = (384, 384)
@@ -62,16 +65,7 @@ class Points(NamedTuple):
 
 
 def sphere(rings: int = 158) -> MeshPart:
-    v, u = np.meshgrid(
-        np.linspace(0, np.pi, rings + 1), np.linspace(0, 2 * np.pi, 2 * rings + 1), indexing="ij"
-    )
-    n = np.stack([np.sin(v) * np.sin(u), np.cos(v), np.sin(v) * np.cos(u)], -1).reshape(-1, 3)
-    row = 2 * rings + 1
-    i = (np.arange(rings)[:, None] * row + np.arange(row - 1)[None]).ravel()
-    triangles = np.concatenate(
-        [np.stack([i, i + row, i + 1], -1), np.stack([i + 1, i + row, i + row + 1], -1)]
-    )
-    return MeshPart("ball", "paint", n * RADIUS, n, triangles)
+    return _ball.ball(RADIUS, rings)
 
 
 def points_of(scene: OffscreenScene, count: int) -> Points:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from brdf_suite.cli.bench import load_module
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.camera import CameraMatrices
 from brdf_suite.realtime.context import create_context
@@ -19,6 +20,7 @@ from brdf_suite.realtime.shader_source import SHADERS, compile_program, compose
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
 
 Array = NDArray[np.float64]
+BALL = load_module(Path(__file__).resolve().parent.parent / "benchmarks" / "ball.py")
 EXPONENTS = (8.0, 200.0, 20000.0)
 
 
@@ -84,18 +86,7 @@ class Scenes:
     def sphere(
         material: str = "paint", radius: float = 0.1, centre: tuple[float, ...] = (0, 0, 0), rings: int = 96
     ) -> MeshPart:
-        v, u = np.meshgrid(
-            np.linspace(0, np.pi, rings + 1), np.linspace(0, 2 * np.pi, 2 * rings + 1), indexing="ij"
-        )
-        n = np.stack([np.sin(v) * np.sin(u), np.cos(v), np.sin(v) * np.cos(u)], -1).reshape(-1, 3)
-        row = 2 * rings + 1
-        i = (np.arange(rings)[:, None] * row + np.arange(row - 1)[None]).ravel()
-        triangles = np.concatenate(
-            [np.stack([i, i + row, i + 1], -1), np.stack([i + 1, i + row, i + row + 1], -1)]
-        )
-        return MeshPart(
-            f"{material} sphere", material, n * radius + np.asarray(centre), n, triangles.astype(np.uint32)
-        )
+        return BALL.ball(radius, rings, name=f"{material} sphere", material=material, centre=centre)
 
     @staticmethod
     def sheet(material: str = "paint", half: float = 0.1, centre: tuple[float, ...] = (0, 0, 0)) -> MeshPart:

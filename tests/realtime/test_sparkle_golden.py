@@ -15,29 +15,16 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from brdf_suite.cli.bench import load_module
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, Sparkle
 from brdf_suite.realtime.light_block import DistantLights
-from brdf_suite.realtime.values import MeshPart
 
+BALL = load_module(Path(__file__).resolve().parent.parent / "benchmarks" / "ball.py")
 FOLDER = Path(__file__).resolve().parent.parent / "golden"
 SIZE = (240, 160)
 MEAN_CODES, FAR_CODES, FAR_SHARE = 0.25, 12, 0.004
-
-
-def ball(radius=0.05, rings=64):
-    v, u = np.meshgrid(
-        np.linspace(0, np.pi, rings + 1), np.linspace(0, 2 * np.pi, 2 * rings + 1), indexing="ij"
-    )
-    n = np.stack([np.sin(v) * np.sin(u), np.cos(v), np.sin(v) * np.cos(u)], -1).reshape(-1, 3)
-    row = 2 * rings + 1
-    i = (np.arange(rings)[:, None] * row + np.arange(row - 1)[None]).ravel()
-    triangles = np.concatenate(
-        [np.stack([i, i + row, i + 1], -1), np.stack([i + 1, i + row, i + row + 1], -1)]
-    )
-    uvs = 1e3 * radius * np.stack([u, v], -1).reshape(-1, 2)
-    return MeshPart("ball", "paint", n * radius, n, triangles, uvs)
 
 
 @pytest.mark.parametrize("mode", ["texture", "glints"])
@@ -49,7 +36,7 @@ def test_flakes_on_a_ball(renderer, scenes, mode, distance):
     renderer.set_environment(
         scenes.constant(0.4), DistantLights(sun, np.full((1, 3), 1.5), np.array([0.005]))
     )
-    renderer.set_mesh([ball()])
+    renderer.set_mesh([BALL.ball(0.05, 64, with_uvs=True)])
     renderer.set_material("paint", weights)
     renderer.set_flakes("paint", Flakes(90.0, 30.0, 0.17, 0.3))
     view = View(
