@@ -54,6 +54,17 @@ class Camera:
         )
         return side, top
 
+    def eye(self) -> tuple[float, float, float]:
+        """Return where the eye is."""
+        azimuth, elevation = math.radians(self.azimuth_deg), math.radians(self.elevation_deg)
+        flat = self.distance * math.cos(elevation)
+        x, y, z = self.centre
+        return (
+            x + flat * math.cos(azimuth),
+            y + flat * math.sin(azimuth),
+            z + self.distance * math.sin(elevation),
+        )
+
     def to_eye(self) -> QMatrix4x4:
         """Return the matrix from the local frame to the eye's."""
         matrix = QMatrix4x4()

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 
 from brdf_lobe_visualizer.space_frame import LIGHT_REACH
 from brdf_lobe_visualizer.space_view import SpaceView
+from brdf_suite.geometry.directions import Floats
 
 DEG_PER_PIXEL = 0.35
 FINE = 0.1
@@ -81,7 +81,10 @@ class IncidenceDrag(QObject):
             self._end()
             return False
         if self._mode == "handle":
-            place = on_sphere(*self._view.ray(at)[:2], LIGHT_REACH)
+            start, along, _ = self._view.ray(at)
+            light = self._view.scene.light
+            last = np.array([0.0, 0.0, 1.0]) if light is None else light
+            place = on_sphere(start, along, LIGHT_REACH, LIGHT_REACH * last)
             theta = math.degrees(math.atan2(math.hypot(place[0], place[1]), place[2]))
             # The light's azimuth in the frame is that of the incidence and half a turn.
             phi = math.degrees(math.atan2(-place[1], -place[0])) if theta > 0.05 else 0.0
@@ -99,22 +102,21 @@ class IncidenceDrag(QObject):
             self._view.unsetCursor()
 
 
-def on_sphere(
-    start: npt.NDArray[np.float64], along: npt.NDArray[np.float64], radius: float
-) -> npt.NDArray[np.float64]:
-    """Return where (3,) a ray meets the upper half of a sphere about 0 first, or comes nearest to it.
+def on_sphere(start: Floats, along: Floats, radius: float, last: Floats) -> Floats:
+    """Return where (3,) a ray meets the upper half of a sphere about 0, or comes nearest to it.
 
-    A ray that meets the sphere below the horizon is taken to its far side where that is above, else to the horizon.
+    Of two places above the horizon the one nearer to ``last``, so that what is dragged behind the sphere stays behind;
+    where none is above, the horizon below the nearer one.
     """
     middle = -float(start @ along)
     nearest = start + middle * along
     apart = float(nearest @ nearest)
-    if apart >= radius * radius:
-        place = nearest
-    else:
+    places = [nearest]
+    if apart < radius * radius:
         reach = math.sqrt(radius * radius - apart)
-        first, second = (start + (middle + sign * reach) * along for sign in (-1.0, 1.0))
-        place = first if first[2] >= 0.0 or second[2] < 0.0 else second
+        both = [start + (middle + sign * reach) * along for sign in (-1.0, 1.0)]
+        places = [place for place in both if place[2] >= 0.0] or both
+    place = min(places, key=lambda row: float(np.linalg.norm(row - last)))
     place = np.array([place[0], place[1], max(place[2], 0.0)])
     length = float(np.linalg.norm(place))
     return place * (radius / length) if length > 1e-9 else np.array([0.0, 0.0, radius])

@@ -19,6 +19,7 @@ from brdf_lobe_visualizer.camera import PRESETS, Camera, framed, preset
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.incidence_section import IncidenceSection
 from brdf_lobe_visualizer.parts_section import PartsSection
+from brdf_lobe_visualizer.save_surface import SaveSurface
 from brdf_lobe_visualizer.space_options import SpaceState
 from brdf_lobe_visualizer.surface_section import SurfaceSection
 from brdf_lobe_visualizer.sweep import SweepControl
@@ -65,6 +66,7 @@ class Space(QObject):
         window.add_section("incidence", tr("Incidence"), self.incidence)
         window.add_section("radius", tr("Radius"), self.surface)
         window.add_section("parts", tr("Parts"), self.parts)
+        self.save = SaveSurface(self, desk, window)
         self._add_commands()
         window.first_painted.connect(self._build)
 
@@ -135,6 +137,7 @@ class Space(QObject):
         # Half a second of imports.
         from brdf_lobe_visualizer.incidence_drag import IncidenceDrag
         from brdf_lobe_visualizer.space_layers import SceneMaker
+        from brdf_lobe_visualizer.space_probe import SpaceProbe
         from brdf_lobe_visualizer.space_values import SpaceValues
         from brdf_lobe_visualizer.space_view import SpaceView
 
@@ -152,6 +155,7 @@ class Space(QObject):
         drag.dragged.connect(self._desk.set_incidence)
         drag.turned.connect(self._turn)
         drag.reset.connect(self._desk.reset_incidence)
+        SpaceProbe(view)
         self._holder.show_view(view)
         self.draw_now()
 

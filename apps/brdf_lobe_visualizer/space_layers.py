@@ -292,6 +292,7 @@ class SceneMaker:
                 sheet.style,
                 sheet.opacity,
                 sheet.ink,
+                sheet.found.grid,
             )
             for sheet in plan.sheets
         )

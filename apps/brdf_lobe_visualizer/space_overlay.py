@@ -30,10 +30,11 @@ class Overlay:
         self._bold.setBold(True)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
-    def labels(self, labels: Sequence[Label], project: Project, room: QRectF) -> None:
-        """Paint labels that lie within ``room``; those of arrows first, and none over another."""
+    def labels(self, labels: Sequence[Label], project: Project, room: QRectF, hidden: Sequence[bool]) -> None:
+        """Paint labels that lie within ``room``; arrows' first, none over another, none that a lobe hides."""
         taken: list[QRectF] = []
-        for label in sorted(labels, key=lambda row: not row.strong):
+        seen = [label for label, behind in zip(labels, hidden, strict=True) if label.strong or not behind]
+        for label in sorted(seen, key=lambda row: not row.strong):
             at = project(label.place)
             if at is None or not room.contains(at):
                 continue
@@ -120,6 +121,21 @@ class Overlay:
             self._small,
             self._ink,
         )
+
+    def probe(self, at: QPointF, text: str, room: QRectF) -> None:
+        """Mark a point and write what it is beside it."""
+        p = self._painter
+        p.setPen(QPen(_faded(self._paper, 220), 3.0))
+        p.drawEllipse(at, 4.0, 4.0)
+        p.setPen(QPen(self._ink, 1.4))
+        p.drawEllipse(at, 4.0, 4.0)
+        metrics = QFontMetricsF(self._small)
+        wide, high = metrics.horizontalAdvance(text) + 4.0, metrics.height()
+        box = QRectF(at.x() + 10.0, at.y() - high - 6.0, wide, high)
+        box.moveLeft(min(box.left(), room.right() - wide - 4.0))
+        box.moveTop(max(box.top(), room.top() + 4.0))
+        p.fillRect(box.adjusted(-4.0, -1.0, 4.0, 1.0), _faded(self._paper, 190))
+        self._halo(box, text, self._small, self._ink)
 
     def words(self, text: str, room: QRectF) -> None:
         """Paint words in the middle: what to do where there is nothing."""

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.lobe_surface import LobeSurface
+from brdf_suite.pipeline.lobe_surface_grid import LobeGrid
 from brdf_suite.pipeline.lobe_surface_scale import RadiusScale
 
 Singles = npt.NDArray[np.float32]
@@ -17,12 +18,16 @@ Rgba = tuple[float, float, float, float]
 
 @dataclass(frozen=True, eq=False)
 class Layer:
-    """A surface and how it is drawn: ``solid``, ``glass`` or ``lines``; with ``ink`` in the theme's colour of text."""
+    """A surface and how it is drawn: ``solid``, ``glass`` or ``lines``; with ``ink`` in the theme's colour of text.
+
+    With the ``grid`` of its directions it hides labels that lie behind it, and its values can be read.
+    """
 
     surface: LobeSurface
     style: str = "solid"
     opacity: float = 1.0
     ink: bool = False
+    grid: LobeGrid | None = None
 
 
 @dataclass(frozen=True, eq=False)

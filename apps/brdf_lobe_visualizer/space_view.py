@@ -9,6 +9,7 @@ from __future__ import annotations
 import logging
 import math
 import time
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -28,6 +29,9 @@ from brdf_lobe_visualizer.space_items import PointItem, SegmentItem, Sight, Surf
 from brdf_lobe_visualizer.space_overlay import Overlay
 from brdf_lobe_visualizer.space_scene import Layer, Panel, Rgba, Scene
 from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.lobe_surface import LobeSurface
+from brdf_suite.pipeline.lobe_surface_grid import LobeGrid
+from brdf_suite.pipeline.lobe_surface_hiding import hidden, met
 
 log = logging.getLogger(__name__)
 
@@ -36,6 +40,16 @@ _TILE = 1024
 _SUPERSAMPLED = 2
 _POINT_PX = 5.0
 _HANDLE_PX = 15.0
+
+
+@dataclass(frozen=True, eq=False)
+class Probe:
+    """A point (3,) of a lobe that is looked at, in the panel ``room``."""
+
+    place: npt.NDArray[np.float64]
+    surface: LobeSurface
+    grid: LobeGrid
+    room: QRectF
 
 
 class SpaceView(GLViewWidget):
@@ -62,6 +76,8 @@ class SpaceView(GLViewWidget):
         self._frame: Frame | None = None
         self._rows: dict[int, npt.NDArray[np.void]] = {}
         self._failure = ""
+        self._probe: Probe | None = None
+        self._probe_text = ""
 
     # What is shown.
 
@@ -73,6 +89,7 @@ class SpaceView(GLViewWidget):
         if not alike or before.light is not scene.light:
             self._frame = None
         self._rows.clear()
+        self._probe = None
         self.hand_over()
         self.update()
 
@@ -242,10 +259,7 @@ class SpaceView(GLViewWidget):
         GL.glClearColor(ground.redF(), ground.greenF(), ground.blueF(), 1.0)
         GL.glClearDepth(1.0)
         GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
-        if self._frame is None:
-            ink = self.palette().color(QPalette.ColorRole.Text)
-            colour = (ink.redF(), ink.greenF(), ink.blueF(), 1.0)
-            self._frame = frame_of(self.scene.light, self.scene.scale, self.scene.frame, colour)
+        self.frame()
         item = 0
         for number, (panel, room) in enumerate(zip(self.scene.panels, self.rooms(logical), strict=False)):
             across, down = whole.width() / logical.width(), whole.height() / logical.height()
@@ -277,9 +291,16 @@ class SpaceView(GLViewWidget):
         GL.glDisable(GL.GL_BLEND)
         GL.glDisable(GL.GL_PROGRAM_POINT_SIZE)
 
+    def frame(self) -> Frame:
+        """Return the lines and labels about the lobes, in the theme's colours."""
+        if self._frame is None:
+            ink = self.palette().color(QPalette.ColorRole.Text)
+            colour = (ink.redF(), ink.greenF(), ink.blueF(), 1.0)
+            self._frame = frame_of(self.scene.light, self.scene.scale, self.scene.frame, colour)
+        return self._frame
+
     def _draw_panel(self, panel: Panel, number: int, sight: Sight, first: int) -> None:
-        frame = self._frame
-        assert frame is not None
+        frame = self.frame()
         surface = self._programs["surface"]
         rows = list(enumerate(panel.layers, first))
         text = self.palette().color(QPalette.ColorRole.Text)
@@ -335,17 +356,53 @@ class SpaceView(GLViewWidget):
         for panel, room in zip(self.scene.panels, rooms, strict=False):
             matrix = self.to_clip(room)
             if self._frame is not None:
-                overlay.labels(
-                    self._frame.labels, lambda place, m=matrix, r=room: _projected(m, place, r), room
-                )
+                labels = self._frame.labels
+                behind = self._behind(panel, [label.place for label in labels])
+                overlay.labels(labels, lambda place, m=matrix, r=room: _projected(m, place, r), room, behind)
             overlay.panel(panel, room, bordered=len(rooms) > 1)
         if self.scene.bar is not None:
             overlay.bar(self.scene.bar, QRectF(0.0, 0.0, size.width(), size.height()))
+        probe = self._probe
+        if probe is not None and probe.room in rooms:
+            x, y, z = (float(value) for value in probe.place)
+            spot = _projected(self.to_clip(probe.room), (x, y, z), probe.room)
+            if spot is not None:
+                overlay.probe(spot, self._probe_text, probe.room)
         if not self.scene.panels:
             overlay.words(
                 tr("Nothing to show: add a reflectance, or show one in the legend."),
                 QRectF(0.0, 0.0, size.width(), size.height()),
             )
+
+    def _behind(self, panel: Panel, places: list[tuple[float, float, float]]) -> list[bool]:
+        """Which places a solid lobe of the panel hides."""
+        result = np.zeros(len(places), bool)
+        for layer in panel.layers:
+            if layer.style == "solid" and layer.grid is not None and places:
+                result |= hidden(layer.surface, layer.grid, self.camera.eye(), places)
+        return [bool(value) for value in result]
+
+    def probe_at(self, at: QPointF) -> Probe | None:
+        """Return the first solid lobe that the ray through a point of the widget meets; None where there is none."""
+        start, along, room = self.ray(at)
+        rooms = self.rooms()
+        for panel, other in zip(self.scene.panels, rooms, strict=False):
+            if other != room:
+                continue
+            for layer in panel.layers:
+                if layer.style != "solid" or layer.grid is None or layer.surface.dark:
+                    continue
+                place = met(layer.surface, layer.grid, start, along)
+                if place is not None:
+                    return Probe(place, layer.surface, layer.grid, room)
+        return None
+
+    def set_probe(self, probe: Probe | None, text: str = "") -> None:
+        """Mark a point of a lobe with words, or none."""
+        if probe is None and self._probe is None:
+            return
+        self._probe, self._probe_text = probe, text
+        self.update()
 
     def changeEvent(self, event: object) -> None:
         super().changeEvent(event)

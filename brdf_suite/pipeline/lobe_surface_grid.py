@@ -33,7 +33,8 @@ MOST_THETA_DEG = 89.9
 HORIZON_Z = 1e-4
 """Least z of a direction: at the horizon itself every reflectance is 0 by definition, and a rim would fall to it."""
 
-_WARP = 3.0
+WARP = 3.0
+"""Rows lie at this power of even shares of the way to the horizon."""
 _FINE = 2049
 
 
@@ -113,7 +114,7 @@ def lobe_grid(wi: npt.ArrayLike, rows: int = ROWS, columns: int = COLUMNS) -> Lo
 
 @lru_cache(maxsize=4)
 def _rows(rows: int) -> Floats:
-    return (np.arange(rows) / (rows - 1.0)) ** _WARP
+    return (np.arange(rows) / (rows - 1.0)) ** WARP
 
 
 def _columns(cos_t: float, columns: int) -> Floats:

@@ -18,6 +18,7 @@ from brdf_suite.pipeline.lobe_surface import (
 )
 from brdf_suite.pipeline.lobe_surface_colour import CHANNELS, light_codes, scalar_of
 from brdf_suite.pipeline.lobe_surface_grid import HORIZON_Z, lobe_grid
+from brdf_suite.pipeline.lobe_surface_hiding import hidden, met, radius_along, value_along
 from brdf_suite.pipeline.lobe_surface_maps import difference_map, uniform_steps, value_map
 from brdf_suite.pipeline.lobe_surface_parts import FitOnGrid, fit_lobes
 from brdf_suite.pipeline.lobe_surface_scale import RADIUS_KINDS, RadiusScale, nice_ceiling
@@ -244,3 +245,25 @@ def test_what_no_grid_or_scale_can_be() -> None:
     for fields in ({"full": 0.0}, {"full": np.inf}, {"decades": 0.5}, {"kind": "square"}):
         with pytest.raises(ValueError, match=next(iter(fields))):
             RadiusScale(**fields)
+
+
+def test_what_a_lobe_hides_and_where_a_ray_meets_it() -> None:
+    grid = lobe_grid(LIGHT)
+    values = LobeSource(MODELS["cook_torrance"].default).brdf(grid)
+    surface = lobe_surface(grid, values, RadiusScale("cbrt", greatest(values)))
+    some = grid.directions[3::9, 5::17].reshape(-1, 3)
+    radius = np.linalg.norm(surface.points, axis=-1)[3::9, 5::17].reshape(-1)
+    np.testing.assert_allclose(radius_along(surface, grid, some), radius, rtol=2e-3, atol=1e-4)
+    assert radius_along(surface, grid, [0.0, 0.6, -0.8]) == 0.0
+    # From the side of the light: what lies beyond the body is hidden, what lies before it and beside it is not.
+    eye = np.array([0.0, 0.0, 6.0])
+    body = 0.5 * float(radius_along(surface, grid, [0.0, 0.0, 1.0]))
+    below, beside = [0.0, 0.0, 0.3 * body], [0.0, 0.9, 0.0]
+    assert hidden(surface, grid, eye, [below, beside]).tolist() == [True, False]
+    point = met(surface, grid, eye, [0.0, 0.0, -1.0])
+    assert point is not None
+    assert float(np.linalg.norm(point)) == pytest.approx(2.0 * body, abs=2e-3)
+    nearest = values @ np.array([0.2627, 0.678, 0.0593])
+    at = np.unravel_index(np.argmax(grid.directions[..., 2]), grid.shape)
+    assert value_along(surface, grid, point / np.linalg.norm(point)) == pytest.approx(nearest[at], rel=0.02)
+    assert met(surface, grid, eye, [0.6, 0.0, -0.8]) is None

@@ -1,0 +1,71 @@
+"""Lobes in three dimensions in a real window, with OpenGL on an X server of its own; one window a module."""
+
+from __future__ import annotations
+
+import importlib.util
+import uuid
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
+
+_FILE = Path(__file__).parent.parent / "qt_gl" / "xvfb.py"
+_spec = importlib.util.spec_from_file_location("xvfb", _FILE)
+xvfb = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(xvfb)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def screen() -> None:
+    """The display on which this session's widgets are shown."""
+    xvfb.use_screen()
+
+
+@pytest.fixture(autouse=True)
+def own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No test touches a user's settings, or speaks with a program that is open."""
+    monkeypatch.setenv("BRDF_SUITE_SETTINGS", str(tmp_path / "settings"))
+    monkeypatch.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
+
+
+@pytest.fixture(scope="module")
+def lasting(screen, qapp, tmp_path_factory):
+    """One window for a whole module, with the view in three dimensions and nothing else."""
+    from brdf_lobe_visualizer.assembly import LobeVisualizer
+    from brdf_lobe_visualizer.space import Space
+
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
+        patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
+        program = LobeVisualizer((Space,))
+        program.window.resize(900, 640)
+        program.window.show()
+    yield program
+    program.close()
+    program.window.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def program(lasting, qtbot):
+    """The program with nothing on its desk and all options at their defaults, its view there."""
+    program, space = lasting, lasting.parts[0]
+    qtbot.waitUntil(lambda: space.view is not None and space.view.isValid())
+    program.desk.set_subjects(())
+    program.desk.show_all()
+    program.desk.reset_options()
+    program.desk.reset_incidence()
+    space.state.reset()
+    space.sweep.set_running(False)
+    space.frame()
+    space.go_to("plane")
+    for key in list(program.window.messages.shown()):
+        program.window.dismiss_message(key)
+    QCoreApplication.processEvents()  # what was told took room from the view
+    return program
+
+
+@pytest.fixture
+def space(program):
+    """The part that shows lobes."""
+    return program.parts[0]
