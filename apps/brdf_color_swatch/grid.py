@@ -235,6 +235,10 @@ class SwatchGrid(QAbstractItemView):
     def verticalOffset(self) -> int:
         return self.verticalScrollBar().value()
 
+    def scrollContentsBy(self, dx: int, dy: int) -> None:
+        # What is seen already is moved; only what comes into view is painted.
+        self.viewport().scroll(dx, dy)
+
     def isIndexHidden(self, index: QModelIndex) -> bool:
         return index.column() != 0
 
@@ -283,7 +287,9 @@ class SwatchGrid(QAbstractItemView):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self.viewport())
-        clip = event.rect()
+        # Pictures that have come are painted where they lie, and not all that lies between them.
+        clip, region = event.rect(), event.region()
+        several = region.rectCount() > 1
         offset = self.verticalOffset()
         painter.translate(0, -offset)
         painter.setFont(self.tiles.font)
@@ -297,6 +303,8 @@ class SwatchGrid(QAbstractItemView):
             for row in places:
                 left, y, width, height = self.layout_.box(row)
                 if y > bottom or y + height < top or left > clip.right() or left + width < clip.left():
+                    continue
+                if several and not region.intersects(QRect(left, y - offset, width, height)):
                     continue
                 look = Look(
                     self.form,

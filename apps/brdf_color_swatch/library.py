@@ -5,6 +5,7 @@ Nothing here is a widget. An item of the library is a file that may not be read 
 
 from __future__ import annotations
 
+import gc
 import itertools
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
@@ -32,6 +33,7 @@ from brdf_suite.errors import SuiteError
 
 State = Literal["closed", "reading", "open", "wrong"]
 _KEY = "library"
+_MANY = 1000
 
 
 @dataclass(eq=False)
@@ -244,6 +246,9 @@ class Library(QObject):
         # What was imported is in its own file still: nothing would be lost with it until it is changed.
         origin = None if read.is_ours else read.path
         self._fill(item, read.palette, path, clean=True, stamp=stamp, rows=read.rows, origin=origin)
+        if len(read.palette) >= _MANY:
+            # They live long and are in no cycle: a collection that looks through all of them would hold up a scroll.
+            gc.freeze()
         self._any_files().remember(read.path)
         self.settled.emit(f"open {key}")
         if read.notices:

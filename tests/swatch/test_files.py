@@ -16,6 +16,12 @@ from brdf_suite.documents.palette_store import load_palette, save_palette
 from brdf_suite.files.palettes import read_palette
 
 
+def told(program, key: str) -> str:
+    """Return what a message says; empty where there is none."""
+    message = program.window.messages.shown().get(key)
+    return "" if message is None else message.what
+
+
 def press(program, key: str, text: str) -> None:
     """Press a button of a message."""
     message = program.window.messages.findChild(object, f"message_{key}")
@@ -70,7 +76,7 @@ def test_what_a_format_cannot_hold_is_told_before_it_is_written(
     ]
     dialogs.path = tmp_path / "out.xyz"
     command(swatch, "export")
-    qtbot.waitUntil(lambda: "names no palette format" in swatch.window.messages.shown()["export"].what)
+    qtbot.waitUntil(lambda: "names no palette format" in told(swatch, "export"))
 
 
 def test_what_is_selected_is_exported_alone(swatch, dialogs, tmp_path, qtbot, command, select) -> None:
