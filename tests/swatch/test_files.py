@@ -68,9 +68,7 @@ def test_what_a_format_cannot_hold_is_told_before_it_is_written(
     assert "45°" in message.todo
     assert not dialogs.path.exists()
     press(swatch, "export", "Write It")
-    qtbot.waitUntil(
-        lambda: dialogs.path.exists() and "Written" in swatch.window.messages.shown()["export"].what
-    )
+    qtbot.waitUntil(lambda: dialogs.path.exists() and "Written" in told(swatch, "export"))
     assert [entry.name for entry in read_palette(dialogs.path).palette] == [
         e.name for e in swatch.desk.palette
     ]
