@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from brdf_lobe_visualizer.space_items import Rgba, polyline, segments
-from brdf_lobe_visualizer.space_scene import FrameOptions
+from brdf_lobe_visualizer.space_items import polyline, segments
+from brdf_lobe_visualizer.space_scene import FrameOptions, Rgba
 from brdf_suite.geometry.directions import Floats, mirror, spherical
 from brdf_suite.pipeline.lobe_surface_scale import RadiusScale
 

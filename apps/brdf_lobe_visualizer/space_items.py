@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -15,12 +14,11 @@ from OpenGL import GL
 from PySide6.QtGui import QMatrix4x4
 
 from brdf_lobe_visualizer.space_gl import Arrays, Buffer, Program
+from brdf_lobe_visualizer.space_scene import Rgba, Style
 from brdf_suite.pipeline.lobe_surface import LobeSurface, grid_faces
 
 Singles = npt.NDArray[np.float32]
-Style = Literal["solid", "glass", "lines"]
 _STYLES: dict[Style, int] = {"solid": 0, "glass": 1, "lines": 2}
-Rgba = tuple[float, float, float, float]
 
 _SEGMENT = np.dtype(
     [("start", "f4", 3), ("end", "f4", 3), ("widths", "f4", 2), ("colour", "f4", 4)], align=False
@@ -69,8 +67,10 @@ class SurfaceItem:
             self._count = faces.size
         self._whole, self._shape, self.surface = whole, surface.shape, surface
 
-    def draw(self, program: Program, sight: Sight, style: Style, opacity: float, tint: Rgba) -> None:
-        """Draw it; what is like glass hides its own far side, so that its order matters not."""
+    def draw(
+        self, program: Program, sight: Sight, style: Style, opacity: float, tint: Rgba, order: int = 0
+    ) -> None:
+        """Draw it; what is like glass hides its own far side. ``order``: its place among what is see-through."""
         if self._shape is None or not self._count:
             return
         self._arrays.bind()
@@ -96,6 +96,9 @@ class SurfaceItem:
             self._elements()
             GL.glDisable(GL.GL_POLYGON_OFFSET_FILL)
             return
+        # Shells that all but touch: the outer one is the later one, and nearer.
+        GL.glEnable(GL.GL_POLYGON_OFFSET_FILL)
+        GL.glPolygonOffset(-0.5 * order, -4.0 * order)
         GL.glEnable(GL.GL_BLEND)
         GL.glBlendFuncSeparate(
             GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA, GL.GL_ONE, GL.GL_ONE_MINUS_SRC_ALPHA
@@ -107,6 +110,7 @@ class SurfaceItem:
             self._elements()
         else:
             self._elements()
+        GL.glDisable(GL.GL_POLYGON_OFFSET_FILL)
 
     def _elements(self) -> None:
         GL.glDrawElements(GL.GL_TRIANGLES, self._count, GL.GL_UNSIGNED_INT, ctypes.c_void_p(0))

@@ -12,9 +12,10 @@ from brdf_qt.translation import tr
 from brdf_lobe_visualizer.crosshair import number
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.slice_words import UNIT, quantity
+from brdf_lobe_visualizer.space_frame import rings_of
 from brdf_lobe_visualizer.space_options import BODY_DEG, SpaceOptions
 from brdf_lobe_visualizer.space_samples import sample_points
-from brdf_lobe_visualizer.space_scene import Bar, FrameOptions, Layer, Panel, Scene
+from brdf_lobe_visualizer.space_scene import Bar, FrameOptions, Layer, Panel, Scene, Style
 from brdf_lobe_visualizer.space_values import Found, SpaceValues, with_cosine
 from brdf_lobe_visualizer.space_words import lobe_title, lobe_weight
 from brdf_lobe_visualizer.subjects import Srgb, Subject
@@ -45,7 +46,7 @@ class _Sheet:
     """
 
     found: Found
-    style: str = "solid"
+    style: Style = "solid"
     opacity: float = 1.0
     line: Srgb | None = None
     legend: Srgb = (0.6, 0.6, 0.6)
@@ -308,10 +309,9 @@ class SceneMaker:
         return Panel(plan.title, caption, layers, points, "\n".join(notes), plan.colour)
 
     def _peak(self, layers: tuple[Layer, ...]) -> str:
-        if not layers or layers[0].surface.dark:
+        if all(layer.surface.dark for layer in layers):
             return ""
-        values = layers[0].surface.values
-        most = greatest(values)
+        most = max(greatest(layer.surface.values) for layer in layers)
         text = tr("greatest {value} {unit}").format(value=number(most), unit=UNIT)
         if float(layers[0].surface.scale.radius(most)) > CUT:
             text = tr("{text}, cut off in the picture").format(text=text)
@@ -349,7 +349,7 @@ _WORDS: dict[str, Callable[[], str]] = {
 
 
 def _sheet(
-    found: Found, style: str, subject: Subject, line: Srgb | None = None, *, ink: bool = False
+    found: Found, style: Style, subject: Subject, line: Srgb | None = None, *, ink: bool = False
 ) -> _Sheet:
     opacity = {"solid": 1.0, "glass": 0.45, "lines": 0.9}[style]
     return _Sheet(found, style, opacity, line, subject.colour, ink=ink)
@@ -373,14 +373,11 @@ def _notes(sheet: _Sheet) -> list[str]:
 
 
 def _bar(scale: RadiusScale, title: str, *, signed: bool) -> Bar:
+    rounds = [(radius, text) for radius, text in rings_of(scale) if radius < 0.93]
+    rows = [(1.0, f"{scale.full:.3g}"), *rounds]
     if not signed:
-        shares = (0.0, 0.25, 0.5, 0.75, 1.0)
-        ticks = tuple(
-            (share, f"{scale.value(share):.3g}" if share or scale.kind == "log" else "0") for share in shares
-        )
-        return Bar(value_map(), ticks, title)
-    rows: list[tuple[float, str]] = [(0.5, "0")]
-    for share in (0.5, 1.0):
-        text = f"{scale.value(share):.3g}"
-        rows += [(0.5 + 0.5 * share, f"+{text}"), (0.5 - 0.5 * share, f"−{text}")]
-    return Bar(difference_map(), tuple(rows), title)
+        least = f"≤ {scale.value(0.0):.2g}" if scale.kind == "log" else "0"
+        return Bar(value_map(), (*rows, (0.0, least)), title)
+    signs = [(0.5 + 0.5 * share, f"+{text}") for share, text in rows]
+    signs += [(0.5 - 0.5 * share, f"−{text}") for share, text in rows]
+    return Bar(difference_map(), (*signs, (0.5, "0")), title)

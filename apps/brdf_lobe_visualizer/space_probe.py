@@ -8,7 +8,8 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer
 
 from brdf_lobe_visualizer.crosshair import number
 from brdf_lobe_visualizer.slice_words import UNIT
-from brdf_lobe_visualizer.space_view import Probe, SpaceView
+from brdf_lobe_visualizer.space_scene import Probe
+from brdf_lobe_visualizer.space_view import SpaceView
 from brdf_suite.geometry.directions import angle_between
 from brdf_suite.pipeline.lobe_surface_hiding import value_along
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +14,7 @@ from brdf_suite.pipeline.lobe_surface_grid import LobeGrid
 from brdf_suite.pipeline.lobe_surface_scale import RadiusScale
 
 Singles = npt.NDArray[np.float32]
+Style = Literal["solid", "glass", "lines"]
 Rgba = tuple[float, float, float, float]
 
 
@@ -24,10 +26,20 @@ class Layer:
     """
 
     surface: LobeSurface
-    style: str = "solid"
+    style: Style = "solid"
     opacity: float = 1.0
     ink: bool = False
     grid: LobeGrid | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Probe:
+    """A point (3,) of a lobe that is looked at; ``room`` is the top left of its panel."""
+
+    place: Floats
+    surface: LobeSurface
+    grid: LobeGrid
+    room: tuple[float, float]
 
 
 @dataclass(frozen=True, eq=False)

@@ -59,6 +59,9 @@ def program(lasting, qtbot):
     space.sweep.set_running(False)
     space.frame()
     space.go_to("plane")
+    qtbot.waitUntil(
+        lambda: not program.desk.tasks.busy
+    )  # figures of a subject that has gone may still be told
     for key in list(program.window.messages.shown()):
         program.window.dismiss_message(key)
     QCoreApplication.processEvents()  # what was told took room from the view
