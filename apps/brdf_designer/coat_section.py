@@ -88,6 +88,10 @@ class CoatSection(PaintSection):
         self._asked: tuple[float, float] | None = None
         self._taken = False
 
+    def part_of(self, paint: Paint) -> object:
+        """Return what of a paint is shown here."""
+        return paint.gloss, paint.orange_peel
+
     def show_paint(self, paint: Paint) -> None:
         """Show the readings and the orange peel."""
         field = self.panel.fields["gloss.gu_60"]

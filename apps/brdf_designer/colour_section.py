@@ -131,16 +131,20 @@ class Swatch(QAbstractButton):
         super().__init__(parent)
         self._colour = QColor()
         self._in_gamut = True
+        self._named: tuple[str, bool] | None = None
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setAutoFillBackground(True)
 
     def show_colour(self, colour: AngleColour) -> None:
         """Show the colour of a measurement."""
         self._colour, self._in_gamut = QColor(*colour.rgb), colour.in_gamut
+        self.update()
+        if (colour.text, colour.in_gamut) == self._named:
+            return
+        self._named = (colour.text, colour.in_gamut)
         tip = tr("Pick the colour at {angle}").format(angle=colour.text)
         self.setAccessibleName(tip)
         self.setToolTip(tip if colour.in_gamut else f"{tip}\n{tr(OUTSIDE_TIP)}")
-        self.update()
 
     def sizeHint(self) -> QSize:
         return QSize(56, 24)

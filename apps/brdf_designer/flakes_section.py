@@ -45,6 +45,10 @@ class FlakesSection(PaintSection):
         self.box.addWidget(form)
         self._last = DEFAULT_FLAKES
 
+    def part_of(self, paint: Paint) -> object:
+        """Return what of a paint is shown here."""
+        return paint.flakes
+
     def show_paint(self, paint: Paint) -> None:
         """Show the flakes; without any, the numbers that switching on would give, disabled."""
         self.has_flakes.setChecked(paint.flakes is not None)

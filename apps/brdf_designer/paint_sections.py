@@ -144,6 +144,10 @@ class ModelSection(PaintSection):
             self.box.addWidget(label)
         self.notices.hide()
 
+    def part_of(self, paint: Paint) -> object:
+        """Return what of a paint is shown here."""
+        return paint.interpolation, paint.near_specular, [m.aspecular_deg for m in paint.measurements]
+
     def show_paint(self, paint: Paint) -> None:
         """Show the rule and the factor."""
         self.rule.setCurrentIndex(self.rule.findData(paint.interpolation))
@@ -179,6 +183,10 @@ class TextSection(PaintSection):
             form.add_row(label, field, tip)
         form.add_row(tr("Readings"), self.illuminant, tr("Illuminant and observer of all L*a*b* values"))
         self.box.addWidget(form)
+
+    def part_of(self, paint: Paint) -> object:
+        """Return what of a paint is shown here."""
+        return paint.name, paint.source, paint.notes, paint.illuminant, paint.observer_deg
 
     def show_paint(self, paint: Paint) -> None:
         """Show the texts."""

@@ -157,6 +157,7 @@ class PatchRow(QWidget):
         self._grid.setVerticalSpacing(2)
         self._grid.setRowStretch(0, 1)
         self._cells: list[tuple[ColourField, Caption, Caption, Caption]] = []
+        self._told: dict[int, tuple[object, ...]] = {}
         self._standard_cells: list[tuple[Caption, Caption]] = []
 
     def show_colours(self, colours: Colours) -> None:
@@ -165,6 +166,7 @@ class PatchRow(QWidget):
             self._cells.append(self._new_cell(len(self._cells)))
         while len(self._cells) > len(colours.angles):
             self._grid.setColumnStretch(len(self._cells) - 1, 0)
+            self._told.pop(len(self._cells) - 1, None)
             for widget in (*self._cells.pop(), *self._standard_cells.pop()):
                 self._grid.removeWidget(widget)
                 widget.hide()
@@ -187,6 +189,10 @@ class PatchRow(QWidget):
         for number, cell in enumerate(self._cells):
             error = 0.0 if delta_e is None else delta_e[number]
             colour = None if given is None else given[number]
+            told = _told_of_fit(None if delta_e is None else error, colour, time_limited, exact_follows)
+            if told == self._told.get(number):
+                continue
+            self._told[number] = told
             cell[0].show_given(colour)
             _set_bold(cell[3], is_large(error))
             tip = large if is_large(error) else tr(_FIT_TIP)
@@ -235,6 +241,15 @@ class PatchRow(QWidget):
         self._standard_cells.append((against, words))
         self._grid.setColumnStretch(column, 1)
         return field, angle, numbers, fit
+
+
+def _told_of_fit(
+    error: float | None, given: GivenColour | None, time_limited: bool, exact_follows: bool
+) -> tuple[object, ...]:
+    """What is seen of a fit under a field: where that is as it was, nothing is written anew."""
+    lab = None if given is None else tuple(round(value, 3) for value in given.lab)
+    rgb = None if given is None else given.rgb
+    return None if error is None else round(error, 4), lab, rgb, time_limited, exact_follows
 
 
 def _set_bold(label: QWidget, bold: bool) -> None:

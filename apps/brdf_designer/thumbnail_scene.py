@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from dataclasses import dataclass
+from functools import lru_cache
 
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_to_json
@@ -38,8 +39,12 @@ class ThumbnailScene:
 USUAL_SCENE = ThumbnailScene()
 
 
+@lru_cache(maxsize=1024)
 def paint_key(paint: Paint, scene: ThumbnailScene = USUAL_SCENE) -> str:
-    """Return the same text for the same picture: of all that is seen of a paint, and not of its name."""
+    """Return the same text for the same picture: of all that is seen of a paint, and not of its name.
+
+    Every repaint of the history asks it of every state that is seen, so it is worked out once for each.
+    """
     seen = {name: value for name, value in paint_to_json(paint).items() if name not in _UNSEEN}
     text = json.dumps([seen, scene.environment, scene.surface], sort_keys=True)
     return hashlib.blake2b(text.encode("utf-8"), digest_size=16).hexdigest()

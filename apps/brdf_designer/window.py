@@ -26,7 +26,8 @@ from brdf_designer.status import DeskStatus
 from brdf_designer.tabs_bar import DocumentTabs
 from brdf_designer.window_focus import order_focus
 from brdf_designer.window_letters import give_letters
-from brdf_designer.window_pickers import ColourPickers, ReadingMenus, fill_recent
+from brdf_designer.window_pickers import ColourPickers, ReadingMenus, fill_recent, name_step
+from brdf_suite.documents.paint import Paint
 
 
 class DesignerWindow(SuiteWindow):
@@ -64,6 +65,8 @@ class DesignerWindow(SuiteWindow):
         super().__init__("Designer")
         self.setAcceptDrops(True)
         self._colours: Colours | None = None
+        self._whole: Paint | None = None
+        """The paint that all fields show; ``None`` where one of them may show something else."""
         self.pickers = ColourPickers(self)
         self.pickers.started.connect(self.gesture_started)
         self.pickers.picked.connect(self.edited)
@@ -171,12 +174,16 @@ class DesignerWindow(SuiteWindow):
 
     def show_colours(self, colours: Colours) -> None:
         """See :class:`brdf_designer.controller.View`."""
+        before, self._whole = self._whole, colours.paint
         self._colours = colours
         self.strip.show_colours(colours)
         self.patches.show_colours(colours)
         self.editors.show_colours(colours)
         for section in (self.coat, self.flakes, self.model, self.texts):
-            section.show_paint(colours.paint)
+            # A drag of a colour leaves the rest as it is; what is shown anew is shown whole.
+            part = section.part_of(colours.paint)
+            if before is None or before is colours.paint or section.part_of(before) != part:
+                section.show_paint(colours.paint)
         self.plot.show_colours(colours)
         self.desk_status.show_colours(colours)
         if self.reading_menus.show_angles(colours.angles):
@@ -224,6 +231,8 @@ class DesignerWindow(SuiteWindow):
 
     def show_message(self, message: Message) -> None:
         """See :class:`brdf_designer.controller.View`."""
+        if message.key == "edit":
+            self._whole = None  # a field holds what was refused
         self.messages.show_message(message)
 
     def dismiss_message(self, key: str) -> None:
@@ -236,14 +245,8 @@ class DesignerWindow(SuiteWindow):
 
     def show_history(self, undo: str, redo: str, *, can_undo: bool, can_redo: bool) -> None:
         """Show what Undo and Redo would do, by name."""
-        for action, word, name, can in (
-            (self.undo_action, tr("&Undo"), undo, can_undo),
-            (self.redo_action, tr("&Redo"), redo, can_redo),
-        ):
-            action.setText(f"{word} {name}".rstrip())
-            action.setIconText(word.replace("&", ""))
-            action.setToolTip(f"{action.text().replace('&', '')} ({action.shortcut().toString()})")
-            action.setEnabled(can)
+        name_step(self.undo_action, tr("&Undo"), undo, can=can_undo)
+        name_step(self.redo_action, tr("&Redo"), redo, can=can_redo)
 
     # How it is built.
 
@@ -364,6 +367,7 @@ class DesignerWindow(SuiteWindow):
     def keep_opened(self) -> None:
         """Take what is shown for what the document had when it was opened: a double click goes back to it."""
         assert self._colours is not None
+        self._whole = None
         self.strip.keep_opened()
         self.editors.flop.show_colours(self._colours)  # also while its numbers are not shown
         for part in (self.editors, self.coat, self.flakes, self.model):

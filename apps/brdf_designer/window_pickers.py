@@ -1,4 +1,4 @@
-"""The colour pickers beside the desk, and the menus that name the readings."""
+"""The colour pickers beside the desk, and the menus that name readings, files and steps."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtGui import QColor, QKeySequence
+from PySide6.QtGui import QAction, QColor, QKeySequence
 from PySide6.QtWidgets import QColorDialog, QMenu, QWidget
 
 from brdf_designer.desk_state import AngleColour
@@ -107,3 +107,11 @@ def fill_recent(
     menu.addSeparator()
     menu.addAction(tr("&Clear"), clear)
     menu.setEnabled(bool(paths))
+
+
+def name_step(action: QAction, word: str, name: str, *, can: bool) -> None:
+    """Let Undo or Redo say what it would do."""
+    action.setText(f"{word} {name}".rstrip())
+    action.setIconText(word.replace("&", ""))
+    action.setToolTip(f"{action.text().replace('&', '')} ({action.shortcut().toString()})")
+    action.setEnabled(can)

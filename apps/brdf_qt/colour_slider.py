@@ -30,6 +30,9 @@ from brdf_qt.burst import Burst
 TRACK_SAMPLES = 48
 _MARGIN = 5.0
 _FINE = 0.1
+# Made once: a drag draws three tracks a hundred times a second.
+_DARK_HATCH = QBrush(QColor(0, 0, 0, 130), Qt.BrushStyle.BDiagPattern)
+_LIGHT_HATCH = QBrush(QColor(255, 255, 255, 60), Qt.BrushStyle.BDiagPattern)
 
 
 @lru_cache(maxsize=32)
@@ -155,10 +158,8 @@ class ColourSlider(QAbstractSlider):
         for start, end in self._outside:
             part = QRectF(groove.left() + start * groove.width(), groove.top(), 0, groove.height())
             part.setRight(groove.left() + end * groove.width())
-            painter.fillRect(part, QBrush(QColor(0, 0, 0, 130), Qt.BrushStyle.BDiagPattern))
-            painter.fillRect(
-                part.translated(1, 0), QBrush(QColor(255, 255, 255, 60), Qt.BrushStyle.BDiagPattern)
-            )
+            painter.fillRect(part, _DARK_HATCH)
+            painter.fillRect(part.translated(1, 0), _LIGHT_HATCH)
         painter.setPen(QPen(self.palette().dark().color(), 1))
         painter.drawRect(groove)
         self._paint_handle(painter)

@@ -80,6 +80,7 @@ class NumberField(QDoubleSpinBox):
         self._typing = False
         self._quiet = False
         self._beyond: float | None = None
+        self._set: tuple[float, float] | None = None
         self.setAccessibleName(f"{name}, {unit}" if unit else name)
         self.setLocale(QLocale.c())
         self.setButtonSymbols(QAbstractSpinBox.ButtonSymbols.NoButtons)
@@ -114,7 +115,7 @@ class NumberField(QDoubleSpinBox):
         wrapping: bool,
     ) -> None:
         """Become the number ``name`` of another range, without a signal; ``wrapping``: its ends are one."""
-        self._quiet = True
+        self._quiet, self._set = True, None
         try:
             self.unit = unit
             self.setAccessibleName(f"{name}, {unit}" if unit else name)
@@ -128,17 +129,19 @@ class NumberField(QDoubleSpinBox):
 
     def set_value(self, value: float) -> None:
         """Show ``value`` without a signal."""
+        # A drag sets every number a hundred times a second: what it shows already is not set and drawn anew. Only
+        # where it has the focus may its text be another than its value says.
+        if (value, self.value()) == self._set and not self.hasFocus():
+            return
         # The field itself keeps no more decimals than it shows.
-        if (
-            round(value, self.decimals()) == self.value()
-            and self.text() == self.textFromValue(value) + self.suffix()
-        ):
-            return  # drawn anew it would be the same, and a drag sets every number a hundred times a second
-        self._quiet = True
-        try:
-            self.setValue(value)
-        finally:
-            self._quiet = False
+        same = round(value, self.decimals()) == self.value()
+        if not (same and self.text() == self.textFromValue(value) + self.suffix()):
+            self._quiet = True
+            try:
+                self.setValue(value)
+            finally:
+                self._quiet = False
+        self._set = (value, self.value())
 
     def set_default(self, value: float) -> None:
         """Take ``value``, within the range, as what a reset goes back to."""

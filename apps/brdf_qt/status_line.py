@@ -31,10 +31,14 @@ class StatusCell(QLabel):
         # Filled, a cell is drawn without the window behind it, a hundred times a second in a drag.
         self.setAutoFillBackground(True)
         self._tip = tip
+        self._shown: tuple[str, str | None, State] | None = None
         self.hide()
 
     def set(self, text: str, tip: str | None = None, state: State = "fresh") -> None:
         """Show ``text``; empty text hides the cell."""
+        if (text, tip, state) == self._shown:
+            return
+        self._shown = (text, tip, state)
         self.setText(f"({text})" if state == "stale" and text else text)
         whole = text if self._elastic else ""
         self.setToolTip("\n".join(part for part in (whole, tip, self._tip) if part))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 from time import perf_counter
 
@@ -19,7 +20,7 @@ from brdf_suite.errors import FittingError, UnreachableError
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.fitter import LobeFit, LobeFitter
 from brdf_suite.fitting.lobes.weights import LobeWeights
-from brdf_suite.geometry.directions import aspecular_view, illumination
+from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.misses import told_misses
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
@@ -222,11 +223,16 @@ def fit_patiently(
         raise type(error)(f"{Path(name_or_path).name}: {error}") from error
 
 
+@lru_cache(maxsize=16)
+def _directions(geometries: tuple[tuple[float, float], ...]) -> tuple[Floats, Floats]:
+    """wi (n, 3) and wo (n, 3) of readings at illumination and aspecular angles, degrees: the same from edit to edit."""
+    incidence, aspecular = np.array(geometries).T
+    return illumination(incidence), aspecular_view(incidence, aspecular)
+
+
 def _results(paint: Paint, weights: LobeWeights) -> tuple[AngleResult, ...]:
     asked = np.array([m.lab for m in paint.measurements])
-    incidence = np.array([m.illumination_deg for m in paint.measurements])
-    light = illumination(incidence)
-    view = aspecular_view(incidence, np.array([m.aspecular_deg for m in paint.measurements]))
+    light, view = _directions(tuple((m.illumination_deg, m.aspecular_deg) for m in paint.measurements))
     fitted = working_to_lab(np.pi * weights.eval(light, view))
     difference = delta_e_2000(asked, fitted)
     return tuple(

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -157,7 +158,7 @@ def _under_light(paint: Paint, light_deg: float, *, several: bool) -> _Readings:
     notices: list[str] = []
     used = [m for m in paint.measurements if m.illumination_deg == light_deg]
     used.sort(key=lambda measurement: (abs(measurement.aspecular_deg), measurement.aspecular_deg))
-    aspecular_deg = np.array([measurement.aspecular_deg for measurement in used])
+    aspecular_deg, wi, wo = _directions(light_deg, tuple(measurement.aspecular_deg for measurement in used))
     lab = np.array([measurement.lab for measurement in used])
     rho = lab_to_working(lab)
     if rho.min() < 0.0:
@@ -170,14 +171,17 @@ def _under_light(paint: Paint, light_deg: float, *, several: bool) -> _Readings:
                 f"it is shown with ΔE00 {error[index]:.2f}."
             )
         rho = inside
-    return _Readings(
-        light_deg,
-        aspecular_deg,
-        rho,
-        illumination(light_deg),
-        aspecular_view(light_deg, aspecular_deg),
-        tuple(notices),
-    )
+    return _Readings(light_deg, aspecular_deg, rho, wi, wo, tuple(notices))
+
+
+@lru_cache(maxsize=32)
+def _directions(light_deg: float, aspecular_deg: tuple[float, ...]) -> tuple[Floats, Floats, Floats]:
+    """Return angles (n,), wi (3,) and wo (n, 3), not to be written: the same from edit to edit."""
+    angles = np.array(aspecular_deg)
+    found = angles, illumination(light_deg), aspecular_view(light_deg, angles)
+    for part in found:
+        part.flags.writeable = False
+    return found
 
 
 def _base_under(

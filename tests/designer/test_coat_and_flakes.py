@@ -257,3 +257,29 @@ def test_the_status_bar_tells_what_the_fit_gives_beside_what_was_asked(designer,
     type_in(designer.window.coat.panel.fields["gloss.gu_20"], "199")
     assert "reached" not in flop.text()
     assert fit.text().startswith("(")
+
+
+def test_a_field_that_holds_a_refused_value_shows_the_paint_again_with_the_next_edit(designer) -> None:
+    window = designer.window
+    window.texts.name.clear()
+    window.texts.name.edited.emit("")
+    assert "edit" in window.messages.shown()
+    assert window.texts.name.text() == ""
+    type_in(window.editors.editors[2].fields[0], "6")
+    assert window.texts.name.text() == "Blue"
+    assert window.coat.panel.fields["gloss.gu_20"].value() == 90.0
+
+
+def test_an_edit_of_a_colour_leaves_the_other_sections_alone(designer, monkeypatch) -> None:
+    window = designer.window
+    shown: list[str] = []
+    for name in ("coat", "flakes", "model", "texts"):
+        section = getattr(window, name)
+        monkeypatch.setattr(section, "show_paint", lambda _paint, name=name: shown.append(name))
+    type_in(window.editors.editors[2].fields[0], "6")
+    type_in(window.editors.editors[2].fields[0], "7")
+    shown.clear()
+    type_in(window.editors.editors[2].fields[0], "8")
+    assert shown == []
+    type_in(window.coat.panel.fields["gloss.gu_20"], "88")
+    assert shown == ["coat"]
