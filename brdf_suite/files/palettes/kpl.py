@@ -27,8 +27,8 @@ _CHANNELS = {"RGB": "rgb", "sRGB": "rgb", "CMYK": "cmyk", "Lab": "Lab", "Gray": 
 _DEPTH, _PLACE, _ROWS, _KEPT, _LIST, _READONLY = (
     "kpl.bitdepth", "kpl.position", "kpl.rows", "kpl.profile:", "kpl.profiles", "kpl.readonly",
 )  # fmt: skip
-_SRGB = "sRGB-elle-V2-srgbtrc.icc"
-"""The profile that Krita takes for colours of no other; it carries it with itself."""
+_SPACES = {"RGB": "sRGB-elle-V2-srgbtrc.icc", "Lab": "Lab identity built-in"}
+"""The profiles that Krita takes for colours of no other, and has with it; Lab without one it leaves out."""
 _MOST_KEPT, _LARGEST_KEPT = 16, 700_000
 _FILE = re.compile(r"[^/\\:\x00-\x1f]{1,150}\.ic[cm]", re.IGNORECASE)
 
@@ -149,8 +149,8 @@ class _Reader:
                 raise collector.fail(f"{element.name} has no {channel!r}", place)
             values.append(number(element, given[channel].strip(), collector.path, channel))
         space = collector.name(given.get("space", ""), 200)
-        if space == _SRGB:
-            space = ""  # what RGB is where nothing is said
+        if space == _SPACES.get(element.name):
+            space = ""  # what its numbers are where nothing is said
         if element.name == "Lab":
             if self._scaled:
                 values = [100.0 * values[0], *(255.0 * value - 128.0 for value in values[1:])]
@@ -221,7 +221,7 @@ def _place(entry: Entry) -> tuple[int, int] | None:
 
 def _entry(entry: Entry, place: tuple[int, int]) -> str:
     colour = flat_of(entry, ("RGB", "CMYK", "Lab", "Gray"))
-    space = colour.space or {"RGB": _SRGB}.get(colour.model, "")
+    space = colour.space or _SPACES.get(colour.model, "")
     values = zip(_CHANNELS[colour.model], colour.values, strict=True)
     numbers = " ".join(f'{channel}="{value!r}"' for channel, value in values)
     depth = dict(entry.foreign).get(_DEPTH, "U8")

@@ -42,6 +42,7 @@ _MODELS: dict[str, Model] = {
 _NAMES = {"RGB": "RGB", "CMYK": "CMYK", "CMY": "CMY", "Gray": "GRAY", "Lab": "Lab", "LCh": "LCH", "XYZ": "XYZ",
           "HSB": "HSV", "HSL": "HSL"}  # fmt: skip
 _USAGES = ("spot", "global")
+_SELDOM_READ, _SHOWN = ("HSB", "HSL", "CMY", "LCh"), "brdf-suite:shown"
 _TITLES = ("title", "identifier", "description", "format", "type")
 
 
@@ -162,6 +163,8 @@ class _Reader:
 
     def _values(self, element: Element, collector: Collector) -> FlatColour | None:
         word = element.attributes.get("model", "")
+        if element.attributes.get("space") == _SHOWN:
+            return None
         if word not in _MODELS:
             collector.note("{n} further number[|s] of a model that is not known [is|are] left out.")
             return None
@@ -236,7 +239,7 @@ def _identifiers(palette: Palette) -> dict[str, str]:
 def _material(entry: Entry, identifier: str) -> str:
     usage = f' usage="{entry.usage}"' if entry.usage in _USAGES else ""
     title = entry.name if identifier != entry.name.strip() else ""
-    rows = "".join(_values(colour) for colour in _colours(entry))
+    rows = "".join(_values(colour) for colour in _colours(entry)) + _shown(entry)
     return (
         f"    <color{usage}>\n      <metadata>\n        <dc:identifier>{text_content(identifier)}</dc:identifier>\n"
         + (f"        <dc:title>{text_content(title)}</dc:title>\n" if title else "")
@@ -253,6 +256,14 @@ def _colours(entry: Entry) -> list[FlatColour]:
         icc = [o for o in content.others if o.model in _NAMES and (o.illuminant in ("", "D50"))]
         return [first, *icc]
     return [first]
+
+
+def _shown(entry: Entry) -> str:
+    """Numbers in RGB beside those of a model that fewer programs read; this one passes over them."""
+    if flat_of(entry, _NAMES).model not in _SELDOM_READ:
+        return ""
+    numbers = " ".join(repr(value) for value in flat_of(entry, ("RGB",)).values)
+    return f'      <values model="RGB" space="{_SHOWN}">{numbers}</values>\n'
 
 
 def _values(colour: FlatColour) -> str:

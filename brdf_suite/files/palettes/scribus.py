@@ -1,8 +1,9 @@
 """Scribus XML: colours as layout needs them, with flags for inks of their own and for registration marks.
 
 Older files hold ``RGB="#rrggbb"`` or ``CMYK="#ccmmyykk"`` in bytes; newer ones ``SPACE="RGB"`` with R, G, B from 0 to
-255, ``SPACE="CMYK"`` with C, M, Y, K in percent, or ``SPACE="Lab"`` with L, A, B. Both are read. A colour is written
-the old way where bytes hold it exactly, so that every version of Scribus reads it.
+255, ``SPACE="CMYK"`` with C, M, Y, K in percent, or ``SPACE="Lab"`` with L, A, B. The newer way counts where both are
+there. A colour is written the old way, so that every program reads it, and the newer way, too, where bytes do not hold
+it.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from brdf_suite.documents.palette import Entry, Foreign, Palette, Usage
 from brdf_suite.files.cxf_specification import number
 from brdf_suite.files.hardened_xml import Element
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import flat_of
+from brdf_suite.files.palettes.conversions import flat_of, rgb8_of
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 from brdf_suite.files.palettes.number_text import scaled, unscaled
 from brdf_suite.files.palettes.xml_writing import attribute, mentions, root_named
@@ -45,17 +46,6 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
 def _colour(element: Element, collector: Collector, place: str) -> FlatColour:
     given = element.attributes
     name = collector.name(given.get("NAME", given.get("Name", "")))
-    models: tuple[Model, ...] = ("CMYK", "RGB")
-    for key in models:
-        if key in given:
-            found = _HEX.fullmatch(given[key].strip())
-            values = bytes.fromhex(found[1]) if found else b""
-            if len(values) != len(key):
-                raise collector.fail(
-                    f"{len(key)} bytes as in #{'33' * len(key)} are wanted for {key}, not {given[key][:40]!r}",
-                    place,
-                )
-            return collector.colour(place, name, key, [value / 255.0 for value in values])
     space = given.get("SPACE", "")
 
     def numbers(keys: str, scale: int) -> list[float]:
@@ -73,6 +63,17 @@ def _colour(element: Element, collector: Collector, place: str) -> FlatColour:
         return collector.colour(place, name, "RGB", numbers("RGB", 255))
     if space == "Lab":
         return collector.colour(place, name, "Lab", numbers("LAB", 1), illuminant="D50", observer_deg=2)
+    models: tuple[Model, ...] = ("CMYK", "RGB")
+    for key in models:
+        if key in given:
+            found = _HEX.fullmatch(given[key].strip())
+            values = bytes.fromhex(found[1]) if found else b""
+            if len(values) != len(key):
+                raise collector.fail(
+                    f"{len(key)} bytes as in #{'33' * len(key)} are wanted for {key}, not {given[key][:40]!r}",
+                    place,
+                )
+            return collector.colour(place, name, key, [value / 255.0 for value in values])
     raise collector.fail(f"the colour space {space[:40]!r} is not known; RGB, CMYK and Lab are", place)
 
 
@@ -85,24 +86,28 @@ def write(palette: Palette) -> bytes:
 
 def _attributes(entry: Entry) -> str:
     colour = flat_of(entry, ("RGB", "CMYK", "Lab"))
+    # In bytes for all readers, and with every digit for those that know how, where bytes are not enough.
+    model = "CMYK" if colour.model == "CMYK" else "RGB"
+    if colour.model == "CMYK":
+        whole = [round(255.0 * value) for value in colour.values]
+    else:
+        whole = list(rgb8_of(entry)) if colour.model == "Lab" else [_byte(value) for value in colour.values]
+    keys = f'{model}="#{bytes(whole).hex()}"'
     if colour.model == "Lab":
-        keys = 'SPACE="Lab" ' + " ".join(
+        keys += ' SPACE="Lab" ' + " ".join(
             f'{key}="{v!r}"' for key, v in zip("LAB", colour.values, strict=True)
         )
-    else:
-        whole = [round(255.0 * value) for value in colour.values]
-        if all(
-            value == byte / 255.0 and 0 <= byte <= 255
-            for value, byte in zip(colour.values, whole, strict=True)
-        ):
-            keys = f'{colour.model}="#{bytes(whole).hex()}"'
-        else:
-            scale = 100 if colour.model == "CMYK" else 255
-            numbers = zip(colour.model, colour.values, strict=True)
-            keys = f'SPACE="{colour.model}" ' + " ".join(f'{key}="{scaled(v, scale)}"' for key, v in numbers)
+    elif any(value != byte / 255.0 for value, byte in zip(colour.values, whole, strict=True)):
+        scale = 100 if colour.model == "CMYK" else 255
+        numbers = zip(colour.model, colour.values, strict=True)
+        keys += f' SPACE="{colour.model}" ' + " ".join(f'{key}="{scaled(v, scale)}"' for key, v in numbers)
     spot = int(entry.usage == "spot")
     register = int((_REGISTER, "1") in entry.foreign)
     return f'NAME={attribute(entry.name)} {keys} Spot="{spot}" Register="{register}"'
+
+
+def _byte(value: float) -> int:
+    return round(255.0 * min(1.0, max(0.0, value)))
 
 
 FORMAT = PaletteFormat(
