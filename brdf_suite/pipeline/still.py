@@ -17,6 +17,7 @@ from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target, picture_metadata, write_picture
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
+from brdf_suite.pipeline.smaller_maps import with_smaller_maps
 from brdf_suite.pipeline.surface import baked_where_wanted, load_shaped
 from brdf_suite.pipeline.surface_images import ImageRequest, load_surface_images
 from brdf_suite.progress import Progress, part, report
@@ -67,9 +68,12 @@ class LoadedScene:
 
 
 @contextmanager
-def loaded_scene(view: View, progress: Progress | None = None) -> Iterator[LoadedScene]:
+def loaded_scene(
+    view: View, progress: Progress | None = None, *, largest_face: int | None = None
+) -> Iterator[LoadedScene]:
     """Load surface and environment of a view into a windowless scene, which goes with the block.
 
+    ``largest_face``, in texels, is how fine the light's maps need to be where only small pictures are drawn.
     Errors as :func:`render_to_file`.
     """
     mesh = load_shaped(view.surface, view.surface_look)
@@ -78,6 +82,8 @@ def loaded_scene(view: View, progress: Progress | None = None) -> Iterator[Loade
         prepared = load_environment(
             view.environment, part(progress, 0.0, 0.6), layout=view.environment_layout
         )
+        if largest_face is not None:
+            prepared = with_smaller_maps(prepared, largest_face)
         maps_s = perf_counter() - start
         scene.set_environment(prepared)
         scene.set_surface_images(load_surface_images(ImageRequest.of(view)))

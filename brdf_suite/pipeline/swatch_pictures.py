@@ -33,6 +33,7 @@ Pixels: TypeAlias = NDArray[np.uint8]
 _Found: TypeAlias = Pixels | SuiteError
 
 _SAMPLES = 4
+_FACE_SIZES = (384, 768, 1536, 4096)
 _MOST_CAPTURED = 3
 """Sizes of one form in one light that are kept; each is a few megabytes."""
 
@@ -57,6 +58,7 @@ class SwatchPainter:
         self._stack = ExitStack()
         self._loaded: LoadedScene | None = None
         self._scene: tuple[object, ...] = ()
+        self._largest_face = 0
         self._captured: dict[int, CapturedForm] = {}
         self._fitter: PaintFitter | None = None
 
@@ -184,13 +186,15 @@ class SwatchPainter:
 
     def _scene_of(self, look: SwatchLook) -> LoadedScene:
         wanted = (look.environment, look.form, look.light_colour)
-        if self._loaded is None or self._scene != wanted:
+        # Four texels to a pixel across a face: finer than the level that any pixel of these forms asks for.
+        enough = next(size for size in _FACE_SIZES if size >= min(4 * look.size, _FACE_SIZES[-1]))
+        if self._loaded is None or self._scene != wanted or enough > self._largest_face:
             # Much to import, and programs that find their pictures kept need none of it.
             from brdf_suite.pipeline.still import loaded_scene
 
             self._forget_scene()
-            self._loaded = self._stack.enter_context(loaded_scene(look.view()))
-            self._scene = wanted
+            self._loaded = self._stack.enter_context(loaded_scene(look.view(), largest_face=enough))
+            self._scene, self._largest_face = wanted, enough
         return self._loaded
 
     def _forget_scene(self) -> None:

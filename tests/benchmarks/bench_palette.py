@@ -1,0 +1,180 @@
+"""Color Swatch with ten thousand paints: opening, scrolling, finding, its memory, and the pictures' rate.
+
+The window is the program's own, in a process of its own on Qt's offscreen platform, with no picture kept: they are
+drawn and arrive while it is scrolled. The pictures' rate is that of the painter alone: key, fit, shading, reading back.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+import numpy as np
+
+NAME = "palette"
+BOUNDS = {
+    "open_10k_s": ("<=", 1.0, "s", "a file of 10,000 paints: asked for to first swatches painted"),
+    "scroll_median_ms": (
+        "<=",
+        16.0,
+        "ms",
+        "a notch of the wheel to the grid painted, pictures arriving, median",
+    ),
+    "scroll_p99_ms": ("<=", 33.0, "ms", "the same, 99th percentile"),
+    "nearest_ms": (
+        "<=",
+        30.0,
+        "ms",
+        "the nearest 20 of 10,000 by ΔE00 at 15, 45 and 110°, median of 40 paints",
+    ),
+    "memory_mb": (
+        "<=",
+        500.0,
+        "MB",
+        "the window with 10,000 paints and the process that draws, after scrolling; shared pages once",
+    ),
+    "thumbnails_per_s": (">=", 60.0, "1/s", "spheres of 96×96, 4 samples, with each paint's fit"),
+    "panels_per_s": ("", None, "1/s", "the same on the curved panel"),
+    "strips_per_s": ("", None, "1/s", "flop strips of 96×96"),
+    "first_picture_s": (
+        "",
+        None,
+        "s",
+        "asked for to the first picture drawn, nothing kept, process started for it",
+    ),
+    "first_page_s": ("", None, "s", "asked for to the last picture of the first page drawn, nothing kept"),
+    "arrived": ("", None, "", "pictures that arrived while the grid was scrolled"),
+    "window_mb": ("", None, "MB", "the window's process alone, resident, peak"),
+    "drawing_mb": ("", None, "MB", "the drawing process alone, resident, peak"),
+    "kept_ms": ("", None, "ms", "a picture of 96×96 read from disk"),
+    "columns_ms": ("", None, "ms", "columns of numbers of 10,000 paints"),
+    "duplicates_s": ("", None, "s", "duplicates among 10,000 paints within ΔE00 of 1"),
+    "hue_path_s": ("", None, "s", "10,000 paints along the hue path"),
+}
+NOTES: dict[str, str] = {}
+PAINTS = 10_000
+DRAWN = 192
+
+
+def run(progress=None):
+    from brdf_suite.cli.bench import load_module
+    from brdf_suite.documents.palette_store import save_palette
+    from brdf_suite.progress import report
+
+    made = load_module(Path(__file__).with_name("palette_paints.py"))
+    found = {}
+    with tempfile.TemporaryDirectory() as folder:
+        report(progress, 0.0, "making ten thousand paints")
+        file = Path(folder) / "ten thousand.brdfpalette"
+        large = made.palette(PAINTS)
+        save_palette(large, file)
+        report(progress, 0.05, "drawing pictures")
+        found |= rates(made.paints(DRAWN, seed=11), Path(folder) / "cache")
+        report(progress, 0.3, "searching")
+        found |= searching(large)
+        report(progress, 0.4, "opening and scrolling in Color Swatch")
+        found |= window(file)
+    report(progress, 1.0, "measured")
+    return {key: found.get(key) for key in BOUNDS}
+
+
+def rates(some, folder):
+    """Pictures a second, after the first have loaded light, form and shaders."""
+    from brdf_suite.pipeline.swatch_look import SwatchLook
+    from brdf_suite.pipeline.swatch_pictures import SwatchPainter
+    from brdf_suite.pipeline.swatch_store import SwatchStore
+
+    found = {}
+    with SwatchPainter() as painter:
+        for form, key in (
+            ("sphere", "thumbnails_per_s"),
+            ("panel", "panels_per_s"),
+            ("flop_strip", "strips_per_s"),
+        ):
+            look = SwatchLook(form)
+            # Every kind of paint once: each number of look-ups has a program that is compiled.
+            painter.draw(some[:40], look)
+            passes = []
+            for _ in range(3):
+                began = perf_counter()
+                pictures = painter.draw(some, look)
+                passes.append(len(some) / (perf_counter() - began))
+            assert all(picture.pixels is not None for picture in pictures)
+            found[key] = max(passes)
+            NOTES[key] = "best of three passes: " + ", ".join(f"{rate:.0f}" for rate in passes)
+    store = SwatchStore(folder)
+    store.put({picture.key: picture.pixels for picture in pictures})
+    began = perf_counter()
+    assert len(store.get([picture.key for picture in pictures])) == len(pictures)
+    found["kept_ms"] = 1e3 * (perf_counter() - began) / len(pictures)
+    store.close()
+    return found
+
+
+def searching(large):
+    """Nearest, columns, duplicates, order; the nearest are checked against a comparison with every paint."""
+    from brdf_suite.appearance.difference import delta_e_2000
+    from brdf_suite.pipeline.palette_columns import Columns
+    from brdf_suite.pipeline.palette_duplicates import duplicates
+    from brdf_suite.pipeline.palette_order import ordered
+    from brdf_suite.pipeline.palette_search import nearest
+
+    began = perf_counter()
+    columns = Columns.of(large.entries)
+    found = {"columns_ms": 1e3 * (perf_counter() - began)}
+    rng = np.random.default_rng(3)
+    times = []
+    for _ in range(40):
+        wanted = columns.main[rng.integers(PAINTS)] + rng.normal(0.0, 4.0, (3, 3))
+        began = perf_counter()
+        result = nearest(columns, wanted, 20)
+        times.append(1e3 * (perf_counter() - began))
+        each = delta_e_2000(wanted, columns.lab).mean(axis=1)
+        assert result.indices.tolist() == np.argsort(each, kind="stable")[:20].tolist()
+    found["nearest_ms"] = median(times)
+    began = perf_counter()
+    duplicates(columns, 1.0)
+    found["duplicates_s"] = perf_counter() - began
+    began = perf_counter()
+    ordered(columns, "hue path")
+    found["hue_path_s"] = perf_counter() - began
+    return found
+
+
+def window(file):
+    from brdf_suite.lighting.cache import default_root
+
+    # The light and the form are there already, as they are after any start but the first; no picture is.
+    cache = file.parent / "own cache"
+    cache.mkdir()
+    for kept in ("lobe_maps", "occlusion"):
+        if (default_root() / kept).is_dir():
+            (cache / kept).symlink_to(default_root() / kept)
+    script = Path(__file__).with_name("palette_window.py")
+    done = subprocess.run(
+        [sys.executable, str(script), str(file)],
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=600,
+        env={**os.environ, "BRDF_SUITE_CACHE": str(cache)},
+    )
+    told = json.loads(done.stdout.splitlines()[-1])
+    assert told["swatches"] >= PAINTS
+    return {
+        "open_10k_s": told["open_s"],
+        "scroll_median_ms": median(told["scroll_ms"]),
+        "scroll_p99_ms": float(np.percentile(told["scroll_ms"], 99)),
+        "first_picture_s": told["first_picture_s"],
+        "first_page_s": told["first_page_s"],
+        "arrived": told["arrived"],
+        "window_mb": told["window_mb"],
+        "drawing_mb": told["drawing_mb"],
+        "memory_mb": told["memory_mb"],
+    }
