@@ -23,7 +23,7 @@ from brdf_suite.documents.parameter import describe
 from brdf_suite.documents.quick_paint import quick_paint
 from brdf_suite.documents.reading import FieldReader, fill, json_of_bytes, read_json
 from brdf_suite.documents.store import any_paint_from_json, paint_to_json
-from brdf_suite.errors import DocumentError
+from brdf_suite.errors import DocumentError, ValueRangeError
 
 PALETTE_ENDING = ".brdfpalette"
 LARGEST_PALETTE = 128 << 20
@@ -157,8 +157,27 @@ def palette_from_json(value: object, path: _Path = "the message") -> Palette:
         reader.fail(f"a list is wanted, not {describe(items)}", "entries")
     if len(items) > MOST_ENTRIES:
         reader.fail(f"{len(items)} are more than the {MOST_ENTRIES} allowed", "entries")
-    entries = tuple(entry_from_json(item, path, f"entries[{index}]") for index, item in enumerate(items))
+    entries = tuple(
+        _quick_entry(item) or entry_from_json(item, path, f"entries[{index}]")
+        for index, item in enumerate(items)
+    )
     return fill(reader, Palette, taken={"name": name, "groups": groups, "entries": entries})
+
+
+_ENTRY_FIELDS = {field.name for field in dataclasses.fields(Entry)} - {"content"} | {"paint"}
+
+
+def _quick_entry(value: object) -> Entry | None:
+    """The entry of a paint in a JSON object, or None where the usual reader must look at it, who names places."""
+    if type(value) is not dict or not value.keys() <= _ENTRY_FIELDS:
+        return None
+    paint = quick_paint(value.get("paint"))
+    if paint is None:
+        return None
+    try:
+        return Entry(paint, **{name: item for name, item in value.items() if name != "paint"})
+    except ValueRangeError:
+        return None
 
 
 def entry_from_json(value: object, path: _Path = "the message", place: str = "") -> Entry:
