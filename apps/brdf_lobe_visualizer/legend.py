@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from brdf_qt.icons import icon
 from brdf_qt.translation import tr
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
-from PySide6.QtGui import QDropEvent, QKeyEvent
+from PySide6.QtGui import QDropEvent, QKeyEvent, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QApplication,
     QHBoxLayout,
     QHeaderView,
     QLabel,
@@ -75,6 +76,23 @@ class _Rows(QTreeWidget):
 
     key_pressed = Signal(str)
     dropped = Signal(str, int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._dress()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.ApplicationPaletteChange:
+            self._dress()
+
+    def _dress(self) -> None:
+        # Fusion frames the boxes of rows with a darker shade of the window, which is not seen on a dark one.
+        shown = QApplication.palette()
+        palette = QPalette()
+        palette.setColor(QPalette.ColorRole.Window, shown.color(QPalette.ColorRole.PlaceholderText))
+        self.setPalette(palette)
+        self.header().setPalette(shown)
 
     def event(self, event: QEvent) -> bool:
         """Keep the legend's keys from commands of the window that have the same one, as Space has."""

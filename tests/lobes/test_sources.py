@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
+from threading import Event
 
 import numpy as np
 import pytest
+from brdf_lobe_visualizer import sources_control
 from brdf_lobe_visualizer.sources import MOST_AT_ONCE, kind_of, names, open_source
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette
@@ -230,3 +233,26 @@ def test_a_palette_stands_in_the_list_and_says_how_much_of_it_is_shown(program, 
     groups = [program.panel.tree.topLevelItem(k) for k in range(program.panel.tree.topLevelItemCount())]
     greys = next(group for group in groups if group.text(0) == "Greys")
     assert greys.childCount() == MOST_AT_ONCE + 2
+
+
+def test_reading_that_lasts_is_shown_and_can_be_cancelled(program, qtbot, monkeypatch) -> None:
+    going, ended = Event(), Event()
+
+    def slow(_name, progress):
+        try:
+            while not going.wait(0.01):
+                progress(0.5, "reading")
+        finally:
+            ended.set()
+
+    monkeypatch.setattr(sources_control, "open_source", slow)
+    job = program.sources.open("slow.binary")
+    strip = program.window.progress
+    qtbot.waitUntil(lambda: job in strip.jobs)
+    with qtbot.waitSignal(program.sources.failed):
+        strip.findChild(QWidget, f"job_{job}").findChild(QPushButton).click()
+    assert strip.jobs == ()
+    assert not program.sources.busy
+    qtbot.waitUntil(ended.is_set)
+    assert program.window.messages.shown() == {}
+    assert program.desk.subjects == ()

@@ -11,7 +11,7 @@ from brdf_lobe_visualizer.plot_row import PlotRow
 from brdf_lobe_visualizer.subjects import Subject
 from brdf_qt.command_palette import commands
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.reflectance.models.lambertian import Lambertian
@@ -162,3 +162,11 @@ def test_keys_of_the_legend_are_the_legends_own(whole, qtbot) -> None:
     assert not whole.desk.is_hidden(key)
     assert whole.desk.incidence == before
     qtbot.waitUntil(lambda: whole.is_complete, timeout=60_000)
+
+
+@pytest.mark.parametrize("command", ["Keyboard Shortcuts", "About BRDF Suite", "Find a Command"])
+def test_the_help_menu_opens_its_windows(program, command) -> None:
+    before = {widget for widget in QApplication.topLevelWidgets() if widget.isVisible()}
+    program.window.findChild(object, f"action_{command}").trigger()
+    (opened,) = {w for w in QApplication.topLevelWidgets() if w.isVisible()} - before
+    opened.close()
