@@ -275,4 +275,4 @@ def figures_of(entry: Entry) -> str:
         lines.append(tr("Spot colour") if entry.usage == "spot" else tr("Global colour"))
     if entry.date:
         lines.append(tr("Date {date}").format(date=entry.date[:10]))
-    return "\n".join(lines)
+    return "\n".join(lines).replace(" -", " −")

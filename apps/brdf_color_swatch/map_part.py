@@ -9,7 +9,7 @@ from brdf_qt.settings import settings
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
 
 from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.map_points import MapPoints
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from brdf_color_swatch.map_space import SpaceMap
 
 _KEY = "map/kind"
+_ROOM_PX = 1250
+"""From this width of the window on, map and inspector have room beside each other."""
 _KINDS = {
     "space": (
         mark("a* b* L*"),
@@ -47,16 +49,14 @@ class MapPart:
         box.setSpacing(4)
         head = QHBoxLayout()
         head.setSpacing(4)
-        self.group = QButtonGroup(inside)
-        self.buttons: dict[str, ChoiceButton] = {}
-        for key, (title, tip) in _KINDS.items():
-            button = ChoiceButton(tr(title))
-            button.setObjectName(f"map_{key}")
-            button.setToolTip(tr(tip))
-            button.clicked.connect(lambda _=False, key=key: self.choose(key))
-            self.group.addButton(button)
-            self.buttons[key] = button
-            head.addWidget(button)
+        self.kinds = QComboBox()
+        self.kinds.setObjectName("map_kind")
+        self.kinds.setAccessibleName(tr("Kind of map"))
+        for place, (key, (title, tip)) in enumerate(_KINDS.items()):
+            self.kinds.addItem(tr(title), key)
+            self.kinds.setItemData(place, tr(tip), Qt.ItemDataRole.ToolTipRole)
+        self.kinds.activated.connect(lambda _place: self.choose(self.kinds.currentData()))
+        head.addWidget(self.kinds)
         self.lasso = ChoiceButton(tr("Lasso"))
         self.lasso.setObjectName("map_lasso")
         self.lasso.setToolTip(
@@ -74,9 +74,6 @@ class MapPart:
         self.stack.addWidget(self._note)
         box.addWidget(self.stack, 1)
         self.dock = window.add_dock("map", mark("Map"), inside, Qt.DockWidgetArea.RightDockWidgetArea)
-        # Between the swatches and the inspector, as high as both.
-        window.splitDockWidget(self.dock, window.inspector_dock, Qt.Orientation.Horizontal)
-        self.dock.hide()
         self.action = window.add_command(
             "view", mark("&Map of the Colours"), "Ctrl+M", self.toggle, "map", icon="map-trifold"
         )
@@ -97,9 +94,7 @@ class MapPart:
 
     def toggle(self) -> None:
         """Show or hide the map."""
-        self.dock.setVisible(self.dock.isHidden())
-        if not self.dock.isHidden():
-            self.dock.raise_()
+        self._set_shown(self.dock.isHidden())
 
     def choose(self, kind: str) -> None:
         """Show another map."""
@@ -111,9 +106,16 @@ class MapPart:
         """Show a map by a script: ``map=flop``."""
         if key != "map" or value not in _KINDS:
             return False
-        self.dock.show()
+        self._set_shown(True)
         self.choose(value)
         return True
+
+    def _set_shown(self, shown: bool) -> None:
+        if shown and self.dock.isHidden() and not self.dock.isFloating():
+            self._place()
+        self.dock.setVisible(shown)
+        if shown:
+            self.dock.raise_()
 
     def frame(self) -> None:
         """Show all points."""
@@ -121,11 +123,21 @@ class MapPart:
         if view is not None:
             view.frame()
 
+    def _place(self) -> None:
+        """Put the panel between swatches and inspector; in a narrow window over the inspector, with a tab for each."""
+        window = self._window
+        if window.width() < _ROOM_PX:
+            window.tabifyDockWidget(window.inspector_dock, self.dock)
+            return
+        window.splitDockWidget(self.dock, window.inspector_dock, Qt.Orientation.Horizontal)
+        self.dock.show()
+        docks = [window.library_dock, self.dock, window.inspector_dock]
+        # Taken from the swatches alone: library and inspector keep theirs.
+        widths = [window.library_dock.width(), round(0.32 * window.width()), window.inspector_dock.width()]
+        window.resizeDocks(docks, widths, Qt.Orientation.Horizontal)
+
     def _visible(self, shown: bool) -> None:
         self.action.setChecked(not self.dock.isHidden())
-        if shown and not self._built and not self.dock.isFloating():
-            wanted = round(0.34 * self._window.width())
-            self._window.resizeDocks([self.dock], [wanted], Qt.Orientation.Horizontal)
         if shown:
             self._later()
 
@@ -134,8 +146,8 @@ class MapPart:
             self._soon.start()
 
     def _show(self) -> None:
-        for key, button in self.buttons.items():
-            button.setChecked(key == self.kind)
+        self.kinds.setCurrentIndex(self.kinds.findData(self.kind))
+        self.kinds.setToolTip(tr(_KINDS[self.kind][1]))
         if self.dock.isHidden():
             return
         self._built = True

@@ -145,7 +145,7 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def _distance(self) -> float:
         """How far away the whole body of colours fits into the view; the angle of view is that of the width."""
         share = min(1.0, self.height() / max(1, self.width()))
-        return 1.15 * _REACH / (math.tan(math.radians(0.5 * self.opts["fov"])) * max(0.2, share))
+        return 1.22 * _REACH / (math.tan(math.radians(0.5 * self.opts["fov"])) * max(0.2, share))
 
     def projected(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return where points (n, 3) of a*, b*, L* are in this widget (n, 2), and how far away (n,)."""

@@ -145,7 +145,7 @@ class Rows:
             lines.append(tr("Tags: {tags}").format(tags=", ".join(entry.tags)))
         if entry.group:
             lines.append(tr("Group: {group}").format(group=group_title(entry.group)[:200]))
-        return "\n".join(lines)
+        return "\n".join(lines).replace("* -", "* −")
 
     def spoken(self, place: int) -> str:
         """Return what a screen reader says of a row."""

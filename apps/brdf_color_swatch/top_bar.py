@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QSizePolicy,
     QSlider,
@@ -103,15 +102,29 @@ class TopBar(QWidget):
         for key, title in SORT_TITLES.items():
             self.sort.addItem(tr(title), key)
         self.sort.activated.connect(lambda _place: self.sort_chosen.emit(self.sort.currentData()))
+        self.light = QComboBox()
+        self.light.setObjectName("light")
+        self.light.setAccessibleName(tr("Light on all swatches"))
+        self.light.setToolTip(tr("The light booth, or another light, for all swatches"))
+        for name in lights:
+            self.light.addItem(name.replace("_", " ").capitalize(), name)
+        self.light.activated.connect(lambda _place: self.light_chosen.emit(self.light.currentData()))
         self.way = QToolButton()
         self.way.setObjectName("way")
         self.way.setAutoRaise(True)
         self.way.clicked.connect(self.turned)
         self.forms = QButtonGroup(self)
+        # None of them is down while a list is shown.
+        self.forms.setExclusive(False)
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 6, 8, 2)
         row.setSpacing(8)
-        self.search.setMinimumWidth(120)
+        self.search.setMinimumWidth(72)
+        for box in (self.sort, self.light):
+            # In a narrow window they give way; their lists are as wide as their texts.
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            box.setMinimumContentsLength(7)
+            box.view().setMinimumWidth(box.view().sizeHintForColumn(0) + 32)
         self.search.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         row.addWidget(self.search, 3)
         row.addWidget(self.sort)
@@ -137,22 +150,12 @@ class TopBar(QWidget):
         self.size_slider = QSlider(Qt.Orientation.Horizontal)
         self.size_slider.setObjectName("size")
         self.size_slider.setRange(*SIZES)
-        self.size_slider.setMinimumWidth(64)
+        self.size_slider.setMinimumWidth(48)
         self.size_slider.setMaximumWidth(140)
         self.size_slider.setAccessibleName(tr("Size of the swatches, pixels"))
         self.size_slider.valueChanged.connect(self.size_chosen)
         self._paint_grey()
         row.addWidget(self.size_slider, 1)
-        label = QLabel(tr("Light"))
-        self.light = QComboBox()
-        self.light.setObjectName("light")
-        self.light.setAccessibleName(tr("Light on all swatches"))
-        self.light.setToolTip(tr("The light booth, or another light, for all swatches"))
-        for name in lights:
-            self.light.addItem(name.replace("_", " ").capitalize(), name)
-        label.setBuddy(self.light)
-        self.light.activated.connect(lambda _place: self.light_chosen.emit(self.light.currentData()))
-        row.addWidget(label)
         row.addWidget(self.light)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -188,7 +191,7 @@ class TopBar(QWidget):
     def show_look(self, look: Look) -> None:
         """Show form, size and light."""
         for button in self.forms.buttons():
-            button.setChecked(button.property("form") == look.form)
+            button.setChecked(button.property("form") == look.form and not look.as_list)
         self.list_button.setChecked(look.as_list)
         with QSignalBlocker(self.size_slider):
             self.size_slider.setValue(look.size)

@@ -192,7 +192,7 @@ class SwatchWindow(SuiteWindow):
         box.addLayout(self.library_buttons)
         box.addWidget(self.tree, 1)
         self.library_dock = self.add_panel(mark("Library"), inside, Qt.DockWidgetArea.LeftDockWidgetArea)
-        self.tree.setMinimumWidth(140)
+        self.tree.setMinimumWidth(168)
 
     def add_library_button(self, action: QAction) -> None:
         """Put a command over the library as a button."""
