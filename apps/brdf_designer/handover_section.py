@@ -42,7 +42,8 @@ class HandoverSection(QWidget):
         self.formats = QComboBox()
         self.formats.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         for name, ending in names:
-            self.formats.addItem(f"{tr(TITLES[name])} ({ending})", name)
+            self.formats.addItem(tr(TITLES[name]), name)
+            self.formats.setItemData(self.formats.count() - 1, ending, Qt.ItemDataRole.ToolTipRole)
         self.formats.activated.connect(lambda _index: self.format_chosen.emit(self.chosen))
         form.add_row(
             tr("Format"), self.formats, tr("The kind of file; what it cannot hold of this paint stands below")

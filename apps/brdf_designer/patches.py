@@ -138,12 +138,17 @@ def _write(painter: QPainter, rect: QRectF, text: str, ground: QColor, rows: int
 def lab_text(lab: tuple[float, float, float]) -> str:
     """Return L*a*b* as text with true minus signs, one decimal."""
     return "   ".join(
-        f"{name} {value:.1f}" for name, value in zip(("L*", "a*", "b*"), lab, strict=True)
-    ).replace("-", "−")
+        f"{name} {one_decimal(value)}" for name, value in zip(("L*", "a*", "b*"), lab, strict=True)
+    )
+
+
+def one_decimal(value: float) -> str:
+    """Return a number with one decimal, a true minus sign, and none where it rounds to 0."""
+    return f"{round(value, 1) + 0.0:.1f}".replace("-", "−")
 
 
 def _bare(lab: tuple[float, float, float]) -> str:
-    return "  ".join(f"{value:.1f}" for value in lab).replace("-", "−")
+    return "  ".join(map(one_decimal, lab))
 
 
 class PatchRow(QWidget):

@@ -22,7 +22,7 @@ from brdf_suite.appearance.spaces import lab_to_lch
 from brdf_suite.geometry.directions import Floats
 
 MODEL_WIDTH, FIT_WIDTH = 4.0, 1.6
-_ROOM = 1.12
+_ROOM, _BELOW = 1.12, 0.1
 _LEAST_HUES = 40.0
 
 
@@ -180,7 +180,9 @@ class QuantityPlot(QWidget):
                 curves.ceiling if self._quantity.component == 0 else 0.0, float(seen.max(initial=0.0))
             )
             # Steps of 10 keep the axes still during most of a drag; what does not change is not drawn anew.
-            bottom, top = 0.0, 10.0 * max(1.0, math.ceil(ceiling * _ROOM / 10.0))
+            top = 10.0 * max(1.0, math.ceil(ceiling * _ROOM / 10.0))
+            # A point at 0 is seen, and can be gripped, whole.
+            bottom = -_BELOW * top if float(seen.min(initial=top)) < _BELOW * top else 0.0
         self.plot.setYRange(bottom, top, padding=0)
         self._note.setPos(0.2, bottom)
 

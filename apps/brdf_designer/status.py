@@ -9,6 +9,7 @@ from brdf_qt.status_line import StatusLine
 from brdf_qt.translation import tr
 
 from brdf_designer.desk_state import FLOP_ANGLES_DEG, AngleColour, Colours, Curves, FitState
+from brdf_designer.patches import one_decimal
 from brdf_suite.appearance.flop import FlopIndex, flop_index
 from brdf_suite.documents.paint import Lab
 
@@ -114,7 +115,7 @@ def _row(angle: AngleColour, state: FitState) -> str:
 
 
 def _lab(lab: Lab) -> str:
-    return " / ".join(f"{value:.1f}" for value in lab).replace("-", "−")
+    return " / ".join(map(one_decimal, lab))
 
 
 def _one_decimal(value: float) -> str:

@@ -194,3 +194,10 @@ def test_in_a_low_window_the_buttons_are_tabs(plot: AnglePlot, fitter) -> None:
     plot.resize(500, 600)
     assert all(shown.isVisible() for shown in plot.plots)
     assert ys(plot, 1)[0] == pytest.approx(30.0), "brought up to date when there is room again"
+
+
+def test_points_of_a_grey_are_seen_whole_at_no_chroma(plot: AnglePlot, fitter) -> None:
+    assert plot.plots[1].plot.viewRange()[1][0] == 0.0
+    show(plot, paint((50.0, 0.0, 0.0), (50.0, 0.0, 0.0), (50.0, 0.0, 0.0)), fitter)
+    low, high = plot.plots[1].plot.viewRange()[1]
+    assert low < -0.05 * high

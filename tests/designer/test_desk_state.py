@@ -9,6 +9,7 @@ import pytest
 from brdf_designer.assembly import new_paint, shipped_paint
 from brdf_designer.desk_state import colours_of, curves_of
 from brdf_designer.display import component_tracks, lab_to_codes
+from brdf_designer.patches import lab_text
 
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.pipeline.paint import PaintFitter
@@ -68,3 +69,7 @@ def test_flop_of_a_solid_is_zero_and_needs_its_angles():
 def test_gamut_is_told_per_reading():
     paint = solid_paint("x", (60.0, 0.0, 0.0)).with_lab(110.0, (30.0, 0.0, -90.0))
     assert [angle.in_gamut for angle in colours_of(paint).angles] == [True, True, False]
+
+
+def test_no_minus_stands_before_nothing():
+    assert lab_text((50.0, -0.04, -0.06)) == "L* 50.0   a* 0.0   b* −0.1"
