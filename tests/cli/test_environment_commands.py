@@ -123,6 +123,7 @@ def test_a_description_is_prefiltered_as_a_map_is(tmp_path: Path, capsys: pytest
     assert json.loads(capsys.readouterr().out)["from_cache"]
 
 
+@pytest.mark.usefixtures("shared_cache")
 def test_render_reads_the_layout_it_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     write_exr(tmp_path / "square.exr", np.ones((16, 16, 3), np.float32))
     options = [

@@ -16,6 +16,7 @@ from brdf_suite.pipeline.exposure import MIDDLE_GREY, automatic_ev, ev_of, expos
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_environment, load_surface
 
+pytestmark = pytest.mark.usefixtures("shared_cache")
 SIZE = (240, 160)
 
 

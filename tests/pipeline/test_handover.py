@@ -36,6 +36,7 @@ from brdf_suite.pipeline.report import ReportOptions, build_report
 from brdf_suite.pipeline.scene import load_shipped_paint
 from brdf_suite.pipeline.standard import standard_of
 
+pytestmark = pytest.mark.usefixtures("shared_cache")
 PLAIN = ReportOptions(pictures=False)
 
 
