@@ -2,8 +2,9 @@
 
 RGB without a named space counts as sRGB. CMY, CMYK and Gray have no meaning without the profile of a press; they are
 shown by the plain rule of PostScript, R = (1 - C)(1 - K) in sRGB, which no printing ink follows: for the screen only.
-Lab, LCh and XYZ of another white are adapted to D65 by CAT16; without a named white they count as D50 and 2°, as
-layout programs have them. A spectrum gives its colour exactly.
+Lab, LCh and XYZ of another white are adapted to D65: those of D50 and 2° by Bradford, because colour profiles and CSS
+are made with it and a colour must be here what it is there; all others by CAT16, as everywhere in this suite. Without a
+named white they count as D50 and 2°, as layout programs have them. A spectrum gives its colour exactly.
 """
 
 from __future__ import annotations
@@ -19,8 +20,11 @@ from brdf_suite.appearance.colorimetry import (
     REC2020_PRIMARIES,
     WHITE_XY,
     WORKING_TO_XYZ,
+    AdaptationTransform,
+    adaptation,
     lab_to_working,
     lab_to_xyz,
+    primaries_to_xyz,
     rgb_to_working,
     srgb_decode,
     working_to_display,
@@ -36,6 +40,7 @@ from brdf_suite.geometry.directions import Floats
 ADOBE_RGB_PRIMARIES = ((0.64, 0.33), (0.21, 0.71), (0.15, 0.06))
 """Chromaticities of Adobe RGB (1998), with the white of D65 and a power of 563/256."""
 _PROPHOTO_PRIMARIES = ((0.734699, 0.265301), (0.159597, 0.840403), (0.036598, 0.000105))
+_PROPHOTO_POWER = 1.8
 _D50_XY = (0.345704, 0.358540)
 
 WHITES: dict[tuple[str, int], tuple[float, float, float]] = {
@@ -141,12 +146,26 @@ def _labs(like: FlatColour, values: Floats) -> Floats:
             return lab
         xyz = values if model == "XYZ" else lab_to_xyz(lab, white)
         target = 100.0 * WORKING_TO_XYZ.sum(axis=1)
-        return working_to_lab(xyz_to_working(adapt_xyz(xyz, white, target)))
+        return working_to_lab(xyz_to_working(adapt_xyz(xyz, white, target, _transform_of(like))))
     encoded = _encoded_rgb(model, values)
     known = _space(like.space) if model in ("RGB", "HSB", "HSL") else None
     matrix, power = known or _srgb()
-    linear = srgb_decode(encoded) if power is None else np.copysign(np.abs(encoded) ** power, encoded)
+    linear = _decoded(encoded, power)
     return working_to_lab(linear @ matrix.T)
+
+
+def _transform_of(colour: FlatColour) -> AdaptationTransform:
+    known = (colour.illuminant, colour.observer_deg or 2) in WHITES
+    return "CAT16" if known and (colour.illuminant, colour.observer_deg or 2) != ("D50", 2) else "Bradford"
+
+
+def _decoded(encoded: Floats, power: float | None) -> Floats:
+    """Linear light of encoded values: the sRGB curve, or a power, which ProPhoto RGB replaces by a line near black."""
+    if power is None:
+        return srgb_decode(encoded)
+    size = np.abs(encoded)
+    curved = np.where((power == _PROPHOTO_POWER) & (size < 16.0 / 512.0), size / 16.0, size**power)
+    return np.asarray(np.copysign(curved, encoded), np.float64)
 
 
 def white_of(colour: FlatColour) -> Floats:
@@ -209,7 +228,10 @@ def _space(name: str) -> tuple[Floats, float | None] | None:
     if "adobergb" in plain or plain == "a98rgb":
         return rgb_to_working(ADOBE_RGB_PRIMARIES, WHITE_XY), 563.0 / 256.0
     if "prophoto" in plain:
-        return rgb_to_working(_PROPHOTO_PRIMARIES, _D50_XY), 1.8
+        to_xyz = primaries_to_xyz(_PROPHOTO_PRIMARIES, _D50_XY)
+        white = to_xyz.sum(axis=1)
+        adapted = adaptation(white, WORKING_TO_XYZ.sum(axis=1), "Bradford") @ to_xyz
+        return np.asarray(np.linalg.solve(WORKING_TO_XYZ, adapted), np.float64), _PROPHOTO_POWER
     if "rec2020" in plain or "bt2020" in plain:
         return rgb_to_working(REC2020_PRIMARIES, WHITE_XY), 2.4
     return None

@@ -117,7 +117,7 @@ def lab_d50(lab: Lab) -> Lab:
 def labs_d50(lab: ArrayLike) -> Floats:
     """Return :func:`lab_d50` of many (..., 3)."""
     d65 = 100.0 * WORKING_TO_XYZ.sum(axis=1)
-    xyz = adapt_xyz(working_to_xyz(lab_to_working(lab)), d65, WHITES["D50", 2])
+    xyz = adapt_xyz(working_to_xyz(lab_to_working(lab)), d65, WHITES["D50", 2], "Bradford")
     return xyz_to_lab(xyz, WHITES["D50", 2])
 
 

@@ -11,11 +11,13 @@ import xmlschema
 from PIL import GimpPaletteFile, ImageColor
 
 from brdf_suite.appearance.colorimetry import lab_to_working, working_to_display
-from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.appearance.flat_colours import flat_labs
+from brdf_suite.documents.flat_colour import CHANNELS, FlatColour
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.files.palettes import format_named, write_palette
 from brdf_suite.files.palettes.conversions import lab_d50
+from brdf_suite.files.palettes.css_colour import css_of
 
 PAINT = Paint(
     "Silver",
@@ -101,6 +103,25 @@ def test_colour_cxf_reads_our_cxf(tmp_path: Path) -> None:
     assert spectra[0].value == pytest.approx(list(SPECTRUM.values))
     specifications = {s.id: s for s in read.resources.color_specification_collection.color_specification}
     assert all(value.color_specification in specifications for value in angles)
+
+
+@pytest.mark.parametrize(
+    ("model", "space"),
+    [(model, "") for model in ("RGB", "HSL", "Lab", "LCh")]
+    + [("RGB", name) for name in ("Display P3", "Adobe RGB (1998)", "Rec. 2020", "ProPhoto RGB")],
+)
+def test_coloraide_sees_the_colours_of_our_css_as_we_do(model: str, space: str) -> None:
+    coloraide = pytest.importorskip("coloraide", reason="coloraide is not installed")
+    random = np.random.default_rng(5)
+    white = ("D50", 2) if model in ("Lab", "LCh") else ("", 0)
+    for _ in range(20):
+        top = [c.high if c.unit else 1.0 if c.high in (1.0, 64.0) else 60.0 for c in CHANNELS[model]]
+        values = tuple(random.uniform(0.0, top).tolist())
+        colour = FlatColour("x", model, values, space, *white)  # type: ignore[arg-type]  # one of its words
+        theirs = coloraide.Color(css_of(colour)).convert("srgb")
+        ours = working_to_display(lab_to_working(flat_labs([colour])[0])).tolist()
+        # Whites of four and five digits make a few thousandths.
+        assert theirs.delta_e(coloraide.Color("srgb", ours), method="2000") < 0.02
 
 
 def test_pillow_reads_the_colours_of_our_css() -> None:
