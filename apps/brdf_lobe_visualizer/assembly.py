@@ -174,6 +174,10 @@ class LobeVisualizer:
     def _reset_views(self) -> None:
         self.desk.reset_options()
         self.desk.reset_incidence()
+        for part in self.parts:
+            reset = getattr(part, "reset_view", None)
+            if reset is not None:
+                reset()
 
     def _opened(self, asked: str, keys: Sequence[str]) -> None:
         if asked == self._default and keys:

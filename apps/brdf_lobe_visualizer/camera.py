@@ -86,6 +86,25 @@ class Camera:
         return matrix
 
 
+def remembered(text: str) -> Camera:
+    """Return the camera that :func:`told` wrote; that of a first start where the text is none."""
+    try:
+        numbers = [float(part) for part in text.split()]
+        azimuth, elevation, distance, x, y, z = numbers
+    except ValueError:
+        return Camera()
+    if not all(map(math.isfinite, numbers)) or not NEAREST <= distance <= FARTHEST or abs(elevation) > 90.0:
+        return Camera()
+    return Camera(azimuth, elevation, distance, (x, y, z))
+
+
+def told(camera: Camera) -> str:
+    """Return a camera as text, to be remembered."""
+    return " ".join(
+        f"{v:.6g}" for v in (camera.azimuth_deg, camera.elevation_deg, camera.distance, *camera.centre)
+    )
+
+
 def framed(camera: Camera) -> Camera:
     """Return the camera where all of the hemisphere is seen, from the side that it looks from now."""
     home = Camera()

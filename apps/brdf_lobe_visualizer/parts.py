@@ -16,7 +16,7 @@ PARTS: tuple[MakePart, ...] = (Space, Slices, Basis)
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 
 Parts are made before the window is shown: what is heavy to import or to make waits for ``window.first_painted``. A part
-may have ``is_complete`` (whether all that it shows is there) and ``close()``.
+may have ``is_complete`` (whether all that it shows is there), ``close()``, and ``reset_view()``.
 """
 
 

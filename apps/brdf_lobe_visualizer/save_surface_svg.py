@@ -22,6 +22,7 @@ from brdf_lobe_visualizer.space_frame import Frame, Label
 from brdf_lobe_visualizer.space_scene import Bar, Layer, Panel, Scene
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.pipeline.lobe_surface import LobeSurface
+from brdf_suite.pipeline.lobe_surface_hiding import hidden
 
 Floats = npt.NDArray[np.float64]
 _ROW_STEP, _COLUMN_STEP = 2, 4
@@ -88,6 +89,9 @@ def _panel(
         drawn += _lines(layer, sight, look) if layer.style == "lines" else _faces(layer, sight, look)
     for rows in (frame.behind, frame.before):
         drawn += _segments(rows, sight)
+    if frame.handle is not None and len(frame.before):
+        handle = np.asarray(frame.before[0]["colour"], float)[None]
+        drawn += _points(frame.handle[None], handle, sight, look, 0.45 * look.text_px)
     if panel.points is not None:
         drawn += _points(panel.points.places, panel.points.colours, sight, look)
     drawn.sort(key=lambda row: -row[0])
@@ -99,12 +103,25 @@ def _panel(
     yield f"<g clip-path='url(#{clip})'>"
     for _, text in drawn:
         yield text
-    for label in frame.labels:
-        yield from _label(label, sight, look)
+    behind = np.zeros(len(frame.labels), bool)
+    for layer in panel.layers:
+        if layer.style == "solid" and layer.grid is not None and len(behind):
+            behind |= hidden(layer.surface, layer.grid, camera.eye(), [label.place for label in frame.labels])
+    for label, covered in zip(frame.labels, behind, strict=True):
+        if label.strong or not covered:
+            yield from _label(label, sight, look)
     y = room.top() + 8.0 + look.text_px
+    indent = 0.0
+    if panel.colour is not None and panel.title:
+        indent = 1.4 * look.text_px
+        fill = _hex(255.0 * np.array(panel.colour))
+        size = 0.9 * look.text_px
+        left, top = room.left() + 12.0, y - size
+        yield f"<rect x='{left:.1f}' y='{top:.1f}' width='{size:.1f}' height='{size:.1f}' fill='{fill}'/>"
     for line, weight in ((panel.title, "bold"), *((text, "normal") for text in panel.caption.splitlines())):
         if line:
-            yield _text(line, room.left() + 12.0, y, look, anchor="start", weight=weight)
+            yield _text(line, room.left() + 12.0 + indent, y, look, anchor="start", weight=weight)
+        indent = 0.0
         y += 1.3 * look.text_px
     y = room.bottom() - 8.0
     for line in reversed(panel.note.splitlines()):
@@ -181,15 +198,16 @@ def _segments(rows: npt.NDArray[np.void], sight: _Sight) -> Iterator[tuple[float
         yield 0.5 * float(d1 + d2), text
 
 
-def _points(places: Floats, colours: Floats, sight: _Sight, look: Look) -> Iterator[tuple[float, str]]:
+def _points(
+    places: Floats, colours: Floats, sight: _Sight, look: Look, radius: float = 2.5
+) -> Iterator[tuple[float, str]]:
     at, depths = sight(places)
     for (x, y), depth, colour in zip(at, depths, colours, strict=True):
         if depth > 0.0:
             fill = _hex(255.0 * colour[:3])
-            yield (
-                float(depth) - 0.01,
-                f"<circle cx='{x:.1f}' cy='{y:.1f}' r='2.5' fill='{fill}' stroke='{look.paper}' stroke-width='0.8'/>",
-            )
+            rim = f"stroke='{look.paper}' stroke-width='0.8'"
+            disc = f"<circle cx='{x:.1f}' cy='{y:.1f}' r='{radius:.1f}' fill='{fill}' {rim}/>"
+            yield float(depth) - 0.01, disc
 
 
 def _label(label: Label, sight: _Sight, look: Look) -> Iterator[str]:
@@ -225,7 +243,7 @@ def _bar(bar: Bar, size: QSize, look: Look) -> Iterator[str]:
         y = top + (1.0 - share) * high
         yield f"<path d='M{left - 4:.1f} {y:.1f}h4' stroke='{look.ink}'/>"
         yield _text(text, left - 7.0, y + 0.35 * look.text_px, look, anchor="end")
-    yield _text(bar.title, left + 14.0, top - 8.0, look, anchor="end")
+    yield _text(bar.title, left + 14.0, top - 0.9 * look.text_px, look, anchor="end")
 
 
 def _picked(surface: LobeSurface) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:

@@ -9,13 +9,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from brdf_qt.camera_gestures import CameraGestures
+from brdf_qt.settings import settings
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QImage, QPalette
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
 
-from brdf_lobe_visualizer.camera import PRESETS, Camera, framed, preset
+from brdf_lobe_visualizer.camera import PRESETS, Camera, framed, preset, remembered, told
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.incidence_section import IncidenceSection
 from brdf_lobe_visualizer.parts_section import PartsSection
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
     from brdf_lobe_visualizer.space_view import SpaceView
 
 
+_CAMERA_KEY = "lobes/camera"
+
+
 class Space(QObject):
     """Lobes in three dimensions."""
 
@@ -38,7 +42,7 @@ class Space(QObject):
         super().__init__(window)
         self._desk, self._window = desk, window
         self.state = SpaceState(self)
-        self.camera = Camera()
+        self.camera = remembered(str(settings().value(_CAMERA_KEY, "")))
         self.view: SpaceView | None = None
         self._values: SpaceValues | None = None
         self._maker: SceneMaker | None = None
@@ -109,6 +113,13 @@ class Space(QObject):
         self.sweep.set_running(False)
         self._timer.stop()
         self._settle.stop()
+        settings().setValue(_CAMERA_KEY, told(self.camera))
+
+    def reset_view(self) -> None:
+        """Put camera and options back to those of a first start."""
+        self.sweep.set_running(False)
+        self.state.reset()
+        self.set_camera(Camera())
 
     # Drawing.
 

@@ -102,7 +102,8 @@ class SceneMaker:
         scale = scales[0] if scales else RadiusScale(shared.radius, 1.0, options.decades)
         frame = FrameOptions(options.hemisphere, options.labels, options.arrows, options.rings)
         bar = None
-        if panels and (difference or options.colouring == "values"):
+        mapped = options.colouring == "values" and any(s.line is None for plan in plans for s in plan.sheets)
+        if panels and (difference or mapped):
             bar = _bar(scale, quantity(shared), signed=difference)
         return Scene(panels, desk.light, scale, bar, quantity(shared), frame)
 

@@ -109,12 +109,13 @@ class SpaceState(QObject):
         """The options as they are."""
         return self._options
 
-    def set(self, **fields: Any) -> None:
+    def set(self, *, remember: bool = True, **fields: Any) -> None:
         """Set options by name; numbers are brought into their range."""
         options = _sound(replace(self._options, **fields))
         if options != self._options:
             self._options = options
-            settings().setValue(_KEY, json.dumps(asdict(options)))
+            if remember:
+                settings().setValue(_KEY, json.dumps(asdict(options)))
             self.changed.emit()
 
     def reset(self, *names: str) -> None:
@@ -123,7 +124,7 @@ class SpaceState(QObject):
         self.set(**{name: getattr(plain, name) for name in names or vars(plain)})
 
     def set_from_text(self, name: str, text: str) -> bool:
-        """Set an option by words, as a script has it; False where there is no such option or value."""
+        """Set an option by words for this run, as a script does; False where there is no such option or value."""
         plain = vars(SpaceOptions()).get(name)
         if plain is None:
             return False
@@ -133,7 +134,7 @@ class SpaceState(QObject):
             return False
         if name in _CHOICES and value not in _CHOICES[name]:
             return False
-        self.set(**{name: value})
+        self.set(remember=False, **{name: value})
         return True
 
 

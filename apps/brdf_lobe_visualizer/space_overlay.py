@@ -30,9 +30,16 @@ class Overlay:
         self._bold.setBold(True)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
-    def labels(self, labels: Sequence[Label], project: Project, room: QRectF, hidden: Sequence[bool]) -> None:
+    def labels(
+        self,
+        labels: Sequence[Label],
+        project: Project,
+        room: QRectF,
+        hidden: Sequence[bool],
+        taken: Sequence[QRectF] = (),
+    ) -> None:
         """Paint labels that lie within ``room``; arrows' first, none over another, none that a lobe hides."""
-        taken: list[QRectF] = []
+        taken = list(taken)
         seen = [label for label, behind in zip(labels, hidden, strict=True) if label.strong or not behind]
         for label in sorted(seen, key=lambda row: not row.strong):
             at = project(label.place)
@@ -86,14 +93,29 @@ class Overlay:
             p.setPen(self._ink)
             p.drawText(space, int(flags), panel.note)
 
-    def bar(self, bar: Bar, room: QRectF) -> None:
-        """Paint a scale bar at the right of ``room``, its words to its left."""
-        p = self._painter
-        high = min(240.0, 0.5 * room.height())
+    def bar_room(self, bar: Bar, room: QRectF) -> QRectF:
+        """Return what a scale bar with its words takes of ``room``, right and below; empty where there is no room."""
+        high = min(240.0, 0.42 * room.height())
         if high < 60.0:
-            return
+            return QRectF()
         metrics = QFontMetricsF(self._small)
-        box = QRectF(room.right() - _BAR_WIDTH - 14.0, room.bottom() - high - 18.0, _BAR_WIDTH, high)
+        wide = max(metrics.horizontalAdvance(text) for _, text in bar.ticks) + _BAR_WIDTH + 14.0
+        wide = max(wide, metrics.horizontalAdvance(bar.title) + 8.0)
+        above = metrics.height() + 12.0
+        return QRectF(
+            room.right() - wide - 10.0, room.bottom() - high - above - 14.0, wide, high + above + 8.0
+        )
+
+    def bar(self, bar: Bar, room: QRectF) -> None:
+        """Paint a scale bar into its part of ``room``, its words to its left."""
+        p = self._painter
+        space = self.bar_room(bar, room)
+        if space.isEmpty():
+            return
+        p.fillRect(space, _faded(self._paper, 190))
+        metrics = QFontMetricsF(self._small)
+        top = space.top() + metrics.height() + 12.0
+        box = QRectF(space.right() - _BAR_WIDTH - 4.0, top, _BAR_WIDTH, space.bottom() - 8.0 - top)
         colours = np.ascontiguousarray(bar.codes[::-1])
         image = QImage(colours.tobytes(), 1, len(colours), 3, QImage.Format.Format_RGB888)
         p.drawImage(box, image)

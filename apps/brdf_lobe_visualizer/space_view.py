@@ -257,12 +257,15 @@ class SpaceView(GLViewWidget):
         overlay = Overlay(painter, self.font(), QColor(ink), QColor(paper))
         rooms = self.rooms(size)
         labels = self.frame().labels
+        everything = QRectF(0.0, 0.0, size.width(), size.height())
+        taken = [] if self.scene.bar is None else [overlay.bar_room(self.scene.bar, everything)]
         for panel, room in zip(self.scene.panels, rooms, strict=False):
             matrix = self.to_clip(room)
             behind = self._behind(panel, [label.place for label in labels])
-            overlay.labels(labels, lambda place, m=matrix, r=room: _projected(m, place, r), room, behind)
+            overlay.labels(
+                labels, lambda place, m=matrix, r=room: _projected(m, place, r), room, behind, taken
+            )
             overlay.panel(panel, room, bordered=len(rooms) > 1)
-        everything = QRectF(0.0, 0.0, size.width(), size.height())
         if self.scene.bar is not None:
             overlay.bar(self.scene.bar, everything)
         for room in rooms:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
+from brdf_lobe_visualizer.camera import Camera, remembered, told
 from brdf_lobe_visualizer.subjects import SamplePoints, Subject, SubjectFit
 from PIL import Image
 from PySide6.QtCore import QCoreApplication, QPoint, QPointF, Qt
@@ -127,7 +128,8 @@ def test_brushed_metal_turns_with_the_azimuth(space, program, qtbot) -> None:
         space.draw_now()
         # What is slow comes from another thread.
         qtbot.waitUntil(lambda: space.is_complete)
-        pictures.append(red_of(picture(space)))
+        # Of a size of its own: messages take room from the view.
+        pictures.append(red_of(space.picture(260, 220)))
     # The camera turns with the plane of incidence: an isotropic lobe would give one picture twice.
     assert (pictures[0] ^ pictures[1]).sum() > 0.1 * pictures[0].sum()
 
@@ -248,6 +250,10 @@ def test_numbers_presets_frame_and_reset(space, program) -> None:
     assert space.camera.centre == (0.0, 0.0, 0.42)
     space.incidence.reset.click()
     assert program.desk.incidence == (45.0, 0.0)
+    assert remembered(told(space.camera)) == space.camera
+    assert remembered("1 2 nonsense") == remembered("0 0 -1 0 0 0") == Camera()
+    space.reset_view()
+    assert space.camera == Camera()
     space.state.set(fill="value", full=2.5, colouring="values", decades=3.0)
     space.surface.reset.click()
     assert (space.state.options.fill, space.state.options.colouring) == ("greatest", "light")
