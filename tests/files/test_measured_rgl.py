@@ -10,27 +10,16 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.colorimetry import WORKING_TO_SRGB
+from brdf_suite.cli.bench import load_module
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.measured import read_measured, sniff, write_measured
 from brdf_suite.files.measured.rgl import read_rgl
 from brdf_suite.files.measured.tensor_file import pack, unpack
 from brdf_suite.geometry.directions import spherical
 
+_directions = load_module(Path(__file__).with_name("direction_pairs.py"))
+hemisphere, pairs = _directions.hemisphere, _directions.pairs
 REAL = ("paper_white_rgb.bsdf", "vch_golden_yellow_rgb.bsdf")
-
-
-def hemisphere(n: int, seed: int = 1) -> np.ndarray:
-    rng = np.random.default_rng(seed)
-    return spherical(np.arccos(rng.random(n)), rng.uniform(0.0, 2.0 * np.pi, n))
-
-
-def pairs(n: int) -> tuple[np.ndarray, np.ndarray]:
-    """Random directions above the horizon; half of the views near the mirror direction."""
-    wi, wo = hemisphere(n), hemisphere(n, 2)
-    near = wi[: n // 2] * (-1.0, -1.0, 1.0) + 0.1 * np.random.default_rng(3).normal(size=(n // 2, 3))
-    wo[: n // 2] = near / np.linalg.norm(near, axis=1)[:, None]
-    # In single precision, as the renderer sees them: near the horizon the rounding of a direction counts.
-    return wi.astype(np.float32).astype(float), wo.astype(np.float32).astype(float)
 
 
 @pytest.mark.parametrize("name", REAL)

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.colorimetry import WORKING_TO_SRGB
+from brdf_suite.cli.bench import load_module
 from brdf_suite.documents.store import load_paint
 from brdf_suite.files.measured import write_measured
 from brdf_suite.files.measured.rgl import read_rgl, write_rgl
@@ -23,24 +24,12 @@ from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.tensor import TensorReflectance
 from brdf_suite.reflectance.tensor.tabulate import tabulate
 
+_directions = load_module(Path(__file__).with_name("direction_pairs.py"))
+hemisphere, pairs = _directions.hemisphere, _directions.pairs
 REAL = ("paper_white_rgb.bsdf", "vch_golden_yellow_rgb.bsdf")
 PAIRS = 100_000
 STEPS = 8
 STEP = 2.0**-24
-
-
-def hemisphere(n: int, seed: int = 1) -> np.ndarray:
-    rng = np.random.default_rng(seed)
-    return spherical(np.arccos(rng.random(n)), rng.uniform(0.0, 2.0 * np.pi, n))
-
-
-def pairs(n: int) -> tuple[np.ndarray, np.ndarray]:
-    """Random directions above the horizon; half of the views near the mirror direction."""
-    wi, wo = hemisphere(n), hemisphere(n, 2)
-    near = wi[: n // 2] * (-1.0, -1.0, 1.0) + 0.1 * np.random.default_rng(3).normal(size=(n // 2, 3))
-    wo[: n // 2] = near / np.linalg.norm(near, axis=1)[:, None]
-    # In single precision, as the renderer sees them: near the horizon the rounding of a direction counts.
-    return wi.astype(np.float32).astype(float), wo.astype(np.float32).astype(float)
 
 
 class Mitsuba:
