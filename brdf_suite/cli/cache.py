@@ -1,4 +1,4 @@
-"""``brdf-suite cache info|clear|verify``: the filtered maps and the baked occlusion kept on disk."""
+"""``brdf-suite cache info|clear|verify``: filtered maps, baked occlusion and pictures of paints kept on disk."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare the command and what it does."""
     command = commands.add_parser(
         "cache",
-        help="show, check or empty the cache of prefiltered maps and baked occlusion",
+        help="show, check or empty the cache of prefiltered maps, baked occlusion and pictures of paints",
         description="The prefiltered maps of environments are kept on disk and found again by the content of the "
-        "environment; so is the occlusion that is baked for a surface. Nothing is lost with them but the time to "
-        "make them anew.",
+        "environment; so are the occlusion that is baked for a surface and the pictures of the paints of palettes. "
+        "Nothing is lost with them but the time to make them anew.",
         epilog="The environment variable BRDF_SUITE_CACHE chooses the folder, BRDF_SUITE_CACHE_MB the largest size "
         "of the maps.",
     )
@@ -42,12 +42,15 @@ def info(options: argparse.Namespace) -> int:
     """Print the place, the sizes and the entries, the one used last first."""
     from brdf_suite.lighting.cache import MapCache
     from brdf_suite.pipeline.occlusion import LIMIT_BYTES, kept_occlusion, occlusion_folder
+    from brdf_suite.pipeline.swatch_store import SwatchStore
 
     cache = MapCache()
     baked = kept_occlusion()
     baked_bytes = sum(size for _, size in baked)
     rows = [_row(entry) for entry in reversed(cache.entries())]
     used = sum(entry.size for entry in cache.entries())
+    pictures = SwatchStore()
+    number, pictures_bytes = pictures.size() if pictures.path.is_file() else (0, 0)
     if options.json:
         print_json(
             {
@@ -62,6 +65,12 @@ def info(options: argparse.Namespace) -> int:
                     "limit_bytes": LIMIT_BYTES,
                     "entries": [{"entry": path.name, "bytes": size} for path, size in reversed(baked)],
                 },
+                "swatches": {
+                    "file": str(pictures.path),
+                    "bytes": pictures_bytes,
+                    "limit_bytes": pictures.limit_bytes,
+                    "pictures": number,
+                },
             }
         )
         return 0
@@ -73,6 +82,8 @@ def info(options: argparse.Namespace) -> int:
         )
     there, room = _count(len(baked), "surface", "surfaces"), f"{LIMIT_BYTES / 1e6:,.0f} MB"
     print(f"{occlusion_folder()}: {there}, {baked_bytes / 1e6:,.1f} MB of {room}")
+    there, room = _count(number, "picture", "pictures"), f"{pictures.limit_bytes / 1e6:,.0f} MB"
+    print(f"{pictures.path}: {there}, {pictures_bytes / 1e6:,.1f} MB of {room}")
     return 0
 
 
@@ -82,6 +93,7 @@ def clear(options: argparse.Namespace) -> int:
     from brdf_suite.lighting.cache import MapCache
     from brdf_suite.lighting.cache_folder import remove
     from brdf_suite.pipeline.occlusion import kept_occlusion, occlusion_folder
+    from brdf_suite.pipeline.swatch_store import SwatchStore
 
     cache = MapCache()
     before = cache.entries()
@@ -97,6 +109,10 @@ def clear(options: argparse.Namespace) -> int:
                 folder, f"{_count(left, 'entry', 'entries')} cannot be removed; is the disk read-only"
             )
     baked_bytes = sum(size for _, size in baked)
+    pictures = SwatchStore()
+    there_were = pictures.path.is_file()
+    pictures_bytes = pictures.size()[1] if there_were else 0
+    number = pictures.clear() if there_were else 0
     if options.json:
         print_json(
             {
@@ -108,12 +124,19 @@ def clear(options: argparse.Namespace) -> int:
                     "removed": len(baked),
                     "freed_bytes": baked_bytes,
                 },
+                "swatches": {
+                    "file": str(pictures.path),
+                    "removed": number,
+                    "freed_bytes": pictures_bytes,
+                },
             }
         )
     else:
         print(f"{cache.folder}: {_count(len(gone), 'entry', 'entries')} removed, {freed / 1e6:,.1f} MB")
         there = _count(len(baked), "surface", "surfaces")
         print(f"{occlusion_folder()}: {there} removed, {baked_bytes / 1e6:,.1f} MB")
+        there = _count(number, "picture", "pictures")
+        print(f"{pictures.path}: {there} removed, {pictures_bytes / 1e6:,.1f} MB")
     return 0
 
 
@@ -122,6 +145,7 @@ def verify(options: argparse.Namespace) -> int:
     from brdf_suite.lighting.cache import MapCache
     from brdf_suite.lighting.cache_folder import remove
     from brdf_suite.pipeline.occlusion import damaged_occlusion, kept_occlusion, occlusion_folder
+    from brdf_suite.pipeline.swatch_store import SwatchStore
 
     cache = MapCache()
     with progress_bar("checking", quiet=options.json) as progress:
@@ -130,11 +154,14 @@ def verify(options: argparse.Namespace) -> int:
     sound = len(kept_occlusion()) - len(baked)
     left = sum(not remove(path) for path, _ in baked) if options.remove else len(baked)
     removed = options.remove and left == 0
+    pictures = SwatchStore()
+    whole, spoilt = pictures.verify(remove=options.remove) if pictures.path.is_file() else (0, 0)
+    passed = found.passed and not baked and not spoilt
     if options.json:
         print_json(
             {
                 "folder": str(cache.folder),
-                "passed": found.passed and not baked,
+                "passed": passed,
                 "sound": found.sound,
                 "damaged": [{"entry": name, "reason": reason} for name, reason in found.damaged],
                 "outdated": found.outdated,
@@ -145,6 +172,12 @@ def verify(options: argparse.Namespace) -> int:
                     "sound": sound,
                     "damaged": [{"entry": path.name, "reason": reason} for path, reason in baked],
                     "removed": removed,
+                },
+                "swatches": {
+                    "file": str(pictures.path),
+                    "sound": whole,
+                    "damaged": spoilt,
+                    "removed": options.remove and spoilt > 0,
                 },
             }
         )
@@ -159,13 +192,14 @@ def verify(options: argparse.Namespace) -> int:
         print(f"{occlusion_folder()}: {sound} sound, {len(baked)} damaged")
         for _, reason in baked:
             print(f"  {reason}")
-        if found.damaged or baked:
+        print(f"{pictures.path}: {whole} sound, {spoilt} damaged")
+        if not passed:
             print(
                 "removed"
-                if (found.removed or not found.damaged) and (removed or not baked)
+                if (found.removed or not found.damaged) and (removed or not baked) and options.remove
                 else "`brdf-suite cache verify --remove` removes what is damaged"
             )
-    return 0 if found.passed and not baked else 1
+    return 0 if passed else 1
 
 
 def _row(entry: CacheEntry) -> dict[str, object]:

@@ -1,6 +1,7 @@
 """``brdf-suite cache``: what it says of an empty, a sound and a damaged cache."""
 
 import json
+import sqlite3
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ from brdf_suite.cli.main import main
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.occlusion import baked_occlusion, kept_occlusion, occlusion_folder
+from brdf_suite.pipeline.swatch_store import SwatchStore
 from brdf_suite.surface.mesh import Mesh, Part
 
 
@@ -40,8 +42,10 @@ def test_an_empty_cache(capsys: pytest.CaptureFixture[str]) -> None:
             "unfinished": 0,
             "removed": False,
             "occlusion": {"folder": str(occlusion_folder()), "sound": 0, "damaged": [], "removed": False},
+            "swatches": {"file": str(SwatchStore().path), "sound": 0, "damaged": 0, "removed": False},
         },
     )
+    assert not SwatchStore().path.exists()
     assert answer(capsys, "clear")[1]["removed"] == 0
 
 
@@ -118,3 +122,21 @@ def test_an_action_is_needed(capsys: pytest.CaptureFixture[str], tmp_path: Path)
         main(["cache"])
     assert stopped.value.code == 2
     assert "info" in capsys.readouterr().err
+
+
+def test_pictures_of_paints_are_told_checked_and_removed(capsys: pytest.CaptureFixture[str]) -> None:
+    store = SwatchStore()
+    store.put({f"{index:064d}": np.full((8, 8, 3), index, np.uint8) for index in range(3)})
+    assert answer(capsys, "info")[1]["swatches"]["pictures"] == 3  # type: ignore[index] # JSON
+    with sqlite3.connect(store.path) as file:
+        file.execute("UPDATE pictures SET checksum = checksum + 1 WHERE key = ?", (f"{1:064d}",))
+    file.close()
+    status, facts = answer(capsys, "verify")
+    assert status == 1
+    assert (facts["swatches"]["sound"], facts["swatches"]["damaged"]) == (2, 1)  # type: ignore[index] # JSON
+    assert answer(capsys, "verify", "--remove")[0] == 1
+    assert answer(capsys, "verify")[0] == 0
+    assert answer(capsys, "clear")[1]["swatches"]["removed"] == 2  # type: ignore[index] # JSON
+    assert store.get([f"{0:064d}"]) == {}
+    assert main(["cache", "info"]) == 0
+    assert "0 pictures" in capsys.readouterr().out
