@@ -24,6 +24,7 @@ from brdf_qt.tasks import TaskRunner
 from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, Signal
 
+from brdf_color_swatch.autosave import PaletteRecovery
 from brdf_color_swatch.columns import finished_rows, rows_of
 from brdf_color_swatch.history import History, Step
 from brdf_color_swatch.reading import Read, read_palette_file
@@ -307,7 +308,7 @@ class Library(QObject):
         self.remember()
 
     def _recovery(self, store: DocumentStore[Palette]) -> Recovery[Palette]:
-        recovery = Recovery(store, self._format, self._autosave_failed, self)
+        recovery = PaletteRecovery(store, self._format, self._autosave_failed, self.tasks, self)
         recovery.written_again.connect(lambda: self.settled.emit("autosave"))
         return recovery
 

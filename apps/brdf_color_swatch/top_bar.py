@@ -6,8 +6,9 @@ from brdf_qt.choice_button import ChoiceButton
 from brdf_qt.icons import icon
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent, QPalette
+from PySide6.QtGui import QKeyEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QButtonGroup,
     QComboBox,
     QHBoxLayout,
@@ -22,6 +23,8 @@ from brdf_color_swatch.grid import SIZES
 from brdf_color_swatch.view_state import Look, PaneState
 
 _SEARCH_AFTER_MS = 120
+_ONE_LINE_PX = 540
+"""Narrower, the bar has two lines."""
 SORT_TITLES = {
     "own": mark("Own order"),
     "hue": mark("Hue path"),
@@ -116,9 +119,13 @@ class TopBar(QWidget):
         self.forms = QButtonGroup(self)
         # None of them is down while a list is shown.
         self.forms.setExclusive(False)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(8, 6, 8, 2)
-        row.setSpacing(8)
+        self._box = QBoxLayout(QBoxLayout.Direction.LeftToRight, self)
+        self._box.setContentsMargins(8, 6, 8, 2)
+        self._box.setSpacing(8)
+        first, row = QHBoxLayout(), QHBoxLayout()
+        for line, share in ((first, 3), (row, 1)):
+            line.setSpacing(8)
+            self._box.addLayout(line, share)
         self.search.setMinimumWidth(72)
         for box in (self.sort, self.light):
             # In a narrow window they give way; their lists are as wide as their texts.
@@ -126,9 +133,9 @@ class TopBar(QWidget):
             box.setMinimumContentsLength(7)
             box.view().setMinimumWidth(box.view().sizeHintForColumn(0) + 32)
         self.search.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        row.addWidget(self.search, 3)
-        row.addWidget(self.sort)
-        row.addWidget(self.way)
+        first.addWidget(self.search, 3)
+        first.addWidget(self.sort)
+        first.addWidget(self.way)
         for key, (title, sign, tip) in _FORM_TITLES.items():
             button = ChoiceButton("")
             button.setIcon(icon(sign))
@@ -157,6 +164,11 @@ class TopBar(QWidget):
         self._paint_grey()
         row.addWidget(self.size_slider, 1)
         row.addWidget(self.light)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        ways = QBoxLayout.Direction
+        self._box.setDirection(ways.TopToBottom if self.width() < _ONE_LINE_PX else ways.LeftToRight)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -1,0 +1,81 @@
+"""The autosave of palettes of any size: what takes long is encoded by a thread, and a scroll goes on meanwhile."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from datetime import datetime
+from typing import Any
+
+from brdf_qt.document_files import DocumentFormat
+from brdf_qt.document_store import DocumentStore
+from brdf_qt.recovery import Recovery
+from brdf_qt.tasks import TaskRunner
+from PySide6.QtCore import QObject
+
+from brdf_suite.documents.palette import Palette
+from brdf_suite.documents.palette_store import encode_palette
+from brdf_suite.errors import FileError
+from brdf_suite.progress import Progress
+
+_MANY = 300
+"""Fewer swatches are written within a frame or two."""
+
+
+class PaletteRecovery(Recovery[Palette]):
+    """As :class:`Recovery`, and what it reads is the same file."""
+
+    def __init__(
+        self,
+        store: DocumentStore[Palette],
+        form: DocumentFormat[Palette],
+        failed: Callable[[BaseException], None],
+        tasks: TaskRunner,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(store, form, failed, parent)
+        self._tasks = tasks
+        self._key = f"autosave {id(self)}"
+        self._timer.timeout.disconnect(self.write)
+        self._timer.timeout.connect(self._write_beside)
+
+    def write(self) -> bool:
+        """Write the unsaved palette now, and wait for it; see :meth:`Recovery.write`."""
+        self._tasks.cancel(self._key)
+        return super().write()
+
+    def _write_beside(self) -> None:
+        if self._store.is_clean or len(self._store.value) < _MANY:
+            self.write()
+            return
+        path, stamp = self._store.path, self._store.stamp
+        head = {
+            "path": None if path is None else str(path),
+            "stamp": None if stamp is None else stamp.to_json(),
+            "time": datetime.now().isoformat(timespec="microseconds"),
+        }
+        self._tasks.submit(self._key, _encoded, (head, self._store.value), self._put, self._failed)
+
+    def _put(self, content: bytes) -> None:
+        """Write what was encoded: here, so that it never comes after the file was removed because all is saved."""
+        if self._closed or self._store.is_clean:
+            return
+        draft = self._file.with_suffix(".tmp")
+        try:
+            draft.write_bytes(content)
+            draft.replace(self._file)
+        except OSError as error:
+            self._fails = True
+            self._failed(FileError(self._file, f"the autosave cannot be written ({error.strerror})"))
+            return
+        if self._fails:
+            self._fails = False
+            self.written_again.emit()
+
+
+def _encoded(request: tuple[dict[str, Any], Palette], progress: Progress) -> bytes:
+    """Return the autosave's content: entry by entry, so that the window's thread gets its turns in between."""
+    head, palette = request
+    progress(0.0, "")
+    start = json.dumps(head, ensure_ascii=False)
+    return start[:-1].encode("utf-8") + b', "document": ' + encode_palette(palette) + b"}"

@@ -1,0 +1,62 @@
+"""The autosave of a large palette is encoded beside the window, and is what a small one's is."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from brdf_color_swatch import autosave
+from brdf_color_swatch.assembly import palette_format
+from brdf_color_swatch.autosave import PaletteRecovery
+from brdf_qt.document_store import DocumentStore
+from brdf_qt.tasks import TaskRunner
+
+from brdf_suite.documents.paint import solid_paint
+from brdf_suite.documents.palette import Entry, Palette
+
+GREY = solid_paint("Grey", (50.0, 0.0, 0.0))
+
+
+@pytest.fixture
+def kept(qapp, monkeypatch):
+    """A store whose palette counts as large, its autosave, and the runner of its thread."""
+    monkeypatch.setattr(autosave, "_MANY", 2)
+    tasks = TaskRunner()
+    store = DocumentStore(Palette("Large", (Entry(GREY, id="a"), Entry(GREY, id="b"))))
+    failed: list[BaseException] = []
+    recovery = PaletteRecovery(store, palette_format(), failed.append, tasks)
+    yield store, recovery, tasks, failed
+    recovery.close(keep=False)
+    tasks.stop()
+
+
+def test_unsaved_work_is_written_by_a_thread_and_found_again(kept, qtbot) -> None:
+    store, recovery, _tasks, failed = kept
+    store.set(replace(store.value, name="Changed\u4e00"), "rename")
+    qtbot.waitUntil(lambda: recovery._file.exists())
+    found = recovery._read(recovery._file)
+    assert found.value == store.value
+    assert found.path is None
+    assert not failed
+
+
+def test_what_was_saved_meanwhile_leaves_no_autosave(kept, qtbot, tmp_path) -> None:
+    store, recovery, tasks, _failed = kept
+    store.set(replace(store.value, name="Changed"), "rename")
+    recovery._write_beside()
+    assert tasks.busy
+    store.mark_clean(tmp_path / "saved.brdfpalette")
+    qtbot.waitUntil(lambda: not tasks.busy)
+    assert not recovery._file.exists()
+
+
+def test_a_disk_that_refuses_is_told_and_so_is_that_it_takes_again(kept, qtbot) -> None:
+    store, recovery, _tasks, failed = kept
+    file, recovery._file = recovery._file, recovery._file.parent / "gone" / "x.recovery.json"
+    store.set(replace(store.value, name="Changed"), "rename")
+    qtbot.waitUntil(lambda: bool(failed))
+    assert "cannot be written" in str(failed[0])
+    recovery._file = file
+    with qtbot.waitSignal(recovery.written_again):
+        store.set(replace(store.value, name="Again"), "rename")
+    assert file.exists()
