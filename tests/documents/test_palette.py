@@ -8,6 +8,7 @@ import os
 import signal
 import subprocess
 import sys
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -247,6 +248,36 @@ def test_what_the_quick_reader_takes_is_what_the_usual_one_reads() -> None:
             any_paint_from_json(bad)
     for other in (None, [], "x", paint_to_json(MEASURED.content)):
         assert quick_paint(other) is None
+
+
+@pytest.fixture
+def small_disk(tmp_path: Path) -> Iterator[Path]:
+    """A file system of its own with room for 64 KB, where the user may mount one."""
+    if sys.platform != "linux":
+        pytest.skip("tmpfs is mounted on Linux")
+    folder = tmp_path / "disk"
+    folder.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", str(folder)]
+    try:
+        mounted = subprocess.run(mount, capture_output=True, check=False).returncode == 0
+    except OSError:
+        mounted = False
+    if not mounted:
+        pytest.skip("the user may not mount a file system")
+    try:
+        yield folder
+    finally:
+        subprocess.run(["umount", "-l", str(folder)], check=True)
+
+
+def test_a_disk_without_room_leaves_the_old_palette(small_disk: Path) -> None:
+    path = small_disk / "a.brdfpalette"
+    save_palette(palette(), path)
+    many = Palette("new", tuple(Entry(FlatColour(f"c{i}", "Gray", (0.5,))) for i in range(2000)))
+    with pytest.raises(FileError, match="No space left on device"):
+        save_palette(many, path)
+    assert load_palette(path) == palette()
+    assert [item.name for item in small_disk.iterdir()] == ["a.brdfpalette"]
 
 
 _SAVE = """

@@ -17,6 +17,7 @@ from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.palettes import (
     FORMATS,
     PaletteFormat,
+    Read,
     format_for,
     losses,
     read_content,
@@ -206,15 +207,18 @@ def test_a_paint_of_any_kind_is_read_by_instruments_where_only_readings_go() -> 
     assert back.entries[0].content.model == "RGB"
 
 
-@pytest.mark.parametrize("known", FORMATS, ids=NAMES)
+@pytest.fixture(scope="module")
+def real(shared_data: Path) -> list[tuple[Path, Read]]:
+    """Every palette that others made."""
+    paths = sorted((shared_data / "palettes").rglob("*"))
+    return [(path, read_palette(path)) for path in paths if path.is_file() and path.suffix != ".xsd"]
+
+
 def test_every_real_palette_loads_and_comes_back(
-    known: PaletteFormat, shared_data: Path, tmp_path: Path
+    known: PaletteFormat, real: list[tuple[Path, Read]], tmp_path: Path
 ) -> None:
     seen = 0
-    for path in sorted((shared_data / "palettes").rglob("*")):
-        if not path.is_file() or path.suffix == ".xsd":
-            continue
-        found = read_palette(path)
+    for path, found in real:
         if found.format is not known:
             continue
         seen += 1
