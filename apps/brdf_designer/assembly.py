@@ -131,6 +131,7 @@ class Designer:
     def start(self) -> None:
         """Do what can wait until the window is painted: plot, link, and unsaved work of earlier runs."""
         self.window.plot.build()
+        self.window.order_focus()  # the plots are there now
         # The first fit paid for everything that is done once; its time says nothing about the next ones.
         self.desk.refresh()
         self.link.start()

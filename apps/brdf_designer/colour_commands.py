@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject
 
 from brdf_designer.desk import Desk
 from brdf_designer.window import DesignerWindow
+from brdf_designer.window_focus import focus_first_number
 
 _MODES = (
     ("one", mark("Edit &One Angle"), "Alt+1"),
@@ -32,7 +33,11 @@ class ColourCommands(QObject):
         super().__init__(window)
         self._desk = desk
         head = window.editors.head
+        self._window = window
         window.paint_menu.addSeparator()
+        window.add_command("paint", mark("Type the &Numbers"), "Alt+0", self.type_numbers, "type_numbers")
+        # Who makes a new paint wants to say what it is.
+        window.new_asked.connect(self.type_numbers)
         for mode, text, keys in _MODES:
             window.add_command("paint", text, keys, head.modes.buttons[mode].click, f"edit_{mode}")
         window.paint_menu.addSeparator()
@@ -41,3 +46,9 @@ class ColourCommands(QObject):
         window.paint_menu.addSeparator()
         for name, text in _SETS:
             window.add_command("paint", text, None, lambda name=name: head.choose_set(name), f"angles_{name}")
+
+    def type_numbers(self) -> None:
+        """Go to the first number of the colour: of the first angle, or of the flop where that is edited."""
+        editors = self._window.editors
+        numbers = [*editors.flop.fields.values(), *(field for one in editors.editors for field in one.fields)]
+        focus_first_number(self._window.section("colour"), numbers)

@@ -213,6 +213,8 @@ class AngleEditor(QWidget):
     def _add_row(self, grid: QGridLayout, component: int) -> None:
         slider, field, label = ColourSlider(""), NumberField(""), QLabel()
         field.setFixedWidth(72)
+        # Tab goes from number to number, whose keys do what the slider's do.
+        slider.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         for source in (slider, field):
             source.edited.connect(lambda value, c=component: self._edited(c, value))
             source.gesture_started.connect(lambda c=component: self.gesture_started.emit(self.index, c))

@@ -133,6 +133,8 @@ class FlopPanel(QWidget):
         )
         field.setObjectName(f"flop_{handle.key}")
         field.setFixedWidth(72)
+        # As over the angles: Tab goes from number to number.
+        slider.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         label = QLabel(name)
         label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         label.setBuddy(field)

@@ -79,7 +79,7 @@ class HandoverControl(QObject):
         kept = Path(settings().value(_FOLDER, "", type=str) or Path.home())
         folder = kept if kept.is_dir() else Path.home()
         suggested = folder / (file_name(self._desk.paint.name) + ending)
-        filters = f"{self.section.formats.currentText().rpartition(' (')[0]} (*{ending})"
+        filters = f"{self.section.formats.currentText()} (*{ending})"
         path = self._desk.documents.dialogs.save_path(suggested, filters)
         if path is not None:
             settings().setValue(_FOLDER, str(path.absolute().parent))

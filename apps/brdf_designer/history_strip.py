@@ -127,6 +127,8 @@ class _Painter(QStyledItemDelegate):
         assert isinstance(model, HistoryModel)
         painter.save()
         rect = option.rect.adjusted(1, 1, -1, -1)
+        # While there is nothing to scroll, the room of the scroll bar is the item's too.
+        rect.setHeight(min(rect.height(), self.height(option) - 2))
         if index.row() > model.present:
             painter.setOpacity(_BEHIND_OPACITY)
         box = QRect(0, 0, self.size, self.size)

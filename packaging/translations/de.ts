@@ -704,6 +704,10 @@
         <translation>Winkel: &amp;8, zwei Lichter (E2539)</translation>
     </message>
     <message>
+        <source>Type the &amp;Numbers</source>
+        <translation>&amp;Zahlen eintippen</translation>
+    </message>
+    <message>
         <source>3 angles: 15, 45, 110°</source>
         <translation>3 Winkel: 15, 45, 110°</translation>
     </message>
