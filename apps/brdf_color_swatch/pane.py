@@ -8,7 +8,7 @@ from brdf_qt.elided_label import ElidedLabel
 from brdf_qt.icons import icon
 from brdf_qt.translation import tr
 from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, QObject, QPoint, QSize, Qt, Signal
-from PySide6.QtGui import QDropEvent
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QDropEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -250,6 +250,7 @@ class Pane(QFrame):
         self.grid.seen_changed.connect(self.seen_changed)
         self.grid.size_asked.connect(self.size_asked)
         self.grid.selectionModel().selectionChanged.connect(lambda *_: self._tell_selected())
+        self.grid.selectionModel().currentChanged.connect(lambda now, _before: self._speak(now))
         for view in (self.grid, self.list):
             view.activated.connect(self._open)
             view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
@@ -266,6 +267,16 @@ class Pane(QFrame):
     def _open(self, index: QModelIndex) -> None:
         if index.isValid():
             self.opened.emit(self.model.id_at(index.row()))
+
+    def _speak(self, index: QModelIndex) -> None:
+        """Let a screen reader tell the swatch that the keys have come to: its name and its colour."""
+        if not index.isValid():
+            return
+        shown = self.model.shown
+        text = shown.rows.spoken(shown.places[index.row()])
+        self.grid.setAccessibleDescription(text)
+        if self.grid.hasFocus() and QAccessible.isActive():
+            QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self.grid, text))
 
     def _tell_selected(self) -> None:
         if not self._quiet:

@@ -213,3 +213,16 @@ def test_a_refused_edit_changes_nothing_and_is_told(swatch, select) -> None:
     swatch.window.swatch.edited.emit("tags", ", ".join(f"t{number}" for number in range(60)))
     assert swatch.desk.palette is before
     assert "more than the 50 allowed" in swatch.window.messages.shown()["edit"].what
+
+
+def test_a_screen_reader_is_told_where_the_keys_have_come_to(swatch, select) -> None:
+    grid = swatch.window.panes[0].grid
+    select(swatch, "Silver")
+    QTest.keyClick(grid, Qt.Key.Key_Right)
+    assert grid.accessibleDescription().startswith("Black, L* 5, a* 0, b* 0 at 45°, flop ")
+    unnamed = [
+        widget
+        for widget in swatch.window.findChildren(QLineEdit)
+        if widget.isVisible() and not widget.accessibleName() and widget.objectName() != "qt_spinbox_lineedit"
+    ]
+    assert unnamed == []
