@@ -91,7 +91,7 @@ class Basis(QObject):
         self.run: BasisRun | None = None
         self._source: Path | None = None
         self._own_of: tuple[Any, Any] | None = None
-        self._working = self._built = False
+        self._working = self._built = self._follows_run = False
         self._watch = FileWatch(self)
         self._watch.changed.connect(lambda _path: self._read())
         self._paints = QFileSystemWatcher(self)
@@ -126,6 +126,7 @@ class Basis(QObject):
         """Take a folder of paints as the database; its search is shown where there is one."""
         if self.run is not None:
             self.run.cancel()
+        self._follows_run = False
         self.folder = folder
         settings().setValue(_FOLDER_KEY, "" if folder == _shipped() else str(folder))
         self._follow_folder()
@@ -148,6 +149,7 @@ class Basis(QObject):
             return
         run = BasisRun(self.folder, self._output(), max(1, min(MOST_LOBES, count)), self)
         self.run = run
+        self._follows_run = True
         words = tr("Searching the basis of {count} paints").format(count=count)
         run.moved.connect(lambda fraction, what: self._moved(fraction, f"{words}: {what}"))
         run.done.connect(self._done)
@@ -297,13 +299,13 @@ class Basis(QObject):
         if run is None:
             return
         self.view.progress.set_job(BASIS, fraction, words, run.cancel)
-        if self._source != run.state and run.state.exists():
+        if self._follows_run and self._source != run.state and run.state.exists():
             self.show_file(run.state)
 
     def _done(self) -> None:
         run = self.run
         self._ended()
-        if run is not None and run.folder == self.folder:
+        if run is not None and self._follows_run:
             self.show_file(run.output)
 
     def _failed(self, words: str) -> None:
@@ -330,6 +332,7 @@ class Basis(QObject):
             self._window, tr("Open a Search"), "", tr("Searches (*.json *.part);;All files (*)")
         )
         if name:
+            self._follows_run = False
             self.show_file(Path(name))
 
 

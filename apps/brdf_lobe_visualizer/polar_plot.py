@@ -24,6 +24,7 @@ _SCALES: dict[Scale, str] = {
     "cbrt": mark("cube-root radius"),
     "log": mark("logarithmic radius"),
 }
+_CLEAR_PX = 26.0
 _SIDE_PX, _TOP_PX, _FOOT_PX = 44.0, 24.0, 22.0
 """Room for the labels round the half disc."""
 _SPREAD = {"linear": 30.0, "cbrt": 300.0}
@@ -229,7 +230,8 @@ class PolarPlot(QWidget):
         sine, cosine = np.sin(np.radians(angle_deg)), np.cos(np.radians(angle_deg))
         line.set_data(np.array([0.0, 1.0 * sine]), np.array([0.0, 1.0 * cosine]))
         # Beside a labelled spoke the two texts would lie on each other.
-        clear = min(abs(angle_deg - labelled) for labelled in _LABELLED_DEG) > 9.0
+        nearest = min(abs(angle_deg - labelled) for labelled in _LABELLED_DEG)
+        clear = bool(np.radians(nearest) * self._unit > _CLEAR_PX)
         name.setVisible(clear)
         if clear:
             name.setText(text)

@@ -91,12 +91,14 @@ def _layout(
             right += 0.5 * room.bar_ticks
         else:
             right += GAP + BAR + 8.0 + room.bar_ticks + room.line
+    # Numbers of one row's foot and the next one's top would lie on each other.
+    gap_y = max(GAP, room.line) if room.y_ticks else GAP
     wide = (width - left - right - GAP * (columns - 1)) / columns
-    high = (height - top - under - GAP * (rows - 1)) / rows
+    high = (height - top - under - gap_y * (rows - 1)) / rows
     side = max(8.0, min(wide, high))
     # What is left over is shared by both sides.
     spare_x = max(0.0, width - left - right - columns * side - GAP * (columns - 1))
-    spare_y = max(0.0, height - top - under - rows * side - GAP * (rows - 1))
+    spare_y = max(0.0, height - top - under - rows * side - gap_y * (rows - 1))
     return Layout(
         side,
         left + 0.5 * spare_x,
@@ -106,5 +108,5 @@ def _layout(
         rows,
         columns,
         side + GAP,
-        side + GAP,
+        side + gap_y,
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.translation import tr
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
@@ -11,6 +11,9 @@ from brdf_lobe_visualizer.crosshair import Readout, Row
 from brdf_lobe_visualizer.slice_images import Grid, ImageGrid
 from brdf_lobe_visualizer.slice_words import UNIT
 from brdf_lobe_visualizer.subjects import Srgb
+
+_LATE_MS = 200
+"""Pictures that are there sooner are not announced."""
 
 
 class SliceImageView(QWidget):
@@ -24,6 +27,12 @@ class SliceImageView(QWidget):
         self.images.setAccessibleName(title)
         self.setAccessibleName(title)
         self.readout = Readout(self.images)
+        self.working = QLabel(tr("working…"), self.images)
+        self.working.setObjectName("working")
+        self.working.setAutoFillBackground(True)
+        self.working.setMargin(2)
+        self.working.hide()
+        self._late = QTimer(self, singleShot=True, interval=_LATE_MS, timeout=self._tell_late)
         self.empty = QLabel(tr("Nothing to draw: add a reflectance."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.empty.setWordWrap(True)
@@ -35,6 +44,21 @@ class SliceImageView(QWidget):
         self.images.hovered.connect(self._read)
         self.images.left.connect(self.readout.hide)
         self._colour: Srgb = (0.5, 0.5, 0.5)
+
+    def set_stale(self, stale: bool) -> None:
+        """Say whether newer pictures are being made; what takes longer than a moment is told."""
+        if stale:
+            if not self._late.isActive() and not self.working.isVisible():
+                self._late.start()
+        else:
+            self._late.stop()
+            self.working.hide()
+
+    def _tell_late(self) -> None:
+        self.working.adjustSize()
+        self.working.move(4, 4)
+        self.working.show()
+        self.working.raise_()
 
     def show_grid(self, grid: Grid | None, colour: Srgb = (0.5, 0.5, 0.5)) -> None:
         """Show pictures of a subject with a line of this colour; None: there is none."""

@@ -76,7 +76,7 @@ class SlicePlot(pg.PlotWidget):
         self.setMouseTracking(True)
         self.viewport().setMouseTracking(True)
         if with_axes:
-            self.getAxis("left").setWidth(54)
+            self.getAxis("left").setWidth(64)
             for side in ("bottom", "left"):
                 # Playing an axis with its grid back costs 3 ms a frame; as a kept picture it costs nothing.
                 self.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)

@@ -167,6 +167,7 @@ class Slices(QObject):
         if made is not None and made.gives_same(request):
             return
         self._running.add(key)
+        self._images[key].set_stale(True)
         lights, front = self._lights(), self._desk.front
         colour = (0.5, 0.5, 0.5) if front is None else front.colour
         self._desk.tasks.submit(
@@ -179,6 +180,7 @@ class Slices(QObject):
 
     def _arrived(self, key: str, request: Request, grid: Grid, lights: tuple[Any, ...], colour: Srgb) -> None:
         self._running.discard(key)
+        self._images[key].set_stale(False)
         self._made[key] = request
         self.unrolled.set_lights(*lights[:2]) if key == UNROLLED else self.half_angle.set_slice(*lights[2:])
         self._images[key].show_grid(grid, colour)
@@ -188,6 +190,7 @@ class Slices(QObject):
 
     def _failed(self, key: str, error: Exception) -> None:
         self._running.discard(key)
+        self._images[key].set_stale(False)
         self._desk.show_message(message_of(error, f"slices/{key}"))
         if key in self._stale:
             self._timer.start()
