@@ -34,8 +34,8 @@ PICTURES: dict[str, list[str]] = {
         "--set", "figures=colours", "--set", "angles=e2194",
     ],
     "lobes_cayman": [
-        "cayman.brdf", "--show", "fit", "--incidence", "40,0", "--radius", "log", "--set", "fill=body",
-        "--set", "decades=4", "--plots", "polar,curves,half_angle",
+        "cayman.brdf", "--show", "fit", "--incidence", "40,0", "--radius", "log",
+        "--set", "camera=plane", "--set", "fill=body", "--set", "decades=4", "--plots", "polar,curves,half_angle",
     ],
     "lobes_poulin_fournier_0": ["poulin_fournier", "--incidence", "55,0", "--plots", "polar,curves,unrolled"],
     "lobes_poulin_fournier_90": ["poulin_fournier", "--incidence", "55,90", "--plots", "polar,curves,unrolled"],

@@ -11,7 +11,7 @@ from brdf_qt.icons import icon
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.settings import settings
 from brdf_qt.translation import mark, tr
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
@@ -114,6 +114,8 @@ class Numbers(QObject):
         super().__init__(window)
         self._desk, self._window = desk, window
         self._ask_path = ask_path or _asks(window)
+        # Nothing is worked out or imported before the window is painted, also where the panel was left open.
+        self._ready = self._closed = False
         self.work = FiguresWork(desk, window)
         self.panel, self.plot = NumbersPanel(), AlbedoPlot()
         self.dock = window.add_dock(
@@ -135,6 +137,7 @@ class Numbers(QObject):
         desk.subjects_changed.connect(self._show_lines)
         desk.front_changed.connect(self._show_lines)
         desk.visibility_changed.connect(self._show)
+        window.first_painted.connect(lambda: QTimer.singleShot(0, self, self._begin))
         self.action = window.add_command(
             "view",
             mark("&Numbers"),
@@ -156,10 +159,11 @@ class Numbers(QObject):
     @property
     def is_complete(self) -> bool:
         """Whether the figures that are looked at are there."""
-        return self.work.is_complete
+        return self._ready and self.work.is_complete
 
     def close(self) -> None:
-        """End the work."""
+        """End the work; what is hidden while the window goes is shown no more."""
+        self._closed = True
         self.work.close()
 
     def set_from_script(self, key: str, value: str) -> bool:
@@ -225,7 +229,13 @@ class Numbers(QObject):
     def _toggle(self) -> None:
         self.dock.setVisible(self.dock.isHidden())
 
+    def _begin(self) -> None:
+        self._ready = True
+        self._look()
+
     def _look(self) -> None:
+        if self._closed or not self._ready:
+            return
         self.work.set_wanted(self.panel.isVisible() or self.plot.isVisible())
         self._show()
 
@@ -234,6 +244,8 @@ class Numbers(QObject):
         return [(title, figures) for title, figures in found if figures is not None]
 
     def _show(self) -> None:
+        if self._closed or not self._ready:
+            return
         self._show_lines()
         if not self.panel.isVisible():
             return

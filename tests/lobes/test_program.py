@@ -42,6 +42,7 @@ def test_a_run_reports_its_start_imports_nothing_slow_and_saves_its_picture(tmp_
         "start = assembly.LobeVisualizer.start;"
         "assembly.LobeVisualizer.start = lambda self, asked=(): (print(sorted(sys.modules)), start(self, asked));"
         f"status = m.main(['lambertian', 'blue', '--theme', 'light', '--size', '900x600', '--report-startup',"
+        "'--panels', 'numbers', '--plots', 'albedo,curves',"
         f"'--screenshot', {str(picture)!r}]); sys.exit(status)"
     )
     done = subprocess.run(
@@ -52,7 +53,7 @@ def test_a_run_reports_its_start_imports_nothing_slow_and_saves_its_picture(tmp_
         timeout=240,
         check=False,
     )
-    assert done.returncode == 0, done.stderr
+    assert (done.returncode, done.stderr) == (0, "")
     modules, times = done.stdout.splitlines()[0], json.loads(done.stdout.splitlines()[-1])
     assert set(modules.replace("'", "").strip("[]\n").split(", ")) & SLOW == set()
     assert 0.0 < times["ready_s"] < times["shown_s"] <= times["complete_s"]
