@@ -15,7 +15,7 @@ from brdf_lobe_visualizer.slice_words import UNIT, quantity
 from brdf_lobe_visualizer.space_frame import rings_of
 from brdf_lobe_visualizer.space_options import BODY_DEG, SpaceOptions
 from brdf_lobe_visualizer.space_samples import sample_points
-from brdf_lobe_visualizer.space_scene import Bar, FrameOptions, Layer, Panel, Scene, Style
+from brdf_lobe_visualizer.space_scene import CUT, Bar, FrameOptions, Layer, Panel, Scene, Style
 from brdf_lobe_visualizer.space_values import Found, SpaceValues, with_cosine
 from brdf_lobe_visualizer.space_words import lobe_title, lobe_weight
 from brdf_lobe_visualizer.subjects import Srgb, Subject
@@ -33,8 +33,6 @@ from brdf_suite.pipeline.lobe_surface_scale import RadiusScale
 
 Singles = npt.NDArray[np.float32]
 MOST_PANELS = 16
-CUT = 1.25
-"""The radius at which what is longer than the scale ends."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,22 +234,27 @@ class SceneMaker:
             # Each shell holds all lobes within it: the last is the whole fit.
             sheets = []
             for count in range(1, len(lobes) + 1):
-                shell = self._part(
-                    subject, lobes[:count], "solid" if count == 1 else "glass", lobes[count - 1].part
-                )
-                sheets.append(shell)
+                # The more shells, the clearer each: the innermost is to be seen through all.
+                glass = min(0.30, 0.9 / len(lobes))
+                style: Style = "solid" if count == 1 else "glass"
+                sheets.append(self._part(subject, lobes[:count], style, lobes[count - 1].part, glass))
             words = tr("{count} lobes stacked, from the widest out").format(count=len(lobes))
             return [_Plan(subject.title, tuple(sheets), words, "", subject.colour)]
         words = tr("Fit: {count} lobes").format(count=len(lobes))
         return [_Plan(subject.title, (_sheet(whole, "solid", subject),), words, "", subject.colour)]
 
     def _part(
-        self, subject: Subject, lobes: tuple[FitLobe, ...], style: str, part: FitPart | None = None
+        self,
+        subject: Subject,
+        lobes: tuple[FitLobe, ...],
+        style: Style,
+        part: FitPart | None = None,
+        glass: float = 0.30,
     ) -> _Sheet:
         found = self._values.fit(subject, lobes)
         assert found is not None, "asked only where there is a fit"
         red, green, blue = PART_CODES[part or lobes[0].part]
-        opacity = {"solid": 1.0, "glass": 0.30, "lines": 0.9}[style]
+        opacity = {"solid": 1.0, "glass": glass, "lines": 0.9}[style]
         return _Sheet(found, style, opacity, (red / 255.0, green / 255.0, blue / 255.0), subject.colour)
 
     def _differences(self) -> list[_Plan]:

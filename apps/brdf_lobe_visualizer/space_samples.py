@@ -8,7 +8,7 @@ from brdf_qt.translation import tr
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import cosine_factor
 from brdf_lobe_visualizer.space_options import SpaceOptions
-from brdf_lobe_visualizer.space_scene import Points
+from brdf_lobe_visualizer.space_scene import CUT, Points
 from brdf_lobe_visualizer.subjects import SamplePoints, Subject
 from brdf_suite.geometry.directions import Floats, angle_between
 from brdf_suite.pipeline.lobe_surface_colour import light_codes, scalar_of
@@ -20,7 +20,9 @@ def sample_points(
 ) -> tuple[Points | None, str]:
     """Return the points of a subject's samples near the desk's incidence, and what is to be told where there are none.
 
-    Samples of an isotropic reflectance are turned about the normal into the desk's plane of incidence.
+    Samples of an isotropic reflectance are turned about the normal into the desk's plane of incidence, and stand on
+    both sides of it: only the size of the azimuth between light and view matters. What is longer than the picture shows
+    is at its end.
     """
     samples = subject.samples
     if samples is None:
@@ -33,7 +35,7 @@ def sample_points(
         return None, text.format(reach=f"{options.within_deg:g}", angle=f"{nearest:.1f}")
     values = values * cosine_factor(desk.options.cosine, wi, wo)[:, None]
     shown = scalar_of(values.astype(np.float32), desk.options.channel)
-    places = wo * scale.radius(shown)[:, None]
+    places = wo * np.minimum(scale.radius(shown), CUT)[:, None]
     colours = np.ones((len(wo), 4), np.float32)
     colours[:, :3] = light_codes(values.astype(np.float32)) / 255.0
     return Points(places.astype(np.float32), colours), ""
@@ -49,8 +51,14 @@ def samples_near(samples: SamplePoints, light: Floats, within_deg: float) -> tup
     wanted = np.degrees(np.arctan2(np.hypot(light[0], light[1]), light[2]))
     near = np.abs(polar - wanted) <= within_deg
     wi, wo, values = wi[near], wo[near], samples.values[near]
-    turn = np.arctan2(light[1], light[0]) - np.arctan2(wi[:, 1], wi[:, 0])
-    return _turned(wi, turn), _turned(wo, turn), values
+    # Into the plane of the x axis, where the other side is -y, then to the light's azimuth.
+    back = -np.arctan2(wi[:, 1], wi[:, 0])
+    wi, wo = _turned(wi, back), _turned(wo, back)
+    other = wo * np.array([1.0, -1.0, 1.0])
+    off = np.abs(wo[:, 1]) > 1e-6
+    wi, wo = np.concatenate((wi, wi[off])), np.concatenate((wo, other[off]))
+    turn = np.full(len(wi), np.arctan2(light[1], light[0]))
+    return _turned(wi, turn), _turned(wo, turn), np.concatenate((values, values[off]))
 
 
 def _turned(directions: Floats, angle: Floats) -> Floats:
