@@ -37,7 +37,7 @@ ODD = {
     "nothing": lambda: Lambertian((0.0, 0.0, 0.0)),
     "one hot spike": spike,
     "holes": Holed,
-    "anisotropic": lambda: MODELS["poulin_fournier"].default,
+    "anisotropic": lambda: MODELS["lafortune"].default,
 }
 
 
