@@ -80,6 +80,11 @@ class PlotRow(QWidget):
         """Give all plots the same width: one that has just come would otherwise have what its least is."""
         self._split.setSizes([10_000] * self._split.count())
 
+    def reset(self) -> None:
+        """Show the plots that a first start shows."""
+        for place, key in enumerate(self._plots):
+            self.set_shown(key, place < _FIRST)
+
     def _show_any(self) -> None:
         """Leave the room to the view above where no plot is chosen."""
         some = bool(self.shown())

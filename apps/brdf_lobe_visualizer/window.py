@@ -142,12 +142,21 @@ class LobeWindow(SuiteWindow):
 
     def complete(self) -> None:
         """Settle what depends on every part: size and place of the panels."""
+        self._lay_out()
+        self.restore_layout()
+
+    def reset_layout(self) -> None:
+        """Put panels, plots and their sizes back where a first start has them."""
+        super().reset_layout()
+        self.plots.reset()
+        self._lay_out()
+
+    def _lay_out(self) -> None:
         beside = [self.top_split.widget(place) for place in range(1, self.top_split.count())]
         widths = [widget.sizeHint().width() for widget in beside]
         self.top_split.setSizes([max(self.width() - sum(widths), _VIEW_WIDTH), *widths])
         self.centre_split.setSizes([3 * self.height() // 5, 2 * self.height() // 5])
         self.plots.even()
-        self.restore_layout()
 
     def show_recent(self, paths: Sequence[Path]) -> None:
         """Fill File ▸ Open Recent."""

@@ -78,6 +78,18 @@ def test_without_a_plot_the_row_is_its_buttons(qtbot) -> None:
     assert row.plots["a"].isVisible()
 
 
+def test_the_layout_goes_back_with_its_plots(program) -> None:
+    window = program.window
+    window.plots.set_shown("albedo", False)
+    window.top_split.setSizes([100, 900])
+    program.panel_dock.show()
+    window.findChild(object, "action_Reset Layout").trigger()
+    assert window.plots.shown() == ("albedo",)
+    assert program.panel_dock.isHidden()
+    view, legend = window.top_split.sizes()
+    assert view > legend
+
+
 def test_an_empty_desk_says_what_to_do(program) -> None:
     page = program.legend.legend.pages.currentWidget()
     assert "Drop files" in page.findChild(QLabel).text()
