@@ -274,6 +274,13 @@ class SwatchGrid(QAbstractItemView):
             self._range_start = rows[0]
         self.selectionModel().select(self._selection(rows), flag.ClearAndSelect)
 
+    def selected_rows(self) -> list[int]:
+        """Return the rows that are selected, in their order; from ranges, as an index for each of many takes long."""
+        rows = {
+            row for one in self.selectionModel().selection() for row in range(one.top(), one.bottom() + 1)
+        }
+        return sorted(rows)
+
     def visualRegionForSelection(self, selection: QItemSelection) -> QRegion:
         region, seen = QRegion(), set(self.seen())
         if len(selection) > 50:
@@ -468,8 +475,9 @@ class SwatchGrid(QAbstractItemView):
         from PySide6.QtGui import QDrag
 
         model = self.model()
-        rows = self.selectionModel().selectedRows()
-        data = model.mimeData(rows) if isinstance(model, SwatchModel) else None
+        data = None
+        if isinstance(model, SwatchModel) and model.mime_of is not None:
+            data = model.mime_of([model.id_at(row) for row in self.selected_rows()])
         if data is None:
             return
         drag = QDrag(self)

@@ -19,6 +19,8 @@ _AXES = {
 }
 _SIDE, _SIDE_CHOSEN = 9, 13
 _MANY = 3000
+_MOST_RINGED = 2000
+"""Of more that are selected, the rest is drawn without a ring: rings alone would be seen."""
 
 
 class _Cloud(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
@@ -97,7 +99,10 @@ class _Cloud(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         side = _SIDE * ratio * (0.55 if many else 1.0)
         known = np.isfinite(across) & np.isfinite(down)
         painter.setPen(QPen(ring, ratio) if not many else Qt.PenStyle.NoPen)
-        for place in np.flatnonzero(known & ~self._chosen).tolist():
+        ringed = np.flatnonzero(known & self._chosen)[:_MOST_RINGED]
+        plain = known.copy()
+        plain[ringed] = False
+        for place in np.flatnonzero(plain).tolist():
             box = QRectF(across[place] - side / 2, down[place] - side / 2, side, side)
             if many:
                 painter.fillRect(box, self._colours[place])
@@ -108,7 +113,7 @@ class _Cloud(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         # What is selected has a ring in the accent, and lies over the rest.
         painter.setPen(QPen(self.palette.color(QPalette.ColorRole.Highlight), 2.5 * ratio))
         side = _SIDE_CHOSEN * ratio
-        for place in np.flatnonzero(known & self._chosen)[:2000].tolist():
+        for place in ringed.tolist():
             painter.setBrush(self._colours[place])
             painter.drawEllipse(QRectF(across[place] - side / 2, down[place] - side / 2, side, side))
         painter.restore()

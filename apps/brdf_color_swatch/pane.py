@@ -93,7 +93,7 @@ class Pane(QFrame):
         """Show these swatches; what was selected stays so where it is still there, and so does the place."""
         current = self.grid.currentIndex()
         key = self.model.id_at(current.row()) if current.isValid() else ""
-        kept = self.model.ids_of(self.grid.selectionModel().selectedRows())
+        kept = [self.model.id_at(row) for row in self.grid.selected_rows()]
         top = self.grid.verticalScrollBar().value()
         top_list = self.list.verticalScrollBar().value()
         self._quiet = True
@@ -280,8 +280,7 @@ class Pane(QFrame):
 
     def _tell_selected(self) -> None:
         if not self._quiet:
-            rows = self.grid.selectionModel().selectedRows()
-            self.selected.emit(tuple(self.model.ids_of(rows)))
+            self.selected.emit(tuple(self.model.id_at(row) for row in self.grid.selected_rows()))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.FocusIn, QEvent.Type.MouseButtonPress):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from brdf_color_swatch import narrowing
 from brdf_color_swatch.view_state import Scope
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QCoreApplication, QPoint, Qt
 from PySide6.QtTest import QTest
 
 
@@ -37,13 +37,15 @@ def test_filters_let_ranges_pass_and_the_hue_goes_over_red(swatch, names) -> Non
     assert hue.track._values == [0.0, 360.0]
 
 
-def test_a_filter_is_dragged_at_its_ends(swatch, names) -> None:
+def test_a_filter_is_dragged_at_its_ends(swatch, names, qtbot) -> None:
     track = swatch.window.filters.fields["lightness"].track
     swatch.window.section("filters").set_open(True)
-    track.resize(300, 22)
-    QTest.mousePress(track, Qt.MouseButton.LeftButton, pos=QPoint(6, 11))
-    QTest.mouseMove(track, QPoint(150, 11))
-    QTest.mouseRelease(track, Qt.MouseButton.LeftButton, pos=QPoint(150, 11))
+    qtbot.waitUntil(track.isVisible)
+    QCoreApplication.processEvents()
+    low, half = (QPoint(round(track._x(value)), 11) for value in (0.0, 75.0))
+    QTest.mousePress(track, Qt.MouseButton.LeftButton, pos=low)
+    QTest.mouseMove(track, half)
+    QTest.mouseRelease(track, Qt.MouseButton.LeftButton, pos=half)
     assert names(swatch) == ["Ice"]
     track.setFocus()
     QTest.keyClick(track, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
