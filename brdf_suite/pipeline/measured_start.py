@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.flat_colours import within_paint
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry, GeometrySet
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Interpolation, Lab, Measurement, Paint
 from brdf_suite.errors import SuiteError, UnreachableError
@@ -201,16 +202,13 @@ def _refusal(paint: Paint) -> str | None:
 
 def _measurement(geometry: Geometry, lab: Lab, notices: list[str]) -> Measurement:
     """A reading rounded to what an instrument shows, inside what a paint may hold."""
-    kept = tuple(
-        min(PARAMETERS[f"lab[{i}]"].high, max(PARAMETERS[f"lab[{i}]"].low, round(value, _DECIMALS) + 0.0))
-        for i, value in enumerate(lab)
-    )
+    kept = within_paint([round(value, _DECIMALS) + 0.0 for value in lab])
     if any(abs(one - value) > 0.5 * 10.0**-_DECIMALS + 1e-9 for one, value in zip(kept, lab, strict=True)):
         shown = ", ".join(f"{value:.1f}" for value in lab)
         notices.append(
             f"At {geometry.name} L*a*b* {shown} is beyond what a paint holds; the nearest is taken."
         )
-    return Measurement(geometry.illumination_deg, geometry.aspecular_deg, (kept[0], kept[1], kept[2]))
+    return Measurement(geometry.illumination_deg, geometry.aspecular_deg, kept)
 
 
 def _nearest_rule(

@@ -14,6 +14,7 @@ from functools import cached_property
 import numpy as np
 
 from brdf_suite.appearance.difference import weights_2000
+from brdf_suite.appearance.flat_colours import within_paint
 from brdf_suite.appearance.flop import flop_index
 from brdf_suite.appearance.geometries import Geometry, GeometrySet
 from brdf_suite.appearance.tolerance import (
@@ -25,7 +26,7 @@ from brdf_suite.appearance.tolerance import (
     judge,
 )
 from brdf_suite.appearance.words import Named, Say, in_english, named_differences, named_flop, sentence
-from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab, Measurement, Paint
+from brdf_suite.documents.paint import Gloss, Lab, Measurement, Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -285,6 +286,26 @@ def _same(one: float, other: float) -> bool:
     return abs(one - other) <= SAME_DEG
 
 
+def readings_like(standard: Standard, like: Paint) -> tuple[Measurement, ...]:
+    """Return the standard's colours at the angles of ``like``, in the range of a paint's readings.
+
+    Raises
+    ------
+    SuiteError
+        It has no colour at one of the angles; the message names it.
+    """
+    measurements = []
+    for m in like.measurements:
+        found = standard.lab_at(m.illumination_deg, m.aspecular_deg)
+        if found is None:
+            raise SuiteError(
+                f"{standard.name} has no reading at {Geometry(m.illumination_deg, m.aspecular_deg).name}, and nothing "
+                "that one could be computed from."
+            )
+        measurements.append(replace(m, lab=within_paint(found[0])))
+    return tuple(measurements)
+
+
 def paint_like(standard: Standard, like: Paint) -> Paint:
     """Return the standard as a paint of the same angles as ``like``, to be edited, or swapped with it.
 
@@ -298,23 +319,10 @@ def paint_like(standard: Standard, like: Paint) -> Paint:
     """
     if standard.paint is not None:
         return standard.paint
-    measurements = []
-    for m in like.measurements:
-        found = standard.lab_at(m.illumination_deg, m.aspecular_deg)
-        if found is None:
-            raise SuiteError(
-                f"{standard.name} has no reading at {Geometry(m.illumination_deg, m.aspecular_deg).name}, and nothing "
-                "that one could be computed from."
-            )
-        lightness, a, b = (
-            min(PARAMETERS[f"lab[{i}]"].high, max(PARAMETERS[f"lab[{i}]"].low, value))
-            for i, value in enumerate(found[0])
-        )
-        measurements.append(replace(m, lab=(lightness, a, b)))
     return replace(
         like,
         name=standard.name[:200] or like.name,
-        measurements=tuple(measurements),
+        measurements=readings_like(standard, like),
         gloss=standard.gloss or like.gloss,
         source=standard.origin,
         notes="",

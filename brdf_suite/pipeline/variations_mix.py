@@ -10,18 +10,18 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from brdf_suite.appearance.flat_colours import within_paint
 from brdf_suite.documents.paint import (
     PARAMETERS,
     STEEPEST_PEEL_DEG,
     Flakes,
     Gloss,
     Lab,
-    Measurement,
     OrangePeel,
     Paint,
 )
-from brdf_suite.errors import SuiteError, ValueRangeError
-from brdf_suite.pipeline.standard import Standard, paint_like, standard_of
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.pipeline.standard import Standard, paint_like, readings_like, standard_of
 
 LEAST_SHARE, MOST_SHARE = -0.5, 1.5
 
@@ -43,16 +43,7 @@ def second_end(first: Paint, second: Paint | Standard) -> Paint:
         return standard.paint
     if standard.paint is None:
         return paint_like(standard, first)
-    measurements = []
-    for m in first.measurements:
-        found = standard.lab_at(m.illumination_deg, m.aspecular_deg)
-        if found is None:
-            raise SuiteError(
-                f"{standard.name} is not measured at {m.aspecular_deg:g}°, and no such paint can be built that would "
-                "give the colour there."
-            )
-        measurements.append(Measurement(m.illumination_deg, m.aspecular_deg, _within(found[0])))
-    return replace(standard.paint, measurements=tuple(measurements))
+    return replace(standard.paint, measurements=readings_like(standard, first))
 
 
 def mixed(first: Paint, second: Paint, share: float, name: str = "") -> Paint:
@@ -101,15 +92,9 @@ def _name(first: Paint, second: Paint, share: float) -> str:
 
 
 def _between(one: Lab, other: Lab, share: float) -> Lab:
-    return _within(
-        tuple(round(a + share * (b - a), _DECIMALS) + 0.0 for a, b in zip(one, other, strict=True))
+    return within_paint(
+        [round(a + share * (b - a), _DECIMALS) + 0.0 for a, b in zip(one, other, strict=True)]
     )
-
-
-def _within(lab: tuple[float, ...]) -> Lab:
-    limits = [PARAMETERS[f"lab[{i}]"] for i in range(3)]
-    kept = [min(known.high, max(known.low, value)) for known, value in zip(limits, lab, strict=True)]
-    return (kept[0], kept[1], kept[2])
 
 
 def _limited(name: str, one: float, other: float, share: float, *, by_ratio: bool = False) -> float:

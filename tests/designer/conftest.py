@@ -108,3 +108,17 @@ def fresh(lasting, own_session):
     for key in designer.window.messages.shown():
         designer.window.dismiss_message(key)
     return designer, dialogs
+
+
+@pytest.fixture
+def desk(fresh, qtbot) -> Designer:
+    """The Designer of the module at its first paint, with strip and curves there."""
+    designer, _ = fresh
+    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    return designer
+
+
+@pytest.fixture
+def asked(fresh) -> ScriptedDialogs:
+    """What its questions for files are answered with."""
+    return fresh[1]

@@ -15,13 +15,6 @@ from PySide6.QtWidgets import QApplication, QToolTip
 from brdf_suite.appearance.flop_moves import flop_now
 
 
-@pytest.fixture
-def desk(fresh, qtbot):
-    designer, _ = fresh
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
-    return designer
-
-
 def place(key: str, end: int) -> int:
     return next(i for i, grip in enumerate(GRIPS) if (grip.key, grip.end) == (key, end))
 

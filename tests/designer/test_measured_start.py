@@ -16,19 +16,8 @@ from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
 
 
 @pytest.fixture
-def designer(fresh):
-    """The window of all tests here."""
-    return fresh[0]
-
-
-@pytest.fixture
-def dialogs(fresh):
-    return fresh[1]
-
-
-@pytest.fixture
-def control(designer) -> MeasuredControl:
-    return next(part for part in designer.sections if isinstance(part, MeasuredControl))
+def control(desk) -> MeasuredControl:
+    return next(part for part in desk.sections if isinstance(part, MeasuredControl))
 
 
 @pytest.fixture
@@ -43,15 +32,15 @@ def wait_for(qtbot, control) -> None:
     qtbot.waitUntil(lambda: control.start_of_front() is not None)
 
 
-def test_a_measured_file_by_the_menu(designer, control, dialogs, qtbot, shared_data) -> None:
-    dialogs.path = shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf"
+def test_a_measured_file_by_the_menu(desk, control, asked, qtbot, shared_data) -> None:
+    asked.path = shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf"
     assert control.host.isHidden()
     control.action.trigger()
     wait_for(qtbot, control)
-    paint = designer.desk.paint
+    paint = desk.desk.paint
     assert paint.name == "vch_golden_yellow_rgb"
     assert paint.lab_at(15.0) == pytest.approx((101.13, 8.09, 76.7), abs=0.01)
-    assert not designer.store.is_clean
+    assert not desk.store.is_clean
     section = control.section
     assert not control.host.isHidden()
     assert "18.2 GU 20°" in section.gloss.text()
@@ -60,37 +49,37 @@ def test_a_measured_file_by_the_menu(designer, control, dialogs, qtbot, shared_d
     assert section.table.item(1, 1).text() == f"{control.start_of_front().under(45.0)[0].delta_e_2000:.1f}"
     assert "not used" in section.summary.text()
     assert any("flakes" in line for line in section.notices.text().splitlines())
-    assert designer.window.progress.jobs == ()
+    assert desk.window.progress.jobs == ()
 
 
 def test_a_paint_of_lobes_is_opened_and_read_again_at_more_angles(
-    designer, control, qtbot, cook_torrance
+    desk, control, qtbot, cook_torrance
 ) -> None:
-    designer.window.open_asked.emit(cook_torrance)
+    desk.window.open_asked.emit(cook_torrance)
     wait_for(qtbot, control)
-    before = designer.desk.paint
+    before = desk.desk.paint
     assert before.name == "Lobes"
     assert before.gloss.gu_20 == pytest.approx(31.6, abs=0.1)
-    assert designer.store.path is None
-    assert cook_torrance.absolute() in designer.files.recent()
+    assert desk.store.path is None
+    assert cook_torrance.absolute() in desk.files.recent()
     angles = control.section.angles
     angles.setCurrentIndex(angles.findData("five"))
     angles.activated.emit(angles.currentIndex())
-    qtbot.waitUntil(lambda: len(designer.desk.paint.measurements) == 5)
-    assert designer.window.undo_action.text() == "&Undo Measure Again"
-    designer.window.undo_action.trigger()
-    assert designer.desk.paint is before
+    qtbot.waitUntil(lambda: len(desk.desk.paint.measurements) == 5)
+    assert desk.window.undo_action.text() == "&Undo Measure Again"
+    desk.window.undo_action.trigger()
+    assert desk.desk.paint is before
     # The report stays with its tab.
-    designer.window.new_asked.emit()
+    desk.window.new_asked.emit()
     assert control.host.isHidden()
-    designer.documents.show(designer.documents.row[0])
+    desk.documents.show(desk.documents.row[0])
     assert not control.host.isHidden()
 
 
-def test_a_dropped_file_and_the_original_as_standard(designer, control, qtbot, cook_torrance) -> None:
+def test_a_dropped_file_and_the_original_as_standard(desk, control, qtbot, cook_torrance) -> None:
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(cook_torrance))])
-    designer.window.dropEvent(
+    desk.window.dropEvent(
         QDropEvent(
             QPointF(50, 50),
             Qt.DropAction.CopyAction,
@@ -100,36 +89,36 @@ def test_a_dropped_file_and_the_original_as_standard(designer, control, qtbot, c
         )
     )
     wait_for(qtbot, control)
-    standards = next(part for part in designer.sections if isinstance(part, StandardControl))
+    standards = next(part for part in desk.sections if isinstance(part, StandardControl))
     control.section.standard.click()
     qtbot.waitUntil(lambda: standards.standard is not None)
     assert standards.section.results.item(0, 1).text() == "0.00"
 
 
-def test_a_handed_over_file_opens_its_paints(designer, control, qtbot, tmp_path) -> None:
+def test_a_handed_over_file_opens_its_paints(desk, control, qtbot, tmp_path) -> None:
     path = tmp_path / "season.cxf"
     form = next(known for known in FORMATS if known.ending == ".cxf")
     blue, red = load_shipped_paint("blue"), load_shipped_paint("red")
     form.write([Subject(blue), Subject(red)], path, None)
-    designer.window.open_asked.emit(path)
-    opened = [one.store.value for one in designer.documents.row]
+    desk.window.open_asked.emit(path)
+    opened = [one.store.value for one in desk.documents.row]
     assert [paint.name for paint in opened] == [blue.name, red.name]
     assert opened[1].lab_at(45.0) == pytest.approx(red.lab_at(45.0), abs=1e-3)
     path.write_text(path.read_text("utf-8")[:-300], "utf-8")
-    designer.window.open_asked.emit(path)
-    assert "season.cxf" in designer.window.messages.shown()["open"].where
-    assert len(designer.documents.row) == 2
+    desk.window.open_asked.emit(path)
+    assert "season.cxf" in desk.window.messages.shown()["open"].where
+    assert len(desk.documents.row) == 2
 
 
-def test_what_is_neither_is_told_as_ever(designer, control, qtbot, tmp_path) -> None:
+def test_what_is_neither_is_told_as_ever(desk, control, qtbot, tmp_path) -> None:
     text = tmp_path / "notes.txt"
     text.write_text("nothing measured")
-    designer.window.open_asked.emit(text)
-    assert "notes.txt" in designer.window.messages.shown()["open"].where
+    desk.window.open_asked.emit(text)
+    assert "notes.txt" in desk.window.messages.shown()["open"].where
     broken = tmp_path / "broken.bsdf"
     broken.write_bytes(b"tensor_file\0\1\0" + b"\xff" * 40)
-    before = designer.desk.paint
-    designer.window.open_asked.emit(broken)
-    qtbot.waitUntil(lambda: "broken.bsdf" in designer.window.messages.shown()["open"].where)
-    assert designer.desk.paint is before
-    assert designer.window.progress.jobs == ()
+    before = desk.desk.paint
+    desk.window.open_asked.emit(broken)
+    qtbot.waitUntil(lambda: "broken.bsdf" in desk.window.messages.shown()["open"].where)
+    assert desk.desk.paint is before
+    assert desk.window.progress.jobs == ()

@@ -24,19 +24,8 @@ from brdf_suite.pipeline.standard import Standard, judge_batch, standard_of
 
 
 @pytest.fixture
-def designer(fresh):
-    """The window of all tests here."""
-    return fresh[0]
-
-
-@pytest.fixture
-def dialogs(fresh):
-    return fresh[1]
-
-
-@pytest.fixture
-def control(designer) -> StandardControl:
-    control = next(part for part in designer.sections if isinstance(part, StandardControl))
+def control(desk) -> StandardControl:
+    control = next(part for part in desk.sections if isinstance(part, StandardControl))
     control._judge_by(load())
     return control
 
@@ -46,10 +35,10 @@ def click(button) -> None:
     button.click()
 
 
-def darker_at_flop(designer, by: float) -> None:
-    paint = designer.desk.paint
+def darker_at_flop(desk, by: float) -> None:
+    paint = desk.desk.paint
     lightness, a, b = paint.lab_at(110.0)
-    designer.desk.edit(paint.with_lab(110.0, (lightness - by, a, b)), "Darken")
+    desk.desk.edit(paint.with_lab(110.0, (lightness - by, a, b)), "Darken")
 
 
 def entry(control, text: str) -> QAction:
@@ -64,14 +53,14 @@ def column(table, number: int) -> list[str]:
     return [table.item(row, number).text() for row in range(table.rowCount())]
 
 
-def test_the_present_state_becomes_the_standard_and_an_edit_is_judged(designer, control) -> None:
-    section, patches = control.section, designer.window.patches
+def test_the_present_state_becomes_the_standard_and_an_edit_is_judged(desk, control) -> None:
+    section, patches = control.section, desk.window.patches
     assert not section.empty.isHidden()
     click(section.take)
     assert section.body.isVisibleTo(section)
     assert column(section.results, 1) == ["0.00"] * 3
     assert section.sentence.text() == "no visible difference"
-    darker_at_flop(designer, 3.0)
+    darker_at_flop(desk, 3.0)
     expected = float(delta_e_2000((9.0, 8.0, -28.0), (6.0, 8.0, -28.0)))
     assert column(section.results, 1) == ["0.00", "0.00", f"{expected:.2f}"]
     assert column(section.results, 2) == ["0.00", "0.00", "−3.00"]
@@ -95,10 +84,10 @@ def test_the_present_state_becomes_the_standard_and_an_edit_is_judged(designer, 
     assert against.isHidden()
 
 
-def test_formula_and_tolerances_are_chosen_and_kept(designer, control, qtbot) -> None:
+def test_formula_and_tolerances_are_chosen_and_kept(desk, control, qtbot) -> None:
     section = control.section
     click(section.take)
-    darker_at_flop(designer, 3.0)
+    darker_at_flop(desk, 3.0)
     section.formula.setCurrentIndex(section.formula.findData("cmc21"))
     section.formula.activated.emit(section.formula.currentIndex())
     expected = float(delta_e_cmc((9.0, 8.0, -28.0), (6.0, 8.0, -28.0)))
@@ -119,58 +108,56 @@ def test_formula_and_tolerances_are_chosen_and_kept(designer, control, qtbot) ->
     table.item(3, 2).setText("")
     assert column(section.results, 5) == ["pass"] * 3
     table.item(2, 3).setText("a lot")
-    assert "no tolerance" in designer.window.messages.shown()["standard"].what
+    assert "no tolerance" in desk.window.messages.shown()["standard"].what
     assert table.item(2, 3).text() == ""
     table.item(3, 2).setText("2")
     assert load() == control._settings
     assert load().by_angle == {110.0: Limits(lightness=2.0)}
 
 
-def test_undo_of_a_swap_brings_both_back(designer, control) -> None:
+def test_undo_of_a_swap_brings_both_back(desk, control) -> None:
     click(control.section.take)
-    first = designer.desk.paint
-    darker_at_flop(designer, 3.0)
-    batch, standard = designer.desk.paint, control.standard
+    first = desk.desk.paint
+    darker_at_flop(desk, 3.0)
+    batch, standard = desk.desk.paint, control.standard
     click(control.section.swap)
-    assert designer.desk.paint == first
+    assert desk.desk.paint == first
     assert control.standard.paint is batch
     assert column(control.section.results, 2)[2] == "+3.00"
-    designer.window.undo_action.trigger()
-    assert designer.desk.paint is batch
+    desk.window.undo_action.trigger()
+    assert desk.desk.paint is batch
     assert control.standard is standard
-    designer.window.redo_action.trigger()
-    assert designer.desk.paint == first
+    desk.window.redo_action.trigger()
+    assert desk.desk.paint == first
     assert control.standard.paint is batch
 
 
-def test_each_tab_keeps_its_own_standard(designer, control) -> None:
+def test_each_tab_keeps_its_own_standard(desk, control) -> None:
     # Also of the tab that the program began with, and that would give way to the first one opened.
     click(control.section.take)
     mine = control.standard
-    designer.desk.open_paint(load_shipped_paint("red"), clean=True)
+    desk.desk.open_paint(load_shipped_paint("red"), clean=True)
     assert control.standard is None
-    assert designer.window.patches._cells[0][0].standard() is None
-    designer.documents.show(designer.documents.row[0])
+    assert desk.window.patches._cells[0][0].standard() is None
+    desk.documents.show(desk.documents.row[0])
     assert control.standard is mine
-    assert designer.window.patches._cells[0][0].standard() is not None
+    assert desk.window.patches._cells[0][0].standard() is not None
 
 
-def test_an_open_tab_and_a_shipped_paint_are_standards(designer, control, qtbot) -> None:
-    darker_at_flop(designer, 3.0)
-    designer.desk.open_paint(load_shipped_paint("blue"), clean=True)
-    entry(control, designer.documents.row[0].title).trigger()
-    assert control.standard.paint is designer.documents.row[0].store.value
+def test_an_open_tab_and_a_shipped_paint_are_standards(desk, control, qtbot) -> None:
+    darker_at_flop(desk, 3.0)
+    desk.desk.open_paint(load_shipped_paint("blue"), clean=True)
+    entry(control, desk.documents.row[0].title).trigger()
+    assert control.standard.paint is desk.documents.row[0].store.value
     assert control.section.sentence.text() == "lighter at 110°; slightly less flop"
     entry(control, "Red").trigger()
     qtbot.waitUntil(lambda: control.standard.name == "Red")
 
 
-def test_a_palette_is_loaded_and_one_of_its_paints_chosen(
-    designer, control, dialogs, qtbot, tmp_path
-) -> None:
+def test_a_palette_is_loaded_and_one_of_its_paints_chosen(desk, control, asked, qtbot, tmp_path) -> None:
     path = tmp_path / "season.brdfpalette"
     save_palette(Palette("Season", tuple(Entry(load_shipped_paint(n)) for n in ("red", "blue"))), path)
-    dialogs.path = path
+    asked.path = path
     entry(control, "From a &File…").trigger()
     qtbot.waitUntil(lambda: control.standard is not None)
     choices = control.section.choices
@@ -182,50 +169,50 @@ def test_a_palette_is_loaded_and_one_of_its_paints_chosen(
     assert "season.brdfpalette" in control.section.origin.text()
 
 
-def test_a_measured_file_is_a_standard_at_any_angle(designer, control, qtbot, shared_data) -> None:
+def test_a_measured_file_is_a_standard_at_any_angle(desk, control, qtbot, shared_data) -> None:
     control.load(shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf")
     qtbot.waitUntil(lambda: control.standard is not None)
     assert column(control.section.results, 0) == ["15°*", "45°*", "110°*"]
     click(control.section.swap)
-    assert designer.desk.paint.lab_at(15.0)[0] == pytest.approx(101.13, abs=0.01)
-    assert designer.desk.paint.gloss.gu_20 == pytest.approx(18.2, abs=0.05)
+    assert desk.desk.paint.lab_at(15.0)[0] == pytest.approx(101.13, abs=0.01)
+    assert desk.desk.paint.gloss.gu_20 == pytest.approx(18.2, abs=0.05)
 
 
-def test_what_cannot_be_read_is_told_and_nothing_changes(designer, control, qtbot, tmp_path) -> None:
+def test_what_cannot_be_read_is_told_and_nothing_changes(desk, control, qtbot, tmp_path) -> None:
     click(control.section.take)
     mine = control.standard
     broken = tmp_path / "broken.brdfpaint"
     broken.write_text("{")
     control.load(broken)
-    qtbot.waitUntil(lambda: "standard" in designer.window.messages.shown())
-    assert "broken.brdfpaint" in designer.window.messages.shown()["standard"].where
+    qtbot.waitUntil(lambda: "standard" in desk.window.messages.shown())
+    assert "broken.brdfpaint" in desk.window.messages.shown()["standard"].where
     assert control.standard is mine
 
 
-def test_several_batches_are_judged(designer, control, dialogs, qtbot, tmp_path) -> None:
+def test_several_batches_are_judged(desk, control, asked, qtbot, tmp_path) -> None:
     section = control.section
     click(section.take)
     section.batch_section.set_open(True)
-    designer.desk.open_paint(load_shipped_paint("midnight_blue"), clean=True)
-    designer.documents.show(designer.documents.row[0])
+    desk.desk.open_paint(load_shipped_paint("midnight_blue"), clean=True)
+    desk.documents.show(desk.documents.row[0])
     path = tmp_path / "third.brdfpaint"
     save_paint(replace(load_shipped_paint("red"), name="third"), path)
-    dialogs.path = path
+    asked.path = path
     click(section.add_batches)
     qtbot.waitUntil(lambda: section.batches.rowCount() == 3)
     verdicts = column(section.batches, 3)
     assert verdicts == ["pass", "FAIL", "FAIL"]
     assert column(section.batches, 0)[2] == "third"
     section.batches.opened.emit(1)
-    assert designer.desk.paint.name == designer.documents.row[1].store.value.name
-    designer.documents.show(designer.documents.row[0])
+    assert desk.desk.paint.name == desk.documents.row[1].store.value.name
+    desk.documents.show(desk.documents.row[0])
     click(section.clear_batches)
     assert section.batches.rowCount() == 2
 
 
-def test_the_menu_does_the_same(designer, control) -> None:
+def test_the_menu_does_the_same(desk, control) -> None:
     def action(key: str) -> QAction:
-        return designer.window.findChild(QAction, f"action_{key}")
+        return desk.window.findChild(QAction, f"action_{key}")
 
     assert not action("swap_standard").isEnabled()
     action("take_standard").trigger()
@@ -235,15 +222,15 @@ def test_the_menu_does_the_same(designer, control) -> None:
     assert control.standard is None
 
 
-def test_readings_that_the_standard_lacks_are_said(designer, control) -> None:
-    paint = designer.desk.paint
+def test_readings_that_the_standard_lacks_are_said(desk, control) -> None:
+    paint = desk.desk.paint
     control.set_standards([Standard("instrument", "a.cxf", paint.measurements[:2])])
-    patches = designer.window.patches
+    patches = desk.window.patches
     assert patches._cells[2][0].standard() is None
     assert "no reading" in patches._standard_cells[2][0].toolTip()
     click(control.section.swap)
-    assert "no reading at 45as110" in designer.window.messages.shown()["standard"].what
-    assert designer.desk.paint is paint
+    assert "no reading at 45as110" in desk.window.messages.shown()["standard"].what
+    assert desk.desk.paint is paint
 
 
 def test_every_word_of_the_core_can_be_translated() -> None:

@@ -19,13 +19,6 @@ from brdf_suite.reflectance.build import build_paint
 
 
 @pytest.fixture
-def desk(fresh, qtbot):
-    designer, _ = fresh
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
-    return designer
-
-
-@pytest.fixture
 def control(desk) -> StandardControl:
     return next(part for part in desk.sections if isinstance(part, StandardControl))
 

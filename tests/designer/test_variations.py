@@ -26,66 +26,55 @@ ASK_NEXT = Thumbnails._ask_next
 
 
 @pytest.fixture
-def designer(fresh):
-    """The window of all tests here."""
-    return fresh[0]
-
-
-@pytest.fixture
-def dialogs(fresh):
-    return fresh[1]
-
-
-@pytest.fixture
-def pictures(designer, monkeypatch) -> Thumbnails:
+def pictures(desk, monkeypatch) -> Thumbnails:
     """The pictures of the window from the stand-in: what is drawn is tested with the process itself."""
     monkeypatch.setattr(Thumbnails, "_ask_next", ASK_NEXT)
-    found = thumbnails_of(designer.window)
+    found = thumbnails_of(desk.window)
     found._program = [sys.executable, str(PROGRAM), "answers"]
     found._pump.timeout.connect(found._ask_next)
     return found
 
 
-def part(designer, kind):
-    return next(one for one in designer.sections if isinstance(one, kind))
+def part(desk, kind):
+    return next(one for one in desk.sections if isinstance(one, kind))
 
 
 @pytest.fixture
-def control(designer, qtbot) -> VariationsControl:
-    control = part(designer, VariationsControl)
+def control(desk, qtbot) -> VariationsControl:
+    control = part(desk, VariationsControl)
     control.host.set_open(True)
     control.set_scene("booth", "sphere")
     control.section.step.setValue(2.0)
-    qtbot.waitUntil(lambda: control._of is not None and control._of.paint is designer.desk.paint)
+    qtbot.waitUntil(lambda: control._of is not None and control._of.paint is desk.desk.paint)
     yield control
     control.host.set_open(False)
 
 
 @pytest.fixture
-def between(designer) -> InterpolationControl:
-    control = part(designer, InterpolationControl)
+def between(desk) -> InterpolationControl:
+    control = part(desk, InterpolationControl)
     control.host.set_open(True)
     control.section.beyond.setChecked(False)
     return control
 
 
-def test_a_click_takes_a_neighbour_as_one_named_step(designer, control, qtbot) -> None:
-    before = designer.desk.paint
+def test_a_click_takes_a_neighbour_as_one_named_step(desk, control, qtbot) -> None:
+    before = desk.desk.paint
     button = control.section.buttons["darker"]
     assert button.text() == "darker"
     button.click()
-    assert designer.desk.paint.lab_at(110.0) == (7.0, 8.0, -28.0)
-    assert designer.window.undo_action.text() == "&Undo Darker"
+    assert desk.desk.paint.lab_at(110.0) == (7.0, 8.0, -28.0)
+    assert desk.window.undo_action.text() == "&Undo Darker"
     # A second click before anything was drawn goes on from there.
     button.click()
-    assert designer.desk.paint.lab_at(110.0) == (5.0, 8.0, -28.0)
+    assert desk.desk.paint.lab_at(110.0) == (5.0, 8.0, -28.0)
     qtbot.waitUntil(lambda: control.neighbours[0].paint.lab_at(110.0)[0] == 7.0)
-    designer.window.undo_action.trigger()
-    designer.window.undo_action.trigger()
-    assert designer.desk.paint is before
+    desk.window.undo_action.trigger()
+    desk.window.undo_action.trigger()
+    assert desk.desk.paint is before
 
 
-def test_the_step_and_what_cannot_be_are_shown(designer, control, qtbot) -> None:
+def test_the_step_and_what_cannot_be_are_shown(desk, control, qtbot) -> None:
     section = control.section
     section.step.setValue(12.0)
     darker = section.buttons["darker"]
@@ -98,18 +87,18 @@ def test_the_step_and_what_cannot_be_are_shown(designer, control, qtbot) -> None
     assert "8.0, 8.0" in darker.toolTip()
 
 
-def test_neighbours_that_no_paint_can_have_are_marked_once_fitted(designer, control, qtbot) -> None:
+def test_neighbours_that_no_paint_can_have_are_marked_once_fitted(desk, control, qtbot) -> None:
     rising = tuple(Measurement(45.0, angle, (30.0 + angle, 0.0, 0.0)) for angle in (15.0, 45.0, 110.0))
-    designer.desk.edit(replace(designer.desk.paint, measurements=rising), "Rise")
+    desk.desk.edit(replace(desk.desk.paint, measurements=rising), "Rise")
     lighter = control.section.buttons["lighter"]
     qtbot.waitUntil(lambda: lighter.text() == "lighter ≈")
     assert "ΔE00" in lighter.toolTip()
-    designer.desk.edit(replace(designer.desk.paint, gloss=Gloss(199.0)), "Gloss")
+    desk.desk.edit(replace(desk.desk.paint, gloss=Gloss(199.0)), "Gloss")
     qtbot.waitUntil(lambda: lighter.text() == "lighter: none")
     assert "199" in lighter.toolTip()
 
 
-def test_pictures_come_in_the_chosen_light(designer, pictures, control, qtbot) -> None:
+def test_pictures_come_in_the_chosen_light(desk, pictures, control, qtbot) -> None:
     lighter = control.neighbours[0].paint
     qtbot.waitUntil(lambda: pictures.is_drawn(lighter))
     qtbot.waitUntil(
@@ -123,10 +112,10 @@ def test_pictures_come_in_the_chosen_light(designer, pictures, control, qtbot) -
     qtbot.waitUntil(lambda: pictures.is_drawn(lighter, scene))
 
 
-def test_nothing_is_worked_out_while_the_section_is_closed(designer, control, qtbot) -> None:
+def test_nothing_is_worked_out_while_the_section_is_closed(desk, control, qtbot) -> None:
     control.host.set_open(False)
     known = control.neighbours
-    designer.desk.edit(solid_paint("grey", (50.0, 0.0, 0.0)), "Grey")
+    desk.desk.edit(solid_paint("grey", (50.0, 0.0, 0.0)), "Grey")
     control.refresh()
     assert control.neighbours is known
     control.host.set_open(True)
@@ -137,9 +126,9 @@ def test_every_word_names_a_step() -> None:
     assert set(_NAMES) == set(WORDS)
 
 
-def test_the_slider_goes_between_two_paints_in_one_step(designer, between, qtbot) -> None:
+def test_the_slider_goes_between_two_paints_in_one_step(desk, between, qtbot) -> None:
     section = between.section
-    blue, red = designer.desk.paint, load_shipped_paint("red")
+    blue, red = desk.desk.paint, load_shipped_paint("red")
     qtbot.waitUntil(lambda: section.others.findData("shipped red") >= 0)
     section.others.setCurrentIndex(section.others.findData("shipped red"))
     section.others.activated.emit(section.others.currentIndex())
@@ -149,37 +138,37 @@ def test_the_slider_goes_between_two_paints_in_one_step(designer, between, qtbot
     for value in (100, 300, 500):
         slider.setValue(value)
     slider.setSliderDown(False)
-    assert designer.desk.paint == mixed(blue, red, 0.5, blue.name)
-    assert designer.window.undo_action.text() == "&Undo Interpolate"
-    assert designer.store.stack.count() == 1
+    assert desk.desk.paint == mixed(blue, red, 0.5, blue.name)
+    assert desk.window.undo_action.text() == "&Undo Interpolate"
+    assert desk.store.stack.count() == 1
     section.stops[3].click()
-    assert designer.desk.paint.lab_at(45.0) == mixed(blue, red, 0.75).lab_at(45.0)
+    assert desk.desk.paint.lab_at(45.0) == mixed(blue, red, 0.75).lab_at(45.0)
     assert section.number.value() == 75.0
-    designer.window.undo_action.trigger()
+    desk.window.undo_action.trigger()
     assert slider.value() == 500
-    designer.window.undo_action.trigger()
-    assert designer.desk.paint is blue
+    desk.window.undo_action.trigger()
+    assert desk.desk.paint is blue
     assert between.share == 0.0
-    designer.window.redo_action.trigger()
+    desk.window.redo_action.trigger()
     assert between.share == 0.5
 
 
-def test_beyond_the_ends_and_an_edit_of_another_kind(designer, between, qtbot) -> None:
+def test_beyond_the_ends_and_an_edit_of_another_kind(desk, between, qtbot) -> None:
     between.choose("shipped red")
     section = between.section
     assert section.slider.maximum() == 1000
     section.beyond.setChecked(True)
     section.number.setValue(150.0)
-    assert designer.desk.paint.lab_at(45.0)[0] == pytest.approx(32.5)
-    designer.desk.edit(solid_paint("other", (40.0, 0.0, 0.0)), "Other")
+    assert desk.desk.paint.lab_at(45.0)[0] == pytest.approx(32.5)
+    desk.desk.edit(solid_paint("other", (40.0, 0.0, 0.0)), "Other")
     assert between.share is None
     assert section.body.isHidden()
     # Without a way nothing happens.
     between.set_share(0.5)
-    assert designer.desk.paint.name == "other"
+    assert desk.desk.paint.name == "other"
 
 
-def test_keys_move_the_slider(designer, between) -> None:
+def test_keys_move_the_slider(desk, between) -> None:
     between.choose("shipped red")
     slider = between.section.slider
     slider.setFocus()
@@ -189,25 +178,25 @@ def test_keys_move_the_slider(designer, between) -> None:
     assert between.share == pytest.approx(0.11)
 
 
-def test_a_file_and_a_tab_are_ends(designer, between, dialogs, qtbot, tmp_path) -> None:
+def test_a_file_and_a_tab_are_ends(desk, between, asked, qtbot, tmp_path) -> None:
     path = tmp_path / "mine.brdfpaint"
     save_paint(solid_paint("mine", (80.0, 0.0, 0.0)), path)
-    dialogs.path = path
+    asked.path = path
     between.choose("file")
     qtbot.waitUntil(lambda: between.share is not None)
     between.take(1.0)
-    assert designer.desk.paint.lab_at(110.0) == (80.0, 0.0, 0.0)
-    designer.desk.open_paint(load_shipped_paint("red"), clean=True)
+    assert desk.desk.paint.lab_at(110.0) == (80.0, 0.0, 0.0)
+    desk.desk.open_paint(load_shipped_paint("red"), clean=True)
     assert between.share is None
-    key = designer.documents.row[0].key
+    key = desk.documents.row[0].key
     between.choose(f"tab {key}")
     between.take(1.0)
-    assert designer.desk.paint.lab_at(110.0) == (80.0, 0.0, 0.0)
+    assert desk.desk.paint.lab_at(110.0) == (80.0, 0.0, 0.0)
 
 
-def test_an_end_that_cannot_be_read_is_told(designer, between, qtbot, tmp_path) -> None:
+def test_an_end_that_cannot_be_read_is_told(desk, between, qtbot, tmp_path) -> None:
     broken = tmp_path / "broken.brdfpaint"
     broken.write_text("{")
     between.load(broken)
-    qtbot.waitUntil(lambda: "interpolation" in designer.window.messages.shown())
+    qtbot.waitUntil(lambda: "interpolation" in desk.window.messages.shown())
     assert between.share is None

@@ -179,7 +179,7 @@ def test_the_second_paint_is_read_at_the_first_ones_angles(blue: Paint) -> None:
         mixed(five, blue, 0.5)
     (fitted,) = load_standards("table1_blue")
     assert second_end(five, fitted).lab_at(45.0) == pytest.approx((17.31, 5.42, -34.83), abs=0.01)
-    with pytest.raises(SuiteError, match="not measured at 25"):
+    with pytest.raises(SuiteError, match="no reading at 45as25"):
         second_end(five, replace(blue, gloss=Gloss(199.0)))
     with pytest.raises(SuiteError, match="no reading at 45as25"):
         second_end(five, Standard("instrument", "", blue.measurements))
