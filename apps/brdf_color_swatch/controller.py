@@ -199,8 +199,7 @@ class Controller(QObject):
         if selected:
             text = tr("{count} shown, {selected} selected").format(count=shown, selected=selected)
         self._window.count_cell.set(text)
-        flat = [e.content for e in desk.shown[desk.front].rows.entries if isinstance(e.content, FlatColour)]
-        notes = display_notes(flat) if flat else ()
+        notes = desk.shown[desk.front].rows.notes
         self._window.note_cell.set(notes[0] if notes else "", "\n".join(notes))
 
     def _show_selection(self, number: int) -> None:

@@ -11,6 +11,8 @@ import numpy as np
 from brdf_qt.translation import tr
 
 from brdf_color_swatch.tile import Tile
+from brdf_suite.appearance.flat_colours import display_notes
+from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry
 from brdf_suite.pipeline.palette_columns import MAIN_ANGLES_DEG, Columns
 from brdf_suite.pipeline.palette_search import Texts
@@ -61,6 +63,11 @@ class Rows:
     def flop(self) -> np.ndarray:
         """Flop index (n,)."""
         return self.columns.flop
+
+    @cached_property
+    def notes(self) -> tuple[str, ...]:
+        """What is to be known of how the flat colours are shown, sentences."""
+        return display_notes([e.content for e in self.entries if isinstance(e.content, FlatColour)])
 
     @cached_property
     def has_codes(self) -> bool:
