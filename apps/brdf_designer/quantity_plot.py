@@ -86,7 +86,8 @@ class QuantityPlot(QWidget):
         self._unmeasured.setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)
         self._unmeasured.setZValue(-10)
         self.plot.addItem(self._unmeasured)
-        self._note = pg.TextItem(tr("not measured"), anchor=(0.0, 1.0))
+        hue = quantity.component == 2
+        self._note = pg.TextItem(tr("A grey has no hue.") if hue else tr("not measured"), anchor=(0.0, 1.0))
         self.plot.addItem(self._note, ignoreBounds=True)
         self._note.setVisible(quantity.component == 0)
         self.plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -172,6 +173,8 @@ class QuantityPlot(QWidget):
         seen = np.concatenate((self._values, lines[0][measured]))
         seen = seen[np.isfinite(seen)]
         if self._quantity.component == 2:
+            # An empty plot says why it is empty.
+            self._note.setVisible(not len(seen))
             low, high = (float(seen.min()), float(seen.max())) if len(seen) else (0.0, 360.0)
             room = max(0.12 * (high - low), 0.5 * (_LEAST_HUES - (high - low)))
             bottom, top = 10.0 * math.floor((low - room) / 10.0), 10.0 * math.ceil((high + room) / 10.0)

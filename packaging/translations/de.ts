@@ -1612,6 +1612,10 @@
         <translation>nicht gemessen</translation>
     </message>
     <message>
+        <source>A grey has no hue.</source>
+        <translation>Ein Grau hat keinen Buntton.</translation>
+    </message>
+    <message>
         <source>{name} over the aspecular angle</source>
         <translation>{name} über dem Aspekularwinkel</translation>
     </message>

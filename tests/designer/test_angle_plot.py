@@ -201,3 +201,8 @@ def test_points_of_a_grey_are_seen_whole_at_no_chroma(plot: AnglePlot, fitter) -
     show(plot, paint((50.0, 0.0, 0.0), (50.0, 0.0, 0.0), (50.0, 0.0, 0.0)), fitter)
     low, high = plot.plots[1].plot.viewRange()[1]
     assert low < -0.05 * high
+    note = plot.plots[2]._note
+    assert note.isVisible()
+    assert note.toPlainText() == "A grey has no hue."
+    show(plot, paint(*LABS), fitter)
+    assert not note.isVisible()
