@@ -277,7 +277,9 @@ def spread_of(lines: Lines) -> float:
         sizes = sizes[sizes > 0.0]
         if sizes.size:
             # Half of a line's angles lie about the peak: the quarter of the flank stands for what else there is.
-            spreads.append(float(sizes.max() / np.quantile(sizes, 0.25)))
+            # Partly sorted: a quantile takes ten times as long, and this is asked for at every step of a drag.
+            quarter = len(sizes) // 4
+            spreads.append(float(sizes.max() / np.partition(sizes, quarter)[quarter]))
     return max(spreads)
 
 

@@ -26,6 +26,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from types import MappingProxyType
 from typing import ClassVar
 
@@ -211,9 +212,18 @@ class PoulinFournier:
         )[..., 0]
 
 
+@cache
+def _gauss_legendre() -> tuple[Floats, Floats]:
+    """Return the points and weights in [-1, 1]: worked out once, they take longer than a few hundred pairs."""
+    nodes, shares = np.polynomial.legendre.leggauss(_NODES)
+    nodes.setflags(write=False)
+    shares.setflags(write=False)
+    return nodes, shares
+
+
 def _about_peak(peak: Floats, low: Floats, high: Floats, exponent: float) -> tuple[Floats, Floats]:
     """Gauss-Legendre points (n, nodes) and weights over the part of [low, high] where cosⁿ(φ - peak) counts."""
-    nodes, shares = np.polynomial.legendre.leggauss(_NODES)
+    nodes, shares = _gauss_legendre()
     width = min(0.5 * math.pi, _PEAK / math.sqrt(exponent) if exponent > 0.0 else math.inf)
     first = np.clip(peak - width, low, high)
     last = np.clip(peak + width, low, high)
