@@ -12,7 +12,7 @@ import sys
 import tempfile
 import uuid
 from pathlib import Path
-from time import perf_counter, sleep
+from time import perf_counter, sleep, thread_time
 
 STEPS = 400
 BETWEEN_S = 0.03
@@ -80,7 +80,8 @@ def measure(file: Path) -> dict[str, object]:
 
     # Down by notches of the wheel, each painted; between them the event loop runs and pictures come.
     before = sum(arrived)
-    times = []
+    times: list[float] = []
+    processor: list[float] = []
     bar = pane.grid.verticalScrollBar()
     middle = QPointF(viewport.width() / 2.0, viewport.height() / 2.0)
     way = -NOTCH
@@ -98,12 +99,13 @@ def measure(file: Path) -> dict[str, object]:
             False,
         )
         place, count = bar.value(), painted.count
-        start = perf_counter()
+        start, start_cpu = perf_counter(), thread_time()
         QApplication.sendEvent(viewport, event)
         # All that waits comes before the paint, as it does for a user: pictures that have just arrived too.
         while painted.count == count and perf_counter() - start < PATIENCE_S:
             app.processEvents()
         times.append(1e3 * (perf_counter() - start))
+        processor.append(1e3 * (thread_time() - start_cpu))
         assert bar.value() != place
         end = perf_counter() + BETWEEN_S
         while perf_counter() < end:
@@ -124,6 +126,7 @@ def measure(file: Path) -> dict[str, object]:
         "first_picture_s": first_picture,
         "first_page_s": first_page,
         "scroll_ms": times,
+        "scroll_cpu_ms": processor,
         "arrived": came,
         **memory,
     }

@@ -15,18 +15,19 @@ import pytest
 
 from brdf_suite.appearance.colorimetry import lab_to_working, working_to_display
 from brdf_suite.documents.flat_colour import FlatColour
-from brdf_suite.documents.paint import Gloss, OrangePeel, solid_paint
+from brdf_suite.documents.paint import Flakes, Gloss, OrangePeel, solid_paint
 from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import entry_to_json
 from brdf_suite.documents.view_settings import LightColour
-from brdf_suite.errors import ValueRangeError
+from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.pipeline.any_fit import fit_document
-from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
+from brdf_suite.pipeline.scene import load_shipped_paint
 from brdf_suite.pipeline.still import loaded_scene
 from brdf_suite.pipeline.swatch_look import SwatchLook, swatch_key
 from brdf_suite.pipeline.swatch_pictures import SwatchPainter
 from brdf_suite.pipeline.swatch_process import serve
 from brdf_suite.pipeline.swatch_store import SwatchStore
+from brdf_suite.realtime.captured import CapturedForm, Swatch
 
 SIZE = 24
 IMPOSSIBLE = replace(solid_paint("black", (0.0, 0.0, 0.0)), gloss=Gloss(150.0))
@@ -38,12 +39,12 @@ def codes_of(lab: tuple[float, float, float]) -> list[int]:
 
 
 def test_pictures_are_those_of_the_viewer_and_the_command(shared_cache: Path) -> None:
-    blue = load_shipped_paint("blue")
+    # Flakes are tested where a form is captured; here they would have more shaders compiled than all else takes.
+    blue = replace(load_shipped_paint("blue"), flakes=None)
     contents = [
         blue,
         replace(blue, orange_peel=OrangePeel(2.0, 4.0)),
         IMPOSSIBLE,
-        find_any_paint("table1_opel_titan"),
         FlatColour("ink", "RGB", (0.9, 0.2, 0.1)),
     ]
     look = SwatchLook("sphere", size=SIZE)
@@ -55,13 +56,13 @@ def test_pictures_are_those_of_the_viewer_and_the_command(shared_cache: Path) ->
     size = (SIZE, SIZE)
     with loaded_scene(look.view()) as loaded:
         view = loaded.composed(look.view(), size)
-        for place in (0, 1, 3):
+        for place in (0, 1):
             picture, content = pictures[place].pixels, contents[place]
             assert picture is not None
             loaded.scene.set_paint_fit(fit_document(content))  # type: ignore[arg-type]
             alone = loaded.scene.image(view, size)
             assert np.abs(picture.astype(int) - alone).max() <= 1
-    ink = pictures[4].pixels
+    ink = pictures[3].pixels
     assert ink is not None
     middle = ink[SIZE // 2, SIZE // 2].astype(int)
     assert middle[0] > 2 * middle[1] > 0
@@ -196,3 +197,43 @@ def test_what_is_kept_is_not_drawn_again(tmp_path: Path) -> None:
     # The other one would have to be drawn, in a light that is not there.
     assert answers[2]["id"] == 2
     assert "light.exr" in answers[2]["failed"]
+
+
+def test_a_machine_without_graphics_is_told_of_and_flat_forms_are_drawn(
+    monkeypatch: pytest.MonkeyPatch, own_cache: None
+) -> None:
+    def none() -> None:
+        raise GraphicsError("No OpenGL 3.3 context could be made.")
+
+    monkeypatch.setattr("brdf_suite.pipeline.picture.create_context", none)
+    red = load_shipped_paint("red")
+    out = io.StringIO()
+    lines = request(1, SwatchLook("flop_strip", size=16), [red]) + request(2, SwatchLook(size=16), [red])
+    serve(io.StringIO(lines + request(3, SwatchLook("chips", size=16), [red])), out)
+    answers = [json.loads(line) for line in out.getvalue().splitlines()]
+    assert "picture" in answers[0]
+    assert answers[1] == {"id": 1, "done": True}
+    assert answers[2:] == [{"unavailable": "No OpenGL 3.3 context could be made."}]
+
+
+def test_a_paint_that_the_renderer_does_not_take_costs_no_other_its_picture(
+    monkeypatch: pytest.MonkeyPatch, shared_cache: Path
+) -> None:
+    shade = CapturedForm._shade
+
+    def refusing(self: CapturedForm, number: int, swatch: Swatch, *more: object) -> None:
+        if swatch.flakes is not None and swatch.flakes.density_per_mm2 == 77.0:
+            raise GraphicsError("too many lobes")
+        shade(self, number, swatch, *more)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(CapturedForm, "_shade", refusing)
+    red, odd = (replace(load_shipped_paint("solid_red"), flakes=flakes) for flakes in (None, Flakes(77.0)))
+    with SwatchPainter() as painter:
+        pictures = painter.draw([red, odd, red], SwatchLook("sphere", size=SIZE))
+        assert [picture.problem for picture in pictures] == ["", "too many lobes", ""]
+        first, last = pictures[0].pixels, pictures[2].pixels
+        assert first is not None
+        assert last is not None
+        assert (first == last).all()
+        with pytest.raises(GraphicsError, match="too many lobes"):
+            painter.draw([odd], SwatchLook("sphere", size=SIZE))
