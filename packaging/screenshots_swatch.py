@@ -19,7 +19,7 @@ from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import save_palette
 
 ACTIONS: dict[str, tuple[str, list[str]]] = {
-    "swatch_groups": ("dark", ["--do", "select=3"]),
+    "swatch_groups": ("dark", ["--swatch-size", "72", "--do", "select=175"]),
     "swatch_search": (
         "booth",
         ["--do", "search=blue", "--do", "section=filters", "--do", "sort=flop", "--do", "select=2"],

@@ -110,7 +110,7 @@ class ColorSwatch:
             desk.show_scope(replace(desk.state.scope, group=tuple(value.split("/")) if value else ()))
         elif key == "select":
             pane = self.window.panes[desk.front]
-            pane.grid.select_rows([int(number) for number in value.split(",")])
+            desk.reveal(tuple(pane.model.id_at(int(number)) for number in value.split(",")))
         elif key == "section":
             self.window.section(value).set_open(True)
         elif value:

@@ -368,7 +368,10 @@ class EditPart:
                     self._desk.show_scope(Scope(scope.palette, path, tag), pane)
 
     def move_group(self, moved: Scope, onto: Scope) -> None:
-        """Move a group into another, or to the palette's top."""
+        """Move a group into another, to the palette's top, or with all that is in it to another palette."""
+        if onto.palette != moved.palette:
+            self._desk.library.want(onto.palette, lambda: self._carry_group(moved, onto))
+            return
         if onto.group[: len(moved.group)] == moved.group:
             return
         to = (*onto.group, moved.group[-1])
@@ -376,6 +379,34 @@ class EditPart:
             self._desk.edit(
                 tr("Move a group"), lambda palette: edits.moved_group(palette, moved.group, to), moved.palette
             )
+
+    def _carry_group(self, moved: Scope, onto: Scope) -> None:
+        """Move a group to another palette: one step of both."""
+        source = self._desk.library.palette(moved.palette)
+        if source is None:
+            return
+        depth = len(moved.group)
+
+        def there(path: GroupPath) -> GroupPath:
+            return (*onto.group, moved.group[-1], *path[depth:])
+
+        groups = [group for group in source.groups if group.path[:depth] == moved.group]
+        entries = [
+            replace(entry, group=there(entry.group))
+            for entry in source.entries
+            if entry.group[:depth] == moved.group
+        ]
+
+        def take(palette: Palette) -> Palette:
+            known = {group.path for group in palette.groups}
+            fresh = [replace(group, path=there(group.path)) for group in groups]
+            fresh = [group for group in fresh if group.path not in known]
+            return edits.added(replace(palette, groups=(*palette.groups, *fresh)), entries)
+
+        self._desk.edit_many(
+            tr("Move the group “{name}”").format(name=moved.group[-1][:40]),
+            {onto.palette: take, moved.palette: lambda palette: edits.without_group(palette, moved.group)},
+        )
 
     # Order and drops.
 

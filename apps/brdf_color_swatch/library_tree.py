@@ -214,7 +214,7 @@ class LibraryTree(QTreeWidget):
             # The tree itself moves nothing: the palette is changed, and then the tree shows it.
             event.setDropAction(Qt.DropAction.IgnoreAction)
             event.accept()
-            if moved.group and scope.palette == moved.palette and not scope.tag:
+            if moved.group and scope.palette and not scope.tag:
                 self.group_dropped.emit(moved, scope)
             return
         self.dropped.emit(event, scope)

@@ -110,6 +110,22 @@ def test_groups_are_made_named_moved_and_dissolved(swatch, select, command) -> N
     assert swatch.desk.palette == before
 
 
+def test_a_group_goes_to_another_palette_with_all_that_is_in_it(swatch, command) -> None:
+    before, key = swatch.desk.palette, swatch.desk.state.scope.palette
+    swatch.desk.show_scope(Scope(key, ("Warm",)))
+    swatch.window.palette_panel.edited.emit("colour", "#ff0000")
+    other = swatch.library.add_palette(Palette("Other"))
+    swatch.window.tree.group_dropped.emit(Scope(key, ("Warm",)), Scope(other))
+    arrived = swatch.library.palette(other)
+    assert [(entry.name, entry.group) for entry in arrived] == [("Red", ("Warm",)), ("Orange", ("Warm",))]
+    assert arrived.groups[0].colour == "#ff0000"
+    assert len(swatch.library.palette(key)) == 4
+    swatch.library.history.undo()
+    swatch.library.history.undo()
+    assert swatch.library.palette(key) == before
+    assert swatch.library.palette(other) == Palette("Other")
+
+
 def test_a_palette_and_a_group_have_name_colour_and_notes(swatch) -> None:
     panel = swatch.window.palette_panel
     panel.edited.emit("colour", "#336699")
