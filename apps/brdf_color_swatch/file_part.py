@@ -128,7 +128,7 @@ class FilePart:
             focused.setFocus()
 
     def _add_paint(self, path: Path) -> None:
-        from brdf_color_swatch.edit_part import add_entries
+        from brdf_color_swatch.entry_edits import add_entries
         from brdf_suite.documents.palette import new_id
         from brdf_suite.documents.store import load_any_paint
 

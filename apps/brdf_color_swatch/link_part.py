@@ -13,7 +13,7 @@ from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QProcess
 
 from brdf_color_swatch.desk import Desk
-from brdf_color_swatch.edit_part import add_entries
+from brdf_color_swatch.entry_edits import add_entries
 from brdf_color_swatch.near_part import near_of
 from brdf_color_swatch.view_state import Near, Scope
 from brdf_color_swatch.window import SwatchWindow

@@ -7,9 +7,11 @@ from typing import Any
 
 from brdf_color_swatch.compare_part import ComparePart
 from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.drop_part import DropPart
 from brdf_color_swatch.edit_part import EditPart
 from brdf_color_swatch.export_part import ExportPart
 from brdf_color_swatch.file_part import FilePart
+from brdf_color_swatch.group_part import GroupPart
 from brdf_color_swatch.link_part import LinkPart
 from brdf_color_swatch.map_part import MapPart
 from brdf_color_swatch.near_part import NearPart
@@ -24,6 +26,8 @@ PARTS: tuple[Callable[[Desk, SwatchWindow], Any], ...] = (
     ExportPart,
     SheetPart,
     EditPart,
+    DropPart,
+    GroupPart,
     ViewPart,
     NearPart,
     ComparePart,
