@@ -169,16 +169,22 @@ def _installed() -> set[str]:
     }
 
 
-def _stamped() -> tuple[set[str], set[str]] | None:
-    """Return extras and contents of an environment made for this state of the checkout, else ``None``."""
+def _noted() -> tuple[str, set[str], set[str]] | None:
+    """Return fingerprint, extras and contents that the environment was made with, else ``None``."""
     try:
         first, *contents = STAMP.read_text(encoding="utf-8").splitlines()
         fingerprint, *extras = first.split()
     except (OSError, ValueError):  # ValueError: an empty stamp
         return None
-    if fingerprint != _fingerprint() or not PYTHON.exists():
+    return fingerprint, set(extras), set(contents)
+
+
+def _stamped() -> tuple[set[str], set[str]] | None:
+    """Return extras and contents of an environment made for this state of the checkout, else ``None``."""
+    noted = _noted()
+    if noted is None or noted[0] != _fingerprint() or not PYTHON.exists():
         return None
-    return set(extras), set(contents)
+    return noted[1:]
 
 
 def _write_stamp(extras: set[str]) -> None:
@@ -222,7 +228,10 @@ def _make_environment() -> None:
 
 
 def _install_environment(extras: set[str]) -> None:
-    stamped = _stamped()
+    stamped, noted = _stamped(), _noted()
+    if stamped is None and noted is not None:
+        # Made anew for other versions, it keeps what it was made for: who tested goes on testing after a run.
+        extras = extras | noted[1]
     if stamped is not None and not stamped[1] <= _installed():
         _say("the environment is damaged; mending it")
         extras = extras | stamped[0]

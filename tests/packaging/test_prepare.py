@@ -95,6 +95,19 @@ def test_a_changed_lock_makes_the_environment_stale(prepare: ModuleType, environ
     assert prepare._stamped() is None
 
 
+def test_an_environment_made_anew_keeps_what_it_was_made_for(
+    prepare: ModuleType, environment: Path, monkeypatch
+) -> None:
+    prepare._write_stamp({"dev"})
+    prepare.LOCK.write_text("numpy==2.1\n")
+    asked: list[tuple[str, ...]] = []
+    monkeypatch.setattr(prepare, "_make_environment", prepare.STAMP.unlink)
+    monkeypatch.setattr(prepare, "_pip", lambda *arguments: asked.append(arguments))
+    prepare.prepare()  # as packaging/run.py does, which asks for no extra
+    assert asked[-1][-1] == ".[dev]"
+    assert prepare._stamped() == ({"dev"}, {"numpy", "numpy-2.0.dist-info"})
+
+
 def test_all_there_runs_nothing(prepare: ModuleType, environment: Path, capsys) -> None:
     prepare._write_stamp({"dev"})
     prepare.prepare()
