@@ -147,7 +147,7 @@ def json_of_bytes(content: bytes, path: str | os.PathLike[str]) -> object:
         place = f"line {error.lineno}, column {error.colno}"
         raise DocumentError(path, f"is not valid JSON ({error.msg.lower()})", place) from error
     except RecursionError as error:
-        raise DocumentError(path, "is nested too deep to be a document of ours") from error
+        raise DocumentError(path, "is nested too deep to be a document of ours", "the top level") from error
     except ValueError as error:  # an integer of more digits than Python converts
         raise DocumentError(path, f"holds a number that cannot be read ({error})") from error
     return value

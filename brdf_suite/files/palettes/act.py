@@ -36,6 +36,11 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     return collector.finish(columns=16)
 
 
+def _sniff(head: bytes, size: int) -> bool:
+    """A text may have 768 characters, too; in a table of colours some number is none."""
+    return size in (_TABLE, _WITH_COUNT) and not all(9 <= byte < 127 for byte in head[:_TABLE])
+
+
 FORMAT = PaletteFormat(
     name="act",
     title="Photoshop colour table, or raw PAL",
@@ -44,6 +49,6 @@ FORMAT = PaletteFormat(
     groups="none",
     paints=False,
     holds="Read only. sRGB in 8 bits, without names, 256 at most.",
-    sniff=lambda _head, size: size in (_TABLE, _WITH_COUNT),
+    sniff=_sniff,
     read=read,
 )

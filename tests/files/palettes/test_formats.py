@@ -239,7 +239,7 @@ def test_endings_name_formats_and_unknown_ones_are_told(tmp_path: Path) -> None:
     with pytest.raises(FileError, match=r"\.acb names no palette format that is written"):
         format_for("a.acb")
     other = tmp_path / "a.txt"
-    other.write_text("hello", "utf-8")
+    other.write_text(("hello" * 200)[:768], "utf-8")  # as long as a colour table
     with pytest.raises(FileError, match="no palette format that is known"):
         read_palette(other)
     act = next(f for f in FORMATS if f.name == "act")
