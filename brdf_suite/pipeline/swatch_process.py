@@ -26,7 +26,7 @@ from brdf_suite.pipeline.swatch_store import SwatchStore
 
 BATCH = 32
 """Pictures that are drawn before any is answered: a batch is read back at once."""
-_NICER = 5
+_NICER = 12
 
 Answer = dict[str, object]
 

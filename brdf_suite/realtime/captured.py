@@ -127,7 +127,7 @@ class CapturedForm:
     @property
     def most(self) -> int:
         """How many paints are drawn at once."""
-        return max(1, min(64, MOST_ROWS // max(self._rows, self.size[1])))
+        return max(1, min(32, MOST_ROWS // max(self._rows, self.size[1])))
 
     def draw(self, swatches: Iterable[Swatch], display: Display = SRGB) -> NDArray[np.uint8]:
         """Return the pictures (n, h, w, 3) of paints, top row first; ``display`` must be one of 8 bits.

@@ -30,8 +30,8 @@ from brdf_suite.realtime.programs import (
     assign,
 )
 
-MOST_LAYERS = 40
-"""The diffuse look-up under a coat and without, those of eight broad lobes for three targets, eight sharp ones."""
+MOST_LAYERS = 32
+"""Designed paints ask for some twenty among them; a paint for which there is no room makes its own look-ups."""
 _DIMMED = 2.0**-16
 """Keeps the light of a sun below the largest number that the shader lets pass; a power of two costs no digit."""
 _NO_COLOUR = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
