@@ -22,7 +22,7 @@ from PySide6.QtGui import QImage, QPixmap
 from brdf_suite.documents.palette import Entry
 from brdf_suite.progress import Progress
 
-MOST_BYTES = 96 << 20
+MOST_BYTES = 64 << 20
 """Of pictures in memory; those unused for longest go first."""
 LADDER = (32, 48, 64, 96, 128, 192, 256, 320, 384, 512)
 """Sizes that are drawn: a drag of the size slider scales what is there, and draws at few of its steps."""
