@@ -12,10 +12,11 @@ import pytest
 from brdf_lobe_visualizer.assembly import LobeVisualizer
 from brdf_lobe_visualizer.fits import Fits
 from brdf_lobe_visualizer.slice_options import SliceOptions, SliceState
+from brdf_lobe_visualizer.slice_pens import colour_of
 from brdf_lobe_visualizer.slices import CURVES, HALF_ANGLE, POLAR, UNROLLED, Slices
 from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, SamplePoints, Subject, SubjectFit
 from PySide6.QtCore import QCoreApplication, QEvent, QPointF, Qt
-from PySide6.QtGui import QColor, QGuiApplication, QMouseEvent
+from PySide6.QtGui import QGuiApplication, QMouseEvent, QPalette
 from PySide6.QtWidgets import QApplication
 
 from brdf_suite.fitting.lobes.weights import LobeWeights
@@ -132,7 +133,7 @@ def test_the_lobe_is_drawn_where_the_mirror_direction_is(slices, desk, qtbot) ->
         desk.set_incidence(theta, 0.0)
         qtbot.waitUntil(lambda: slices.is_complete)
         picture = slices.polar.plot.grab().toImage()
-        colour = QColor.fromRgbF(*LINE_COLOURS[3])
+        colour = colour_of(LINE_COLOURS[3], slices.polar.palette().color(QPalette.ColorRole.Base))
         near = [
             (x, y)
             for x in range(0, picture.width())
