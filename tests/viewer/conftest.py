@@ -72,6 +72,12 @@ def lights(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
 PICTURE = (200, 160)
 
 
+def is_idle(controller) -> bool:
+    """Whether nothing is loaded or baked, and no strip of progress is shown or about to be."""
+    busy = controller.scene.loading or controller.surface.baking or controller.window._busy
+    return not busy and not controller.window.progress.isVisible()
+
+
 class Viewer:
     """A shown Viewer and what a test does with it."""
 
@@ -102,7 +108,7 @@ class Viewer:
         close(self.controller)
 
     def wait_idle(self) -> None:
-        self.qtbot.waitUntil(lambda: not self.controller.scene.loading)
+        self.qtbot.waitUntil(lambda: is_idle(self.controller))
 
     def messages(self) -> dict[str, str]:
         """Return what the window says, by key: all lines in one."""
@@ -143,6 +149,8 @@ def start(qtbot, lights) -> Iterator[Callable[..., Viewer]]:
         if wait:
             with qtbot.waitSignal(controller.picture_complete):
                 controller.window.show()
+            # What is baked in the background changes the picture, and its line in the window the picture's height.
+            qtbot.waitUntil(lambda: is_idle(controller))
             controller.window.activateWindow()
         else:
             controller.window.show()
