@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from brdf_qt.translation import tr
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtGui import QColor, QPalette, QResizeEvent
+from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QWidget
 
 from brdf_lobe_visualizer.basis_run import MOST_LOBES
 from brdf_lobe_visualizer.crosshair import Readout, Row
@@ -19,6 +19,9 @@ if TYPE_CHECKING:  # much to import for a start
     from brdf_suite.fitting.basis_search.stored import StoredSearch
     from brdf_suite.pipeline.basis_of_paint import ErrorsOverCount
 
+_BESIDE = 1.3
+"""Wider than so many times the height, the plots stand beside each other."""
+_ERROR_TICKS = (0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0)
 _MEAN_DASH, _WORST_DASH = DASHES[0], DASHES[1]
 
 
@@ -48,11 +51,15 @@ class BasisPlots(QWidget):
         for plot, name in zip((self.exponents, self.errors), names, strict=True):
             plot.setAccessibleName(name)
             plot.setMouseEnabled(x=False, y=False)
-            plot.setMinimumSize(120, 100)
-            plot.getAxis("left").setLogMode(y=True)
+            plot.setMinimumSize(120, 80)
             plot.setLabel("bottom", tr("Number of lobes"))
             plot.getAxis("bottom").setTicks([[(count, str(count)) for count in range(2, MOST_LOBES + 2, 2)]])
             self._box.addWidget(plot, 1)
+        self.exponents.getAxis("left").setLogMode(y=True)
+        # What is drawn is the logarithm; these numbers keep clear of each other where there is little room.
+        self.errors.getAxis("left").setTicks(
+            [[(float(np.log10(error)), f"{error:g}") for error in _ERROR_TICKS]]
+        )
         self.exponents.setLabel("left", tr("Exponent"))
         self.errors.setLabel("left", tr("Error (1: just seen)"))
         self._dots = pg.ScatterPlotItem(size=7, pxMode=True, symbol="o")
@@ -83,6 +90,13 @@ class BasisPlots(QWidget):
         """Draw the errors of one reflectance; None: they are not there."""
         self.own = None if subject is None or errors is None else (subject, errors)
         self._draw()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        beside = self.width() >= _BESIDE * self.height()
+        self._box.setDirection(
+            QBoxLayout.Direction.LeftToRight if beside else QBoxLayout.Direction.TopToBottom
+        )
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -8,7 +8,7 @@ import numpy as np
 from brdf_qt.elided_label import ElidedLabel
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QEvent, QRect, Qt
-from PySide6.QtGui import QPalette, QResizeEvent
+from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.crosshair import Readout, plain, rows_at
@@ -86,6 +86,7 @@ class PolarPlot(QWidget):
         self.readout = Readout(self.plot)
         self.plot.moved_over.connect(self._read)
         self.plot.left.connect(self._leave)
+        self.plot.resized.connect(self._resized)
         self._box.insertWidget(0, self.plot, 1)
         self._dress()
         self._fit_range()
@@ -108,11 +109,6 @@ class PolarPlot(QWidget):
     def lines(self) -> Lines | None:
         """What is drawn."""
         return self._lines
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        if self.plot is not None:
-            self._fit_range()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -141,6 +137,10 @@ class PolarPlot(QWidget):
             padding=0.0,
             disableAutoRange=True,
         )
+
+    def _resized(self) -> None:
+        self._fit_range()
+        self._draw()
 
     def _draw(self) -> None:
         lines = self._lines

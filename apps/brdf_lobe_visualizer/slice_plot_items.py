@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QRectF, Qt, Signal
-from PySide6.QtGui import QMouseEvent, QPainter, QPainterPath, QPalette, QPen
+from PySide6.QtGui import QMouseEvent, QPainter, QPainterPath, QPalette, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
 
 from brdf_lobe_visualizer.slice_lines import Line
@@ -61,6 +61,7 @@ class SlicePlot(pg.PlotWidget):
     left = Signal()
     framed = Signal()
     zoomed = Signal()
+    resized = Signal()
 
     def __init__(self, *, with_axes: bool) -> None:
         super().__init__()
@@ -139,6 +140,11 @@ class SlicePlot(pg.PlotWidget):
         super().mouseMoveEvent(event)
         point = self.getPlotItem().vb.mapSceneToView(self.mapToScene(event.position().toPoint()))
         self.moved_over.emit(point.x(), point.y())
+
+    def resizeEvent(self, event: QResizeEvent | None) -> None:
+        super().resizeEvent(event)
+        if event is not None:  # pyqtgraph calls it without one, too
+            self.resized.emit()
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
