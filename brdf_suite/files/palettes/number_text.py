@@ -24,6 +24,9 @@ def scaled(value: float, up: int, down: int = 1) -> str:
 
 def unscaled(text: str, up: int, down: int = 1) -> float:
     """Return the number of which a text is ``up / down`` times as much; the text must be a finite number."""
-    if len(text) > _LONGEST:
-        return float(text) / up * down
-    return float(_EXACT.divide(_EXACT.multiply(Decimal(text), Decimal(down)), Decimal(up)))
+    if len(text) <= _LONGEST:
+        try:
+            return float(_EXACT.divide(_EXACT.multiply(Decimal(text), Decimal(down)), Decimal(up)))
+        except ArithmeticError:
+            pass  # an exponent of twenty digits: the number itself is 0
+    return float(text) / up * down

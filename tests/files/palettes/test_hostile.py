@@ -253,6 +253,12 @@ def test_repairs_are_told() -> None:
     assert "1 line beyond the count" in format_named("jasc").read(jasc, "a")[1][0]
 
 
+def test_numbers_of_absurd_exponents_are_the_numbers_that_they_are_near() -> None:
+    text = b'<SCRIBUSCOLORS><COLOR SPACE="CMYK" C="1e-99999999999999999999" M="100" Y="7" K="0"/></SCRIBUSCOLORS>'
+    palette, _ = format_named("scribus").read(text, "a")
+    assert palette.entries[0].content.values == (0.0, 1.0, 0.07, 0.0)
+
+
 def test_files_that_cannot_be_read_are_told(tmp_path: Path) -> None:
     with pytest.raises(FileError, match="No such file"):
         read_palette(tmp_path / "none.ase")
