@@ -130,7 +130,7 @@ def _foreign(path: str, progress: Progress | None) -> Opened:
 
 
 def _foreign_palette(path: str, no_measurement: FileError, progress: Progress | None) -> Opened:
-    from brdf_suite.files.palettes import FORMATS, read_palette
+    from brdf_suite.files.palettes import read_palette
     from brdf_suite.files.palettes.registry import sniff
 
     try:
@@ -138,8 +138,10 @@ def _foreign_palette(path: str, no_measurement: FileError, progress: Progress | 
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
     except FileError:
-        titles = ", ".join(known.title for known in FORMATS)
-        reason = f"{no_measurement.reason}, and no palette that is known here ({titles})"
+        reason = (
+            "is neither a paint nor a palette nor measured data of a format that is known here (the pages "
+            "measured_files and formats of the documents list them)"
+        )
         raise FileError(path, reason, no_measurement.place) from no_measurement
     read = read_palette(path)
     return _shown_of_palette(read.palette, path, None, progress)
