@@ -158,7 +158,9 @@ class SceneMaker:
             legend = subject.colour if len(subjects) > 1 else None
             if shown in ("target", "both"):
                 target = self._values.target(subject)
-                if target is not None:
+                if target is None:
+                    notes.append(_coming())
+                else:
                     style = "solid" if place == 0 else "glass"
                     sheets.append(_sheet(target, style, subject, line=legend if place else None))
             if shown in ("fit", "both"):
@@ -186,7 +188,7 @@ class SceneMaker:
     def _target_plan(self, subject: Subject) -> _Plan:
         target = self._values.target(subject)
         sheets = () if target is None else (_sheet(target, "solid", subject),)
-        notes = [note for sheet in sheets for note in _notes(sheet)]
+        notes = [note for sheet in sheets for note in _notes(sheet)] or ([] if sheets else [_coming()])
         return _Plan(subject.title, sheets, tr("Target"), "\n".join(notes), subject.colour, subject)
 
     def _lobes_on(self, subject: Subject) -> tuple[FitLobe, ...]:
@@ -280,7 +282,7 @@ class SceneMaker:
 
     def _difference(self, subject: Subject, found: Found | None, base: Found | None, words: str) -> _Plan:
         if found is None or base is None or found.grid is not base.grid:
-            return _Plan(subject.title, (), words, tr("The values are being worked out."), subject.colour)
+            return _Plan(subject.title, (), words, _coming(), subject.colour)
         difference = Found(found.grid, found.values - base.values)
         origin = (found.values, base.values)
         sheet = _Sheet(difference, legend=subject.colour, signed=True, origin=origin)
@@ -357,6 +359,10 @@ def _sheet(
 ) -> _Sheet:
     opacity = {"solid": 1.0, "glass": 0.45, "lines": 0.9}[style]
     return _Sheet(found, style, opacity, line, subject.colour, ink=ink)
+
+
+def _coming() -> str:
+    return tr("The values are being worked out.")
 
 
 def _no_fit(subject: Subject) -> str:

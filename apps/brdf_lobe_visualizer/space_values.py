@@ -25,6 +25,7 @@ from brdf_suite.reflectance.protocol import Reflectance
 
 Singles = npt.NDArray[np.float32]
 SLOW_S = 0.025
+"""Of the processor's time: what else the machine does, makes no reflectance slow."""
 
 
 @dataclass
@@ -85,14 +86,14 @@ class SpaceValues:
             )
         if kept.grid is not grid:
             if kept.seconds <= SLOW_S:
-                start = time.perf_counter()
+                start = time.process_time()
                 try:
                     kept.values, kept.grid = kept.source.brdf(grid), grid
                 except Exception as error:  # noqa: BLE001 - a model's fault is told, and ends no program
                     self._told(subject.key, error)
                     kept.values, kept.grid = np.full((*grid.shape, 3), np.nan, np.float32), grid
                 # A hiccup of the machine does not send a fast one to the background for long.
-                kept.seconds = 0.5 * kept.seconds + 0.5 * (time.perf_counter() - start)
+                kept.seconds = 0.5 * kept.seconds + 0.5 * (time.process_time() - start)
             else:
                 self._ask(subject.key, kept, grid)
         if kept.values is None or kept.grid is None:
@@ -118,14 +119,15 @@ class SpaceValues:
                 del table[key]
 
     def _ask(self, key: str, kept: _Kept, grid: LobeGrid) -> None:
-        if kept.asked is grid:
+        # One at a time: while a light is dragged, the newest would cancel each before it has come to an end.
+        if kept.asked is not None:
             return
         kept.asked = grid
         self._waiting.add(key)
 
         def work(request: tuple[LobeSource, LobeGrid], _progress: object) -> tuple[Singles, float]:
-            start = time.perf_counter()
-            return request[0].brdf(request[1]), time.perf_counter() - start
+            start = time.process_time()
+            return request[0].brdf(request[1]), time.process_time() - start
 
         def done(answer: tuple[Singles, float]) -> None:
             self._waiting.discard(key)

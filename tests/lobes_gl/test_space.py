@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -31,8 +32,15 @@ def shown(space, *subjects: Subject) -> QImage:
 
 
 def picture(space) -> QImage:
-    space.draw_now()
+    settle(space)
     return space.view.grabFramebuffer()
+
+
+def settle(space) -> None:
+    """Draw what was asked for; what took long once comes from another thread."""
+    space.draw_now()
+    while not space.is_complete:
+        QCoreApplication.processEvents()
 
 
 def pixels(image: QImage) -> np.ndarray:
@@ -117,7 +125,7 @@ def test_a_model_that_fails_is_told_and_ends_nothing(space, program) -> None:
     assert "no value in any direction" in space.view.scene.panels[0].note
 
 
-def test_brushed_metal_turns_with_the_azimuth(space, program, qtbot) -> None:
+def test_brushed_metal_turns_with_the_azimuth(space, program) -> None:
     subject = Subject("a", "A", MODELS["poulin_fournier"].default, RED, isotropic=False)
     space.go_to("top")
     shown(space, subject)
@@ -125,13 +133,49 @@ def test_brushed_metal_turns_with_the_azimuth(space, program, qtbot) -> None:
     for phi in (0.0, 90.0):
         program.desk.set_incidence(45.0, phi)
         space.go_to("top")
-        space.draw_now()
-        # What is slow comes from another thread.
-        qtbot.waitUntil(lambda: space.is_complete)
+        settle(space)
         # Of a size of its own: messages take room from the view.
         pictures.append(red_of(space.picture(260, 220)))
     # The camera turns with the plane of incidence: an isotropic lobe would give one picture twice.
     assert (pictures[0] ^ pictures[1]).sum() > 0.1 * pictures[0].sum()
+
+
+def test_what_is_slow_follows_a_drag_and_holds_nothing_up(space, program, qtbot) -> None:
+    class Slow:
+        def __init__(self) -> None:
+            self.threads: list[bool] = []
+            self.may = threading.Event()
+            self.may.set()
+
+        def eval(self, wi, wo):
+            here = threading.current_thread() is threading.main_thread()
+            self.threads.append(here)
+            if not here:
+                self.may.wait()
+            cosine = np.broadcast_to(
+                np.asarray(wi)[..., 2], np.broadcast_shapes(np.shape(wi), np.shape(wo))[:-1]
+            )
+            return np.repeat(cosine[..., None], 3, axis=-1)
+
+    model = Slow()
+    shown(space, Subject("slow", "A", model, RED))
+    kept = space._values._kept["slow"]
+    kept.seconds = 1.0  # as after a long evaluation
+    model.may.clear()
+    model.threads.clear()
+    for theta in (50.0, 55.0, 60.0):
+        program.desk.set_incidence(theta, 0.0)
+        space.draw_now()
+    panel = space.view.scene.panels[0]
+    assert panel.layers, "the lobes of before stay"
+    assert "incidence before" in panel.note
+    assert not any(model.threads)
+    model.may.set()
+    qtbot.waitUntil(lambda: space.is_complete)
+    panel = space.view.scene.panels[0]
+    assert panel.note == ""
+    light = np.cos(np.radians(60.0))
+    assert panel.layers[0].surface.values[3, 3] == pytest.approx(light * light, rel=1e-5)
 
 
 def test_target_and_fit_over_one_another_beside_and_their_difference(space, program) -> None:
@@ -155,7 +199,7 @@ def test_target_and_fit_over_one_another_beside_and_their_difference(space, prog
     # Against a reference instead of the fit.
     program.desk.add(Subject("b", "B", lobe(kd=0.2, kg=0.0), RED))
     program.desk.set_compared("b")
-    space.draw_now()
+    settle(space)
     assert [panel.title for panel in space.view.scene.panels] == ["A"]
     assert "minus B" in space.view.scene.panels[0].caption
 
@@ -180,7 +224,7 @@ def test_lobes_alone_stacked_and_switched_off(space, program) -> None:
     switch = space.parts.switches["gloss", 1]
     switch.click()
     assert ("gloss", 1) in program.desk.options.lobes_off
-    space.draw_now()
+    settle(space)
     after = space.view.scene.panels[0].layers[0].surface.values
     assert after[0, 0] == pytest.approx(before[0, 0] - 3.0, rel=1e-5)
     space.parts.reset.click()
@@ -205,7 +249,7 @@ def test_samples_lie_on_the_surface_at_their_incidence(space, program) -> None:
         value = model.eval(light, view)[0] * light[2]
         assert np.linalg.norm(place) == pytest.approx(float(scale.radius(value)), rel=1e-5)
     program.desk.set_incidence(10.0, 0.0)
-    space.draw_now()
+    settle(space)
     assert space.view.scene.panels[0].points is None
     assert "nearest lies at 45" in space.view.scene.panels[0].note
 
@@ -215,7 +259,7 @@ def test_the_light_is_dragged_by_its_handle_and_turned_by_alt(space, program) ->
     shown(space, Subject("a", "A", lobe(), RED))
     space.state.set(arrows=True)
     space.go_to("top")
-    space.draw_now()
+    settle(space)
     at = view.project(tuple(1.18 * desk.light), view.rooms()[0]).toPoint()
     to = view.project(tuple(1.18 * spherical(np.radians(20.0), np.pi)), view.rooms()[0]).toPoint()
     left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
@@ -226,7 +270,7 @@ def test_the_light_is_dragged_by_its_handle_and_turned_by_alt(space, program) ->
     assert desk.incidence[0] == pytest.approx(20.0, abs=1.0)
     assert abs(desk.incidence[1]) < 1.0
     assert space.camera == camera, "the camera stays"
-    space.draw_now()
+    settle(space)
     QTest.mouseDClick(view, left, none, view.project(tuple(1.18 * desk.light), view.rooms()[0]).toPoint())
     QTest.mouseRelease(view, left, none, to)
     assert desk.incidence == (45.0, 0.0)
