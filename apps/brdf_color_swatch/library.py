@@ -58,7 +58,8 @@ class Library(LibraryBase):
 
     def _arrived(self, key: str, read: Read) -> None:
         item = self._items.get(key)
-        if item is None:
+        if item is None or item.palette is not None:
+            # What is open may have been changed, or recovered; a file does not take its place unasked.
             return
         path, stamp = (read.path, read.stamp) if read.is_ours else (None, None)
         # What was imported is in its own file still: nothing would be lost with it until it is changed.
@@ -79,6 +80,10 @@ class Library(LibraryBase):
                     todo="\n".join(read.notices[:6]) + ("\n…" if len(read.notices) > 6 else ""),
                 )
             )
+        self._let_go_on(item)
+
+    def _let_go_on(self, item: Item) -> None:
+        """Call those who wait for a palette that is there now."""
         waiting, item.waiting = item.waiting, []
         for then in waiting:
             then()
@@ -114,10 +119,13 @@ class Library(LibraryBase):
             item = Item(f"p{next(self._numbers)}", found.path, found.value.name)
             self._items[item.key] = item
         if item.palette is None:
+            # Its file may be being read for the pane that shows it; the work is what is wanted now.
+            self.tasks.cancel(f"read {item.key}")
             self._fill(item, found.value, found.path, clean=False, stamp=found.stamp)
             assert item.palette is not None
             if item.palette.recovery.write():
                 item.palette.recovery.drop(found)
+            self._let_go_on(item)
         else:
             # It is open, and perhaps changed: the recovered one comes as a step that can be undone.
             self.history.apply(tr("Recover unsaved work"), [(item.palette.store, found.value)])

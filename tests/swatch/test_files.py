@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
 
 import pytest
+from brdf_color_swatch.reading import read_palette_file
 from brdf_color_swatch.view_state import Scope
 from brdf_qt.dialogs import Answer
+from brdf_qt.recovery import Recovered
 from PySide6.QtWidgets import QPushButton
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
@@ -149,6 +152,25 @@ def test_unsaved_work_of_a_run_that_was_ended_is_offered_back(swatch, tmp_path, 
     assert swatch.desk.item.path == path
     assert not swatch.desk.item.is_clean
     assert load_palette(path).name == "Kept"
+
+
+def test_recovered_work_stays_where_its_file_is_still_being_read(swatch, tmp_path, qtbot) -> None:
+    path = tmp_path / "kept.brdfpalette"
+    save_palette(Palette("Kept"), path)
+    key = swatch.library.add_path(path)
+    gone_on: list[str] = []
+    swatch.library.want(key, lambda: gone_on.append(swatch.library.palette(key).name))
+    assert swatch.library.item(key).state == "reading"
+    work = Recovered(Palette("Half done"), path, datetime.now(), tmp_path / "gone.recovery.json")
+    assert swatch.library.recover(work) == key
+    assert not swatch.library.tasks.busy
+    assert gone_on == ["Half done"]
+    opened = swatch.library.item(key).palette
+    # An answer that was under way all the same.
+    swatch.library._arrived(key, read_palette_file(path, lambda _share, _what: None))
+    assert swatch.library.item(key).palette is opened
+    assert swatch.library.palette(key).name == "Half done"
+    assert not swatch.library.item(key).is_clean
 
 
 @pytest.mark.parametrize("key", ["new", "shipped", "again"])
