@@ -150,9 +150,10 @@ class Library(LibraryBase):
 
     def read_again(self, key: str, then: Callable[[Read], None]) -> None:
         """Read the file of an open palette once more, in the background."""
-        item = self._items[key]
-        assert item.palette is not None
-        assert item.palette.store.path is not None
+        item = self._items.get(key)
+        if item is None or item.palette is None or item.palette.store.path is None:
+            # It was closed since it was offered.
+            return
         self.tasks.submit(
             f"again {key}",
             read_palette_file,
@@ -165,8 +166,9 @@ class Library(LibraryBase):
 
     def take_outside(self, key: str, value: Palette, read: Read, name: str) -> None:
         """Take what the file holds now, or what it was merged to, as one step; it is no longer asked about."""
-        item = self._items[key]
-        assert item.palette is not None
+        item = self._items.get(key)
+        if item is None or item.palette is None:
+            return
         opened = item.palette
         self.history.apply(name, [(opened.store, value)])
         if value == read.palette:
@@ -198,8 +200,12 @@ class Library(LibraryBase):
             item.palette.recovery.close(keep=False)
             item.palette.watch.watch("")
             self.history.forget(item.palette.store)
-        self.tasks.cancel(f"read {key}")
+        for task in ("read", "again", "merge", "columns"):
+            self.tasks.cancel(f"{task} {key}")
         del self._items[key]
+        for told in ("open", "outside"):
+            # Nobody can be asked about a palette that is gone.
+            self.settled.emit(f"{told} {key}")
         self.items_changed.emit()
         self.remember()
         return True

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from brdf_color_swatch.reading import read_palette_file
 from brdf_color_swatch.view_state import Scope
 from brdf_qt.dialogs import Overwrite
 from PySide6.QtWidgets import QPushButton
@@ -78,6 +79,26 @@ def test_mine_is_kept_and_the_file_is_not_overwritten_unasked(swatch, shared, di
     dialogs.overwrite = Overwrite.OVERWRITE
     assert swatch.library.save(key)
     assert load_palette(path).notes == "mine"
+
+
+@pytest.mark.parametrize("text", ["Reload", "Merge"])
+def test_a_palette_that_is_closed_meanwhile_is_asked_about_no_more(swatch, shared, text: str) -> None:
+    key, _path, write = shared
+    library, named = swatch.library, f"outside {key}"
+    swatch.desk.edit("Rename", lambda palette: edits.renamed(palette, "blue", "Azure"))
+    write(lambda palette: edits.renamed(palette, "red", "Crimson"))
+    actions = dict(swatch.window.messages.shown()[named].actions)
+    read = read_palette_file(library.item(key).path, lambda _share, _what: None)
+    actions[text]()
+    assert library.tasks.busy
+    assert library.close(key)
+    assert not library.tasks.busy
+    assert named not in swatch.window.messages.shown()
+    # Pressed, or answered, just as it went.
+    actions[text]()
+    assert not library.tasks.busy
+    library.take_outside(key, read.palette, read, text)
+    assert library.item(key) is None
 
 
 def test_the_watch_hears_a_file_that_is_replaced(swatch, tmp_path, qtbot) -> None:
