@@ -182,6 +182,12 @@ def encoded_rgb(colour: FlatColour) -> tuple[float, float, float] | None:
     return red, green, blue
 
 
+def is_of_other_space(colour: FlatColour) -> bool:
+    """Return whether a colour's RGB, HSB or HSL is of a space that is known here and is not sRGB."""
+    known = _space(colour.space) if colour.model in ("RGB", "HSB", "HSL") else None
+    return known is not None and known is not _srgb()
+
+
 def _encoded_rgb(model: str, values: Floats) -> Floats:
     if model == "Gray":
         return np.repeat(values, 3, axis=1)

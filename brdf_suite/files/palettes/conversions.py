@@ -15,7 +15,7 @@ from brdf_suite.appearance.colorimetry import (
     working_to_display,
     xyz_to_lab,
 )
-from brdf_suite.appearance.flat_colours import WHITES, encoded_rgb, flat_labs
+from brdf_suite.appearance.flat_colours import WHITES, encoded_rgb, flat_labs, is_of_other_space
 from brdf_suite.appearance.spaces import adapt_xyz, working_to_xyz
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.flat_colour import FlatColour
@@ -82,7 +82,8 @@ def flat_of(entry: Entry, models: Collection[str]) -> FlatColour:
                 return own if own is content else replace(own, name=content.name)
         encoded = encoded_rgb(content)
         if encoded is not None and "RGB" in models:
-            return FlatColour(content.name, "RGB", encoded, content.space if content.model == "RGB" else "")
+            space = content.space if content.model in ("RGB", "HSB", "HSL") else ""
+            return FlatColour(content.name, "RGB", encoded, space)
         lab: Lab = tuple(flat_labs([content])[0].tolist())
     else:
         lab = face_lab(content)
@@ -97,15 +98,25 @@ def rgb8_of(entry: Entry) -> tuple[int, int, int]:
 
     RGB of another space is taken to sRGB; that of an unknown one keeps its numbers.
     """
-    content = entry.content
-    if isinstance(content, FlatColour) and content.model == "RGB" and content.space and "srgb" not in (
-        content.space.lower().replace(" ", "")
-    ):  # fmt: skip
-        values = working_to_display(lab_to_working(flat_labs([content])[0])).tolist()
-    else:
-        values = list(flat_of(entry, ("RGB",)).values)
+    values = in_srgb(flat_of(entry, ("RGB",))).values
     red, green, blue = (round(255.0 * min(1.0, max(0.0, value))) for value in values)
     return red, green, blue
+
+
+def plain_of(entry: Entry, models: Collection[str]) -> FlatColour:
+    """Return :func:`flat_of` for a format that names no colour spaces: what is RGB there is sRGB."""
+    return in_srgb(flat_of(entry, models))
+
+
+def in_srgb(colour: FlatColour) -> FlatColour:
+    """Return RGB, HSB or HSL of another known space as sRGB, not clipped; any other colour as it is.
+
+    Of an unknown space nobody can say what its numbers look like, so they are kept.
+    """
+    if not is_of_other_space(colour):
+        return colour
+    red, green, blue = working_to_display(lab_to_working(flat_labs([colour])[0])).tolist()
+    return FlatColour(colour.name, "RGB", (red, green, blue))
 
 
 def lab_d50(lab: Lab) -> Lab:

@@ -14,7 +14,7 @@ import unicodedata
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, GroupPath, Palette
 from brdf_suite.files.palettes.collecting import Collector, decoded
-from brdf_suite.files.palettes.conversions import flat_of
+from brdf_suite.files.palettes.conversions import flat_of, in_srgb
 from brdf_suite.files.palettes.css_colour import SPACES, colour_of, css_of
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
@@ -117,11 +117,8 @@ def write(palette: Palette) -> bytes:
 
 def _colour(entry: Entry) -> FlatColour:
     colour = flat_of(entry, _MODELS)
-    if colour.model == "RGB" and colour.space and colour.space not in SPACES.values() and "srgb" not in (
-        colour.space.lower().replace(" ", "")
-    ):  # fmt: skip
-        return flat_of(Entry(FlatColour(colour.name, "RGB", colour.values)), _MODELS)
-    return colour
+    # RGB of a space that CSS names is written in that one; everything else that is RGB there is sRGB.
+    return colour if colour.model == "RGB" and colour.space in SPACES.values() else in_srgb(colour)
 
 
 def _json(value: object) -> str:

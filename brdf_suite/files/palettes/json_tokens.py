@@ -20,7 +20,7 @@ from brdf_suite.documents.palette import Entry, GroupPath, Palette
 from brdf_suite.documents.palette_store import entry_from_json, entry_to_json
 from brdf_suite.errors import FileError
 from brdf_suite.files.palettes.collecting import Collector, decoded
-from brdf_suite.files.palettes.conversions import flat_of, rgb8_of
+from brdf_suite.files.palettes.conversions import flat_of, in_srgb, rgb8_of
 from brdf_suite.files.palettes.css_colour import SPACES, colour_of
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
@@ -266,9 +266,11 @@ def _token(entry: Entry, place: int | None) -> dict[str, Any]:
 
 def _value(entry: Entry) -> dict[str, Any]:
     colour = flat_of(entry, _MODELS)
+    if colour.model != "RGB" or colour.space not in SPACES.values():
+        colour = in_srgb(colour)
     values = list(colour.values)
     if colour.model == "RGB":
-        # A space that no token can name: the numbers go as sRGB, and the extension knows better.
+        # A space that nobody knows: the numbers go as sRGB, and the extension knows better.
         space = next((word for word, name in SPACES.items() if name == colour.space), "srgb")
     elif colour.model == "XYZ":
         space = "xyz-d65" if colour.illuminant == "D65" else "xyz-d50"

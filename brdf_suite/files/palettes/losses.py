@@ -6,6 +6,7 @@ from collections import Counter
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.files.palettes.conversions import in_srgb
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
 _SAME = 1e-9
@@ -88,11 +89,18 @@ def _compare(entry: Entry, other: Entry, counts: Counter[str], models: Counter[t
     if isinstance(own, FlatColour) and isinstance(new, FlatColour):
         if own.model != new.model:
             models[own.model, new.model] += 1
-        elif any(abs(a - b) > _SAME * max(1.0, abs(a)) for a, b in zip(own.values, new.values, strict=False)):
-            counts["rounded"] += 1
         else:
-            counts["space"] += own.space != new.space
+            kept = own
+            if own.space != new.space:
+                kept = in_srgb(own)
+                if kept is own:
+                    counts["space"] += 1
+                else:
+                    models[own.space, "sRGB"] += 1
             counts["white"] += (own.illuminant, own.observer_deg) != (new.illuminant, new.observer_deg)
+            counts["rounded"] += any(
+                abs(a - b) > _SAME * max(1.0, abs(a)) for a, b in zip(kept.values, new.values, strict=False)
+            )
         counts["others"] += own.others != new.others
     elif isinstance(new, FlatColour):
         counts["paint"] += 1

@@ -15,7 +15,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.cxf_specification import number
 from brdf_suite.files.hardened_xml import Element
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import flat_of
+from brdf_suite.files.palettes.conversions import flat_of, in_srgb
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 from brdf_suite.files.palettes.number_text import scaled, unscaled
 from brdf_suite.files.palettes.xml_writing import attribute, root_named, text_content
@@ -262,7 +262,7 @@ def _shown(entry: Entry) -> str:
     """Numbers in RGB beside those of a model that fewer programs read; this one passes over them."""
     if flat_of(entry, _NAMES).model not in _SELDOM_READ:
         return ""
-    numbers = " ".join(repr(value) for value in flat_of(entry, ("RGB",)).values)
+    numbers = " ".join(repr(value) for value in in_srgb(flat_of(entry, ("RGB",))).values)
     return f'      <values model="RGB" space="{_SHOWN}">{numbers}</values>\n'
 
 

@@ -15,7 +15,7 @@ from brdf_suite.documents.palette import Entry, Foreign, Palette, Usage
 from brdf_suite.files.cxf_specification import number
 from brdf_suite.files.hardened_xml import Element
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import flat_of, rgb8_of
+from brdf_suite.files.palettes.conversions import plain_of, rgb8_of
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 from brdf_suite.files.palettes.number_text import scaled, unscaled
 from brdf_suite.files.palettes.xml_writing import attribute, mentions, root_named
@@ -85,7 +85,7 @@ def write(palette: Palette) -> bytes:
 
 
 def _attributes(entry: Entry) -> str:
-    colour = flat_of(entry, ("RGB", "CMYK", "Lab"))
+    colour = plain_of(entry, ("RGB", "CMYK", "Lab"))
     # In bytes for all readers, and with every digit for those that know how, where bytes are not enough.
     model = "CMYK" if colour.model == "CMYK" else "RGB"
     if colour.model == "CMYK":

@@ -9,6 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.flat_colours import flat_labs
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.flat_colour import CHANNELS, FlatColour
 from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, Paint
@@ -255,3 +257,49 @@ def test_order_in_groups_is_told_where_a_file_must_change_it() -> None:
     assert [e.group for e in read_content(ase.write(mixed), "a").palette] == [("A",), ("A",), ("B",)]
     empty = replace(mixed, entries=(), groups=(Group(("A", "B")),))
     assert [g.path for g in read_content(ase.write(empty), "a").palette.groups] == [("A",), ("A", "B")]
+
+
+def written_as(name: str, colour: FlatColour) -> tuple[FlatColour, str]:
+    """Return what comes back of a colour from a format, and what is told of it."""
+    known, own = next(f for f in FORMATS if f.name == name), Palette("p", (Entry(colour),))
+    assert known.write is not None
+    back = read_content(known.write(own), "a", known).palette.entries[0].content
+    assert isinstance(back, FlatColour)
+    return back, " ".join(losses(own, known))
+
+
+@pytest.mark.parametrize("name", ["ase", "aco", "scribus", "gpl"])
+@pytest.mark.parametrize("model", ["RGB", "HSB"])
+def test_colours_of_another_space_stay_the_same_colours_where_a_format_knows_none(
+    name: str, model: str
+) -> None:
+    values = (0.6, 0.3, 0.2) if model == "RGB" else (15.0, 2.0 / 3.0, 0.6)
+    own = FlatColour("c", model, values, "Adobe RGB (1998)")  # type: ignore[arg-type]  # one of its words
+    back, told = written_as(name, own)
+    assert (back.model, back.space) == ("RGB", "")
+    # As far as eight bits go.
+    assert delta_e_2000(*flat_labs([own, back])) < (0.5 if name == "gpl" else 0.01)
+    as_what = "Adobe RGB (1998) is written as sRGB." if model == "RGB" else "HSB is written as RGB."
+    assert f"1 colour in {as_what}" in told
+    if name == "scribus":
+        assert "rounded" not in told
+
+
+def test_spaces_and_whites_that_are_lost_are_told_beside_rounded_numbers() -> None:
+    back, told = written_as("ase", FlatColour("c", "RGB", (0.7, 0.2, 0.1), "Press 7"))
+    assert back.values == pytest.approx((0.7, 0.2, 0.1))
+    assert "The numbers of 1 colour are rounded." in told
+    assert "The colour spaces of 1 colour are left out." in told
+    _, told = written_as("ase", FlatColour("c", "Lab", (60.1, 10.1, 20.1), "", "D65", 10))
+    assert "The whites that 1 colour is measured by are left out." in told
+
+
+def test_a_further_model_in_another_space_is_converted_too() -> None:
+    others = (FlatColour("", "RGB", (178 / 255, 51 / 255, 26 / 255), "Adobe RGB (1998)"),)
+    own = FlatColour("c", "Lab", (45.0, 60.0, 50.0), "", "D50", 2, (), others)
+    back, _ = written_as("gpl", own)
+    assert tuple(255 * value for value in back.values) == pytest.approx((207, 48, 16), abs=1.01)
+    for name in ("css", "kpl"):
+        # Those that name the space keep the numbers.
+        kept, _ = written_as(name, others[0])
+        assert (kept.values, kept.space) == (others[0].values, others[0].space)
