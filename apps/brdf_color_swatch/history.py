@@ -79,13 +79,20 @@ class History(QObject):
         self._travel(self._undone, self._done, forth=True)
 
     def forget(self, store: Store) -> None:
-        """A palette is closed, or another file took its place: its steps cannot be travelled any more."""
+        """A palette is closed, or another file took its place: its steps cannot be travelled any more.
+
+        A step that it shares with another palette goes whole: half of a move would take swatches out of the one and
+        put them nowhere. What lies behind such a step in the other palette cannot be come to without it, and goes too.
+        """
         for steps in (self._done, self._undone):
-            steps[:] = [
-                Step(step.name, kept)
-                for step in steps
-                if (kept := tuple(one for one in step.stores if one is not store))
-            ]
+            gone = {store}
+            kept = []
+            for step in reversed(steps):
+                if gone.isdisjoint(step.stores):
+                    kept.append(step)
+                else:
+                    gone.update(step.stores)
+            steps[:] = reversed(kept)
         self.changed.emit()
 
     def _travel(self, source: list[Step], target: list[Step], *, forth: bool) -> None:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
 from brdf_color_swatch.history import History, Store
+from brdf_color_swatch.view_state import Scope
 from brdf_qt.document_store import DocumentStore
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -66,10 +68,63 @@ def test_undo_brings_everything_back_and_redo_too(qapp, steps: list[tuple[str, i
 def test_a_closed_palette_takes_its_steps_along(qapp) -> None:
     stores = [DocumentStore(palette("a", 4)), DocumentStore(palette("b", 3))]
     history = History()
-    edit("across", 0, stores, history)
-    edit("notes", 1, stores, history)
+    edit("notes", 0, stores, history)
+    edit("rename", 1, stores, history)
+    edit("tag", 0, stores, history)
+    history.undo()
     history.forget(stores[1])
-    assert history.undo_name == "across"
+    assert (history.undo_name, history.redo_name) == ("notes", "tag")
     history.undo()
     assert stores[0].value == palette("a", 4)
     assert not history.can_undo
+
+
+@pytest.mark.parametrize("closed", [0, 1])
+def test_a_move_to_or_from_a_closed_palette_is_not_half_undone(qapp, closed: int) -> None:
+    stores = [DocumentStore(palette("a", 4)), DocumentStore(palette("b", 3))]
+    history, still = History(), stores[1 - closed]
+    edit("rename", 1 - closed, stores, history)
+    edit("across", 0, stores, history)
+    moved = still.value
+    edit("notes", 1 - closed, stores, history)
+    history.forget(stores[closed])
+    assert history.undo_name == "notes"
+    history.undo()
+    assert not history.can_undo
+    assert still.value == moved
+    history.redo()
+    assert still.value.notes
+
+
+def test_a_move_that_was_undone_is_not_half_done_again(qapp) -> None:
+    stores = [DocumentStore(palette(name, 3)) for name in "abc"]
+    history = History()
+    edit("across", 0, stores, history)
+    edit("notes", 1, stores, history)
+    history.apply("other", [(stores[2], palette("c", 1))])
+    for _ in range(3):
+        history.undo()
+    history.forget(stores[0])
+    # What followed on the move in the other palette cannot be done without it; a third one's step can.
+    assert history.redo_name == "other"
+    history.redo()
+    assert not history.can_redo
+    assert stores[1].value == palette("b", 3)
+    assert len(stores[2].value) == 1
+
+
+def test_swatches_moved_out_of_a_closed_palette_stay_where_they_are(swatch, names) -> None:
+    library, first = swatch.library, swatch.desk.state.scope.palette
+    second = library.add_palette(palette("b", 1))
+    entry = library.palette(first).entry("red")
+    library.edit(
+        "Move",
+        (first, edits.removed(library.palette(first), ["red"])),
+        (second, edits.added(library.palette(second), [entry])),
+    )
+    swatch.desk.show_scope(Scope(second))
+    assert library.close(first)
+    undo = swatch.window.command("undo")
+    assert not undo.isEnabled()
+    undo.trigger()
+    assert "Red" in names(swatch)
