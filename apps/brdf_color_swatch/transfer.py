@@ -26,7 +26,8 @@ _MOST_LINES = 100_000
 _HEX = re.compile(r"(?<![0-9A-Za-z])(?:#|0x)([0-9a-fA-F]{6}|[0-9a-fA-F]{3})(?![0-9A-Za-z])")
 _RGB = re.compile(r"rgba?\(\s*(\d+)\s*[, ]\s*(\d+)\s*[, ]\s*(\d+)[^)]*\)")
 _LAB = re.compile(
-    r"(?:lab\(|L\*?\s*[=:]?\s*)(-?\d+(?:\.\d+)?)%?[\s,;]+(?:a\*?\s*[=:]?\s*)?(-?\d+(?:\.\d+)?)[\s,;]+"
+    # A word of its own: neither the last letter of "RAL 090 80 20", which is no L*a*b*, nor oklab's.
+    r"(?<!\w)(?:(?:cie)?lab\(|L\*?\s*[=:]?\s*)(-?\d+(?:\.\d+)?)%?[\s,;]+(?:a\*?\s*[=:]?\s*)?(-?\d+(?:\.\d+)?)[\s,;]+"
     r"(?:b\*?\s*[=:]?\s*)?(-?\d+(?:\.\d+)?)(?:\s*\))?",
     re.IGNORECASE,
 )

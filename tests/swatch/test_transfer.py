@@ -45,6 +45,8 @@ def test_other_programs_get_text_a_colour_and_the_paint() -> None:
         ("Sea rgb(0, 51, 255)", "Sea", "RGB", (0.0, 0.2, 1.0)),
         ("Grey L* 50.5 a* -1 b* 2", "Grey", "Lab", (50.5, -1.0, 2.0)),
         ("lab(29.2% 39.3 20.1)", "lab(29.2% 39.3 20.1)", "Lab", (29.2, 39.3, 20.1)),
+        ("Rose CIELab(60, 30, 5)", "Rose", "Lab", (60.0, 30.0, 5.0)),
+        ("Coral: L60 a30 b5", "Coral", "Lab", (60.0, 30.0, 5.0)),
     ],
 )
 def test_text_of_other_programs(text: str, name: str, model: str, values: tuple[float, ...]) -> None:
@@ -58,6 +60,11 @@ def test_every_line_is_a_colour_and_what_is_none_is_left_out() -> None:
     found = entries_of_text("#112233 one\nno colour here\n#445566 two\n\x00#778899\n")
     assert [entry.name for entry in found] == ["one", "two", "#778899"]
     assert len({entry.id for entry in found}) == 3
+
+
+@pytest.mark.parametrize("text", ["RAL 090 80 20", "Steel 45 10 20", "oklab(0.6 0.1 0.1)", "Model_L 1 2 3"])
+def test_the_end_of_a_word_is_no_lightness(text: str) -> None:
+    assert entries_of_text(text) == []
 
 
 def test_a_paint_as_text_as_a_file_and_a_colour(tmp_path: Path) -> None:
