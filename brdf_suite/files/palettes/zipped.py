@@ -11,6 +11,8 @@ from brdf_suite.files.palettes.format import LARGEST, PathLike
 
 MOST_PARTS = 1000
 _ENTRY = b"PK\1\2"
+_PACKED_BY = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+"""As all programs write them; each further way would bring a library and errors of its own."""
 
 
 def unpack(content: bytes, path: PathLike) -> dict[str, bytes]:
@@ -35,6 +37,12 @@ def unpack(content: bytes, path: PathLike) -> dict[str, bytes]:
                     continue
                 if name in found:
                     raise FileError(path, "the part is there twice", f"part {name[:80]!r}")
+                if part.compress_type not in _PACKED_BY:
+                    raise FileError(
+                        path,
+                        f"is packed by a method that palettes do not have ({part.compress_type}); pack it by deflate",
+                        f"part {name[:80]!r}",
+                    )
                 # The size that the file tells may be a lie, so no more than that is unpacked in any case.
                 with archive.open(part) as stream:
                     found[name] = stream.read(left + 1)
@@ -49,7 +57,7 @@ def unpack(content: bytes, path: PathLike) -> dict[str, bytes]:
         zipfile.BadZipFile,
         zlib.error,
         EOFError,
-        NotImplementedError,  # a way of packing that is not known
+        NotImplementedError,  # a kind of zip file that is not known
         RuntimeError,  # a password is wanted
         ValueError,
         OverflowError,

@@ -153,6 +153,21 @@ def test_zip_files_unpack_within_bounds_and_write_nothing(
     assert "there twice" in refused(twice.getvalue(), "kpl").reason
 
 
+@pytest.mark.parametrize("method", [zipfile.ZIP_LZMA, zipfile.ZIP_BZIP2])
+def test_other_ways_of_packing_are_refused_by_name_however_damaged(method: int) -> None:
+    part = b'<ColorSet name="a" version="2.0"/>' * 40
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", method) as archive:
+        archive.writestr("colorset.xml", part)
+    content = bytearray(buffer.getvalue())
+    for spoilt in (None, 60):
+        if spoilt is not None:
+            content[spoilt : spoilt + 8] = bytes(8)
+        error = refused(bytes(content), "kpl")
+        assert f"({method})" in error.reason
+        assert error.place == "part 'colorset.xml'"
+
+
 LONG = "n" * 1_000_000
 
 
