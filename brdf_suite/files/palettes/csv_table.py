@@ -106,11 +106,19 @@ class _Rows:
             self._flat(row, line) if row.get("model") else self._paint(row, line),  # type: ignore[arg-type]  # paints too
             group=self._group(row.get("group", ""), place),
             code=unguarded(row.get("code", "")),
-            tags=_parts(row.get("tags", ""), ";"),
+            tags=self._tags(row.get("tags", "")),
             notes=collector.lines(unguarded(row.get("entry_notes", ""))),
             usage=usage,  # type: ignore[arg-type]  # one of its words
             date=row.get("date", "").strip(),
         )
+
+    def _tags(self, text: str) -> tuple[str, ...]:
+        given = _parts(text, ";")
+        # People end a list with its mark, and write a tag twice.
+        kept = tuple(dict.fromkeys(tag for tag in given if tag.strip()))
+        if len(kept) < len(given):
+            self._collector.note("In {n} row[|s] empty or repeated tags were left out.")
+        return kept
 
     def _group(self, text: str, place: str) -> GroupPath:
         path = tuple(self._collector.name(name) for name in _parts(text, "/"))
@@ -127,7 +135,13 @@ class _Rows:
             raise collector.fail(
                 f"one of {', '.join(MODELS)} is wanted, not {model[:40]!r}", f"{place}, column model"
             )
-        observer = row.get("observer_deg", "").strip() or "0"
+        # Spreadsheets make 10.0 or 10,0 of 10.
+        degrees = row.get("observer_deg", "").strip().replace(",", ".")
+        observer = number_in(collector.path, degrees or "0", line, "observer_deg")
+        if observer not in (0.0, 2.0, 10.0):
+            raise collector.fail(
+                f"2, 10 or nothing is wanted, not {observer:g}", f"{place}, column observer_deg"
+            )
         return collector.colour(
             place,
             collector.name(unguarded(row.get("name", ""))),
@@ -135,7 +149,7 @@ class _Rows:
             [number_in(collector.path, word, line, "a value") for word in row.get("values", "").split()],
             space=unguarded(row.get("space", "")),
             illuminant=row.get("illuminant", ""),
-            observer_deg=int(observer) if observer in ("0", "2", "10") else -1,
+            observer_deg=int(observer),
             wavelengths_nm=tuple(
                 number_in(collector.path, word, line, "a wavelength")
                 for word in row.get("wavelengths", "").split()

@@ -238,6 +238,7 @@ def test_too_many_colours_are_refused(name: str, content: bytes) -> None:
         ("sbz", SBZ_CODE, "swatchbook.xml, line 1", "finite"),
         ("csv", CSV_NAN, "line 2, column a_45", "finite"),
         ("csv", b"name,model,values\nx,RGB,0 1\n", "line 2", "3 numbers"),
+        ("csv", b"name,model,values,observer_deg\nx,Lab,1 2 3,7\n", "line 2, column observer_deg", "wanted, not 7"),
         ("css", b":root {\n --a: #123; /* never ends", "line 2", "does not end"),
         ("json", b'{"a": "#123456"', "line 1, column 16", "not valid JSON"),
         ("json", b'{"a": 3}', "the top level", "no colour"),
@@ -266,6 +267,15 @@ def test_repairs_are_told() -> None:
     assert len(notes) == 3
     jasc = b"JASC-PAL\r\n0100\r\n1\r\n1 2 3\r\n4 5 6\r\n"
     assert "1 line beyond the count" in format_named("jasc").read(jasc, "a")[1][0]
+
+
+def test_tables_as_spreadsheets_and_people_leave_them_are_read() -> None:
+    rows = b"a,Lab,1 2 3,D65,10.0,red;\nb,Lab,1 2 3,D65,2,red; red ;;deep\nc,Lab,1 2 3,,,\n"
+    table = b"name,model,values,illuminant,observer_deg,tags\n" + rows
+    palette, notes = format_named("csv").read(table, "a.csv")
+    assert [entry.tags for entry in palette] == [("red",), ("red", "deep"), ()]
+    assert [entry.content.observer_deg for entry in palette] == [10, 2, 0]
+    assert notes == ("In 2 rows empty or repeated tags were left out.",)
 
 
 def test_numbers_of_absurd_exponents_are_the_numbers_that_they_are_near() -> None:
