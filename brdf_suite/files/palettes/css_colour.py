@@ -127,6 +127,9 @@ def _built(kind: str, space: str, v: list[_Number], name: str) -> FlatColour | N
         return FlatColour(name, "HSL", (_hue(v[0]), unscaled(v[1][0], 100), unscaled(v[2][0], 100)))
     if kind == "hwb":
         white, black = unscaled(v[1][0], 100), unscaled(v[2][0], 100)
+        if white + black > 1.0:
+            # CSS Color 4, section 8: a grey in their proportion.
+            return FlatColour(name, "HSB", (_hue(v[0]), 0.0, white / (white + black)))
         bright = 1.0 - black
         return FlatColour(
             name, "HSB", (_hue(v[0]), 0.0 if bright <= 0.0 else max(0.0, 1.0 - white / bright), bright)

@@ -26,6 +26,7 @@ from brdf_suite.files.palettes import (
     read_palette,
     write_palette,
 )
+from brdf_suite.files.palettes.css_colour import colour_of
 
 WRITTEN = [known for known in FORMATS if known.write is not None]
 NAMES = [known.name for known in FORMATS]
@@ -303,3 +304,19 @@ def test_a_further_model_in_another_space_is_converted_too() -> None:
         # Those that name the space keep the numbers.
         kept, _ = written_as(name, others[0])
         assert (kept.values, kept.space) == (others[0].values, others[0].space)
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("hwb(0 60% 60%)", (0.0, 0.0, 0.5)),
+        ("hwb(40 100% 100%)", (40.0, 0.0, 0.5)),
+        ("hwb(40 90% 30%)", (40.0, 0.0, 0.75)),
+        ("hwb(40 20% 80%)", (40.0, 0.0, 0.2)),
+        ("hwb(40 20% 60%)", (40.0, 0.5, 0.4)),
+    ],
+)
+def test_white_and_black_of_hwb_beyond_the_whole_are_a_grey(text: str, wanted: tuple[float, ...]) -> None:
+    found = colour_of(text)
+    assert found is not None
+    assert found[0].values == pytest.approx(wanted)
