@@ -18,10 +18,10 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAbstractItemDelegate, QAbstractItemView, QWidget
 
-from brdf_color_swatch.grid_view import DEFAULT_SIZE, SIZES, GridView
+from brdf_color_swatch.grid_view import DEFAULT_SIZE, GridView
 from brdf_color_swatch.model import SwatchModel
 
-__all__ = ["DEFAULT_SIZE", "SIZES", "SwatchGrid"]
+__all__ = ["DEFAULT_SIZE", "SwatchGrid"]
 
 
 class SwatchGrid(GridView):

@@ -36,8 +36,8 @@ from PySide6.QtWidgets import (
 from brdf_color_swatch.grid_layout import GAP, GridLayout
 from brdf_color_swatch.model import SwatchModel
 from brdf_color_swatch.tile import Look, Tile, TilePainter
+from brdf_color_swatch.view_state import SIZES
 
-SIZES = (32, 320)
 DEFAULT_SIZE = 96
 
 

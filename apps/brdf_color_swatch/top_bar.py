@@ -19,8 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from brdf_color_swatch.grid import SIZES
-from brdf_color_swatch.view_state import Look, PaneState
+from brdf_color_swatch.view_state import SIZES, Look, PaneState
 
 _SEARCH_AFTER_MS = 120
 _ONE_LINE_PX = 540

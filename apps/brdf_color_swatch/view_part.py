@@ -8,6 +8,7 @@ from brdf_qt.translation import mark
 from PySide6.QtCore import Qt
 
 from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.view_state import SIZES
 from brdf_color_swatch.window import SwatchWindow
 
 _FORMS = (
@@ -80,8 +81,6 @@ class ViewPart:
         self._desk.set_look(as_list=not self._desk.look.as_list)
 
     def _scale(self, by: float) -> None:
-        from brdf_color_swatch.grid import SIZES
-
         size = round(self._desk.look.size * by)
         self._desk.set_look(size=min(SIZES[1], max(SIZES[0], size)))
 

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, fields, replace
-from typing import Any, Literal
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, replace
+from typing import Any, Literal, get_args
+
+from brdf_suite.resources import resource_names
 
 Form = Literal["sphere", "panel", "flop_strip", "chips"]
+SIZES = (32, 320)
+"""The smallest and the largest swatch of a grid, pixels of the window."""
 SORTS = ("own", "hue", "lightness", "flop", "gloss", "name", "code", "date", "tags", "nearest")
 """The orders of a pane; ``own`` is the user's. A column of the list may be any of these or ``L_15`` … ``b_110``."""
 
@@ -92,9 +97,21 @@ class Look:
 
     @staticmethod
     def from_json(value: dict[str, Any]) -> Look:
-        """Return the look of plain values; what is not known is left as it is at a first start."""
-        known = {field.name for field in fields(Look)}
-        return Look(**{key: item for key, item in value.items() if key in known})
+        """Return the look of plain values; each that is damaged or not known is as it is at a first start."""
+        return Look(**{key: value[key] for key, good in _GOOD.items() if key in value and good(value[key])})
+
+
+def _is_size(value: Any) -> bool:
+    # A bool is an int as well.
+    return type(value) is int and SIZES[0] <= value <= SIZES[1]
+
+
+_GOOD: dict[str, Callable[[Any], bool]] = {
+    "form": lambda value: isinstance(value, str) and value in get_args(Form),
+    "size": _is_size,
+    "booth": lambda value: isinstance(value, str) and value in resource_names("environments", ".exr"),
+    "as_list": lambda value: isinstance(value, bool),
+}
 
 
 def _calm(sort: str) -> str:
