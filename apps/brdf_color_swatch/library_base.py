@@ -220,6 +220,9 @@ class LibraryBase(QObject):
         item.path = path
         if item.palette is not None:
             item.palette.watch.watch("" if path is None else str(path))
+            if path is not None:
+                # It is in a file of its own now; the one that it was imported from is another palette again.
+                item.palette.origin = None
         self.remember()
         self.items_changed.emit()
 

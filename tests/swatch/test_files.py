@@ -105,6 +105,12 @@ def test_a_palette_of_another_program_is_imported_and_its_file_left_alone(
     assert swatch.library.save(swatch.desk.state.scope.palette)
     assert load_palette(tmp_path / "mine.brdfpalette").name == "Mine"
     assert path.read_bytes() == content
+    # What is open has a file of its own now: the other's is read again where it is asked for.
+    mine = swatch.desk.state.scope.palette
+    swatch.window.open_asked.emit(path)
+    qtbot.waitUntil(lambda: swatch.desk.palette is not None and swatch.desk.palette.name == "Web")
+    assert swatch.desk.state.scope.palette != mine
+    assert swatch.library.palette(mine).name == "Mine"
 
 
 def test_a_damaged_file_is_told_and_read_again_once_it_is_repaired(swatch, tmp_path, qtbot, names) -> None:
