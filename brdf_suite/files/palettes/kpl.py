@@ -192,8 +192,18 @@ def write(palette: Palette) -> bytes:
     for key, value in palette.foreign:
         name = key.removeprefix(_KEPT)
         if key.startswith(_KEPT) and _FILE.fullmatch(name):
-            parts[name] = base64.b64decode(value)
+            profile = _profile(value)
+            if profile is not None:
+                parts[name] = profile
     return packed(parts, stored="mimetype")
+
+
+def _profile(text: str) -> bytes | None:
+    """The bytes of a kept profile; None where a palette says something else there, and so it is left out."""
+    try:
+        return base64.b64decode(text, validate=True)
+    except ValueError:
+        return None
 
 
 def _rows(foreign: dict[str, str]) -> int:

@@ -320,3 +320,14 @@ def test_white_and_black_of_hwb_beyond_the_whole_are_a_grey(text: str, wanted: t
     found = colour_of(text)
     assert found is not None
     assert found[0].values == pytest.approx(wanted)
+
+
+@pytest.mark.parametrize("text", ["abc", "YWJj\n!", "ä", "****"])
+def test_what_is_no_profile_of_krita_is_left_out_and_told(text: str) -> None:
+    kpl = next(f for f in FORMATS if f.name == "kpl")
+    assert kpl.write is not None
+    sound = (("kpl.profile:b.icc", "YWJj"), ("kpl.rows", "0"))
+    own = Palette("p", columns=16, foreign=(("kpl.profile:a.icc", text), *sound))
+    assert read_content(kpl.write(own), "a", kpl).palette.foreign == sound
+    assert losses(own, kpl) == ("What another program's file said further of the palette is left out.",)
+    assert losses(replace(own, foreign=sound), kpl) == ()
