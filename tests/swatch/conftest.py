@@ -15,11 +15,15 @@ from brdf_color_swatch.assembly import ColorSwatch
 from brdf_color_swatch.pictures import Pictures
 from brdf_color_swatch.view_state import Look, PaneState, Scope
 from brdf_qt.dialogs import Answer, Overwrite
-from PySide6.QtCore import QCoreApplication, QEvent, QMimeData, QPointF, Qt
+from PySide6.QtCore import QCoreApplication, QDeadlineTimer, QEvent, QMimeData, QPointF, Qt
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtTest import QTest
 
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.palette import Entry, Palette
+
+_HUB_MS = 120_000
+"""It takes a moment; a machine where it takes this long has none."""
 
 COLOURS = {
     "Red": ((60.0, 50.0, 30.0), "Warm", ("hot", "car")),
@@ -98,8 +102,13 @@ def lasting(qapp, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Co
         program = ColorSwatch(dialogs=lambda _window: dialogs)
         program.window.resize(1200, 800)
         program.window.show()
-        while not any(part.link.is_hub for part in program.parts if hasattr(part, "link")):
-            QCoreApplication.processEvents()
+        (link,) = (part.link for part in program.parts if hasattr(part, "link"))
+        deadline = QDeadlineTimer(_HUB_MS)
+        while not link.is_hub:
+            if deadline.hasExpired():
+                program.close()
+                pytest.fail(f"No live link was there {_HUB_MS // 1000} s after the program's start.")
+            QTest.qWait(5)
         yield program, dialogs
         program.close()
         program.window.deleteLater()
