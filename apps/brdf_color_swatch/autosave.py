@@ -23,7 +23,11 @@ _MANY = 300
 
 
 class PaletteRecovery(Recovery[Palette]):
-    """As :class:`Recovery`, and what it reads is the same file."""
+    """As :class:`Recovery`, and what it reads is the same file.
+
+    An encoding that has begun is finished and written, however many edits come meanwhile: the next one begins when it
+    is done. So what may be lost is about a second and the time of the encoding, also while edits never cease.
+    """
 
     def __init__(
         self,
@@ -36,17 +40,31 @@ class PaletteRecovery(Recovery[Palette]):
         super().__init__(store, form, failed, parent)
         self._tasks = tasks
         self._key = f"autosave {id(self)}"
+        self._encodes = self._wants_another = False
+        store.clean_changed.connect(self._saved)
         self._timer.timeout.disconnect(self.write)
         self._timer.timeout.connect(self._write_beside)
 
     def write(self) -> bool:
         """Write the unsaved palette now, and wait for it; see :meth:`Recovery.write`."""
-        self._tasks.cancel(self._key)
+        self._drop()
         return super().write()
+
+    def _drop(self) -> None:
+        self._tasks.cancel(self._key)
+        self._encodes = self._wants_another = False
+
+    def _saved(self, clean: bool) -> None:
+        """What is being encoded is older than what was saved: it shall not be offered instead of it."""
+        if clean:
+            self._drop()
 
     def _write_beside(self) -> None:
         if self._store.is_clean or len(self._store.value) < _MANY:
             self.write()
+            return
+        if self._encodes:
+            self._wants_another = True
             return
         path, stamp = self._store.path, self._store.stamp
         head = {
@@ -54,7 +72,23 @@ class PaletteRecovery(Recovery[Palette]):
             "stamp": None if stamp is None else stamp.to_json(),
             "time": datetime.now().isoformat(timespec="microseconds"),
         }
-        self._tasks.submit(self._key, _encoded, (head, self._store.value), self._put, self._failed)
+        self._encodes = True
+        self._tasks.submit(
+            self._key, _encoded, (head, self._store.value), self._encoded_is, self._is_not_encoded
+        )
+
+    def _encoded_is(self, content: bytes) -> None:
+        self._put(content)
+        self._go_on()
+
+    def _is_not_encoded(self, error: Exception) -> None:
+        self._failed(error)
+        self._go_on()
+
+    def _go_on(self) -> None:
+        wants, self._encodes, self._wants_another = self._wants_another, False, False
+        if wants and not self._closed:
+            self._write_beside()
 
     def _put(self, content: bytes) -> None:
         """Write what was encoded: here, so that it never comes after the file was removed because all is saved."""

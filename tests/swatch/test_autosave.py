@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from threading import Event
 
 import pytest
 from brdf_color_swatch import autosave
@@ -38,6 +39,60 @@ def test_unsaved_work_is_written_by_a_thread_and_found_again(kept, qtbot) -> Non
     assert found.value == store.value
     assert found.path is None
     assert not failed
+
+
+def test_edits_that_never_cease_do_not_starve_it(kept, qtbot, monkeypatch) -> None:
+    store, recovery, tasks, failed = kept
+    gates, begun = [Event(), Event()], []
+    real = autosave._encoded
+
+    def held(request, progress) -> bytes:
+        begun.append(request[1].name)
+        assert gates[len(begun) - 1].wait(120)
+        return real(request, progress)
+
+    def edit(name: str) -> None:
+        store.set(replace(store.value, name=name), "rename")
+        # As the second's timer does, which shall not do so by itself here.
+        recovery._timer.stop()
+        recovery._write_beside()
+
+    monkeypatch.setattr(autosave, "_encoded", held)
+    for name in ("first", "second", "third"):
+        edit(name)
+    gates[0].set()
+    qtbot.waitUntil(lambda: recovery._file.exists())
+    assert recovery._read(recovery._file).value.name == "first"
+    qtbot.waitUntil(lambda: len(begun) == 2)
+    gates[1].set()
+    qtbot.waitUntil(lambda: not tasks.busy)
+    assert begun == ["first", "third"]
+    assert recovery._read(recovery._file).value == store.value
+    assert not failed
+
+
+def test_what_is_older_than_the_saved_file_is_not_written(kept, qtbot, tmp_path, monkeypatch) -> None:
+    store, recovery, tasks, _failed = kept
+    gate, real = Event(), autosave._encoded
+
+    def held(request, progress) -> bytes:
+        assert gate.wait(120)
+        return real(request, progress)
+
+    monkeypatch.setattr(autosave, "_encoded", held)
+    written: list[bytes] = []
+    put = recovery._put
+    monkeypatch.setattr(recovery, "_put", lambda content: (written.append(content), put(content)))
+    store.set(replace(store.value, name="Old"), "rename")
+    recovery._write_beside()
+    store.mark_clean(tmp_path / "saved.brdfpalette")
+    store.set(replace(store.value, name="New"), "rename")
+    recovery._timer.stop()
+    recovery._write_beside()
+    gate.set()
+    qtbot.waitUntil(lambda: not tasks.busy)
+    assert len(written) == 1
+    assert recovery._read(recovery._file).value.name == "New"
 
 
 def test_what_was_saved_meanwhile_leaves_no_autosave(kept, qtbot, tmp_path) -> None:
