@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 
 from brdf_suite.documents.flat_colour import LONGEST_NAME, FlatColour, Model
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import (
     DEEPEST_GROUP,
+    MOST_ENTRIES,
     MOST_GROUPS,
     Entry,
     Foreign,
@@ -27,6 +30,17 @@ _CONTROL_IN_LINES = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff]")
 _LONGEST_NOTES = 100_000
 MOST_COLOURS = 30_000
 """Of a foreign file: ten times the largest colour atlas, and as many as are read in two seconds."""
+_written_here: ContextVar[bool] = ContextVar("written_here", default=False)
+
+
+@contextmanager
+def written_here() -> Iterator[None]:
+    """Let readers take as many colours as a palette has: what they read meanwhile was written by this program."""
+    token = _written_here.set(True)
+    try:
+        yield
+    finally:
+        _written_here.reset(token)
 
 
 class Collector:
@@ -54,10 +68,11 @@ class Collector:
         self.notes[sentence] = self.notes.get(sentence, 0) + 1
 
     def check_count(self, count: int, place: str) -> None:
-        """Refuse a file of more colours than a palette holds, before any of them is made."""
-        if count > MOST_COLOURS:
+        """Refuse a file of more colours than are allowed in it, before any of them is made."""
+        most = MOST_ENTRIES if _written_here.get() else MOST_COLOURS
+        if count > most:
             raise self.fail(
-                f"{count:,} colours are more than the {MOST_COLOURS:,} that a file of this kind may have",
+                f"{count:,} colours are more than the {most:,} that a file of this kind may have",
                 place,
             )
 

@@ -6,8 +6,11 @@ from collections import Counter
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.files.palettes import collecting
 from brdf_suite.files.palettes.conversions import in_srgb
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.own import FORMAT as OWN
 
 _SAME = 1e-9
 
@@ -20,16 +23,30 @@ def encoded(palette: Palette, known: PaletteFormat) -> bytes:
     SuiteError
         The format is only read, or cannot hold so many colours.
     """
-    from brdf_suite.errors import SuiteError
-
     if known.write is None:
         raise SuiteError(f"{known.title} is only read here; choose another format.")
     return known.write(palette)
 
 
 def losses_of(palette: Palette, known: PaletteFormat, content: bytes, path: PathLike) -> tuple[str, ...]:
-    """Return what of a palette is missing or changed in the content of its file, in sentences."""
-    back, _ = known.read(content, path)
+    """Return what of a palette is missing or changed in the content of its file, in sentences.
+
+    Raises
+    ------
+    SuiteError
+        The palette is so large that the file would be beyond what is read of its format.
+    """
+    many = len(palette) > collecting.MOST_COLOURS
+    try:
+        with collecting.written_here():
+            back, _ = known.read(content, path)
+    except FileError as error:
+        if not many:
+            raise
+        raise SuiteError(
+            f"{_many(len(palette), 'entry')} are too many for {known.title}: the file {error.reason}. Write it in "
+            "parts, or as a .brdfpalette."
+        ) from error
     sections = palette.sections() if known.order != "kept" else [(None, palette.entries)]
     if known.order == "none first":
         sections.sort(key=lambda section: section[0] is not None)
@@ -37,7 +54,13 @@ def losses_of(palette: Palette, known: PaletteFormat, content: bytes, path: Path
     told = _of_entries(entries, list(back))
     if [e.id for e in entries] != [e.id for e in palette] and not _keeps_order(palette, back):
         told.append("The entries of each group stand together there.")
-    return (*told, *_of_palette(palette, back))
+    told += _of_palette(palette, back)
+    if many and known is not OWN:
+        most = f"{collecting.MOST_COLOURS:,}"
+        told.append(
+            f"BRDF Suite opens no file of this kind with more than {most} colours, so it cannot read this one back."
+        )
+    return tuple(told)
 
 
 def _keeps_order(palette: Palette, back: Palette) -> bool:

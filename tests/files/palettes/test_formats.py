@@ -331,3 +331,33 @@ def test_what_is_no_profile_of_krita_is_left_out_and_told(text: str) -> None:
     assert read_content(kpl.write(own), "a", kpl).palette.foreign == sound
     assert losses(own, kpl) == ("What another program's file said further of the palette is left out.",)
     assert losses(replace(own, foreign=sound), kpl) == ()
+
+
+def test_more_colours_than_are_read_of_others_are_written_all_the_same(
+    written: PaletteFormat, full: Palette, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("brdf_suite.files.palettes.collecting.MOST_COLOURS", len(full) - 1)
+    path = tmp_path / f"a{written.endings[0]}"
+    told = write_palette(full, path, written).losses
+    back = "BRDF Suite opens no file of this kind with more than 7 colours, so it cannot read this one back."
+    if written.name == "brdfpalette":
+        assert told == ()
+        assert len(read_palette(path).palette) == len(full)
+    else:
+        assert told[-1] == back
+        with pytest.raises(FileError, match="8 colours are more than the 7"):
+            read_content(path.read_bytes(), path, written)
+    monkeypatch.setattr("brdf_suite.files.palettes.collecting.MOST_COLOURS", len(full))
+    assert back not in losses(full, written)
+
+
+def test_a_palette_beyond_what_a_format_reads_is_refused_before_the_file(
+    full: Palette, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("brdf_suite.files.palettes.collecting.MOST_COLOURS", len(full) - 1)
+    monkeypatch.setattr("brdf_suite.files.hardened_xml.MOST_ELEMENTS", 40)
+    with pytest.raises(
+        SuiteError, match="8 entries are too many for CxF3: the file has more than 40 elements"
+    ):
+        write_palette(full, tmp_path / "a.cxf")
+    assert list(tmp_path.iterdir()) == []
