@@ -15,9 +15,10 @@ from brdf_qt.message_bar import message_of
 from brdf_qt.progress_strip import ProgressStrip
 from brdf_qt.settings import settings, state_folder
 from brdf_qt.translation import mark, tr
-from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QPushButton, QToolButton, QVBoxLayout, QWidget
 
+from brdf_lobe_visualizer.basis_paints import FolderPaints, PaintsIn
 from brdf_lobe_visualizer.basis_plots import BasisPlots
 from brdf_lobe_visualizer.basis_run import MOST_LOBES, BasisRun
 from brdf_lobe_visualizer.desk import Desk
@@ -94,8 +95,9 @@ class Basis(QObject):
         self._working = self._built = self._follows_run = False
         self._watch = FileWatch(self)
         self._watch.changed.connect(lambda _path: self._read())
-        self._paints = QFileSystemWatcher(self)
-        self._paints.directoryChanged.connect(lambda _path: self._tell())
+        self._paints = FolderPaints(desk, self)
+        self._paints.changed.connect(self._tell)
+        self._output_of: tuple[Path, Path] | None = None
         window.add_plot(BASIS, tr("Basis"), self.view)
         self.view.search.clicked.connect(self.start_search)
         self.view.choose.triggered.connect(self._choose_folder)
@@ -111,7 +113,8 @@ class Basis(QObject):
     @property
     def is_complete(self) -> bool:
         """Whether all that is shown is there; a search that the user has started is not waited for."""
-        return not self._is_shown() or (self._built and not self._working and not self._timer.isActive())
+        waits = self._working or self._paints.busy or self._timer.isActive()
+        return not self._is_shown() or (self._built and not waits)
 
     def close(self) -> None:
         """End a search that runs; what it found is kept."""
@@ -126,6 +129,8 @@ class Basis(QObject):
         """Take a folder of paints as the database; its search is shown where there is one."""
         if self.run is not None:
             self.run.cancel()
+        elif not self.view.search.isEnabled():
+            self._drop_search()
         self._follows_run = False
         self.folder = folder
         settings().setValue(_FOLDER_KEY, "" if folder == _shipped() else str(folder))
@@ -139,23 +144,31 @@ class Basis(QObject):
 
     def start_search(self) -> None:
         """Search the exponents for the present folder, in a process of its own."""
-        if self.run is not None:
+        if self.run is not None or not self.view.search.isEnabled():
             return
-        count = len(list(self.folder.rglob(f"*{PAINT_ENDING}")))
-        if count == 0:
-            self._desk.show_message(
-                message_of(FileError(self.folder, f"there is no paint ({PAINT_ENDING})"), BASIS)
-            )
+        self.view.search.setEnabled(False)
+        self.view.progress.set_job(BASIS, 0.0, tr("Looking for paints"), self._drop_search)
+        self._paints.look(self._begin_search)
+
+    def _drop_search(self) -> None:
+        self._paints.forget_wishes()
+        self.view.progress.end_job(BASIS)
+        self.view.search.setEnabled(True)
+
+    def _begin_search(self, paints: PaintsIn) -> None:
+        if not paints.count:
+            self._drop_search()
+            error = FileError(self.folder, f"there is no paint ({PAINT_ENDING})")
+            self._desk.show_message(message_of(error, BASIS))
             return
-        run = BasisRun(self.folder, self._output(), max(1, min(MOST_LOBES, count)), self)
+        run = BasisRun(self.folder, self._output(), max(1, min(MOST_LOBES, paints.count)), self)
         self.run = run
         self._follows_run = True
-        words = tr("Searching the basis of {count} paints").format(count=count)
+        words = tr("Searching the basis of {count} paints").format(count=paints.count)
         run.moved.connect(lambda fraction, what: self._moved(fraction, f"{words}: {what}"))
         run.done.connect(self._done)
         run.failed.connect(self._failed)
         run.cancelled.connect(self._ended)
-        self.view.search.setEnabled(False)
         self.view.progress.set_job(BASIS, 0.0, words, run.cancel)
         run.start()
 
@@ -177,11 +190,7 @@ class Basis(QObject):
         self._ask_own()
 
     def _follow_folder(self) -> None:
-        watched = self._paints.directories()
-        if watched:
-            self._paints.removePaths(watched)
-        if self.folder.is_dir():
-            self._paints.addPath(str(self.folder))
+        self._paints.follow(self.folder)
         if self.folder == _shipped():
             self.show_file(Path(str(resource("basis", STORED_NAME))))
             return
@@ -235,19 +244,18 @@ class Basis(QObject):
     def _is_stale(self, search: StoredSearch) -> bool:
         if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):
             return False  # a file of its own: of which paints nobody knows
-        from brdf_suite.fitting.basis_search.database import database_sha256
-
-        try:
-            return database_sha256(self.folder) != search.sha256
-        except (SuiteError, OSError):
-            return True  # the paints have gone
+        paints = self._paints.known
+        # Until the folder has been looked at nothing is said; without a sum the paints have gone.
+        return paints is not None and paints.sha256 != search.sha256
 
     def _output(self) -> Path:
         """Return where a search of the present folder is kept: by the folder's place."""
         import hashlib
 
-        place = hashlib.sha256(str(self.folder.resolve()).encode()).hexdigest()[:16]
-        return state_folder("basis") / f"{place}.json"
+        if self._output_of is None or self._output_of[0] != self.folder:
+            place = hashlib.sha256(str(self.folder.resolve()).encode()).hexdigest()[:16]
+            self._output_of = self.folder, state_folder("basis") / f"{place}.json"
+        return self._output_of[1]
 
     # The selected reflectance.
 
@@ -319,6 +327,7 @@ class Basis(QObject):
             self.run.deleteLater()
             self.run = None
         self._tell()
+        self._paints.look()  # in folders below, no change was told
 
     # What the user chooses.
 

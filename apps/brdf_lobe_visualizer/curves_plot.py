@@ -19,7 +19,7 @@ from brdf_lobe_visualizer.slice_options import SliceOptions, SliceState
 from brdf_lobe_visualizer.slice_words import AXIS_LETTERS, AXIS_TIPS, AXIS_TITLES, UNIT, degrees, quantity
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.slices import FINEST_DEG, Axis
-from brdf_suite.pipeline.slices_values import nice_above
+from brdf_suite.pipeline.slices_values import SliceError, nice_above
 
 _DECADES = 7.0
 """A logarithmic axis reaches no further down than this below its top."""
@@ -57,12 +57,12 @@ class CurvesPlot(QWidget):
             self.axis_buttons[axis] = button
             head.addWidget(button)
         head.addSpacing(8)
-        self.log_value = ChoiceButton(tr("log value"))
+        self.log_value = ChoiceButton(tr("log y"))
         self.log_value.setToolTip(
             tr("A logarithmic axis of values; differences, which have a sign, stay linear.")
         )
         self.log_value.clicked.connect(lambda on: state.set(log_value=on))
-        self.log_angle = ChoiceButton(tr("log angle"))
+        self.log_angle = ChoiceButton(tr("log x"))
         self.log_angle.setToolTip(
             tr("A logarithmic axis of angles, for peaks; of γ the side towards the normal is shown.")
         )
@@ -237,7 +237,7 @@ class CurvesPlot(QWidget):
             error = lines.errors.get(line.key)
             if error is not None and line.key not in errors:
                 errors[line.key] = tr(
-                    "Fit of {name}: RMS {rms} {unit} ({share} %), at most {worst} {unit} at {angle}"
+                    "{name}: RMS {rms} {unit} ({share} %), at most {worst} {unit} at {angle}"
                 ).format(
                     name=line.title,
                     rms=number(error.rms),
@@ -252,7 +252,8 @@ class CurvesPlot(QWidget):
         black = {line.title for line in lines.lines if line.kind != "difference" and _is_zero(line.value)}
         rest.extend(tr("{name}: 0 everywhere").format(name=name) for name in sorted(black))
         front = next((line for line in lines.lines if line.is_front), lines.lines[-1])
-        shown = [errors[front.key]] if front.key in errors else []
+        # In few words, for there is little room; the tip has all figures.
+        shown = [_short(lines, lines.errors[front.key])] if front.key in errors else []
         self.note.setText(" · ".join([*shown, *rest]))
         self.note.setToolTip("\n".join([*errors.values(), *rest]))
 
@@ -317,6 +318,13 @@ def _bands(angle_deg: Floats, holes: Any, log_x: bool) -> list[tuple[float, floa
         for low, high in bands
         if high > FINEST_DEG
     ]
+
+
+def _short(lines: Lines, error: SliceError) -> str:
+    size = f"{100.0 * error.relative:.1f} %" if np.isfinite(error.relative) else f"{number(error.rms)} {UNIT}"
+    return tr("Fit: RMS {rms}, at most {worst} {unit} at {angle}").format(
+        rms=size, worst=number(error.worst), unit=UNIT, angle=degrees(lines.cut.axis, error.worst_deg)
+    )
 
 
 def _value_range(lines: Lines, log_y: bool) -> tuple[float, float]:

@@ -15,7 +15,7 @@ from brdf_lobe_visualizer.options import INCIDENCE_DEG, MOST_THETA_DEG
 from brdf_lobe_visualizer.space_options import SPEED_RANGE, SpaceOptions, SpaceState
 from brdf_lobe_visualizer.sweep import SweepControl
 
-_SWEEPS = {"polar": mark("Polar angle, to and fro"), "azimuth": mark("Azimuth, round")}
+_SWEEPS = {"polar": mark("Polar angle"), "azimuth": mark("Azimuth")}
 
 
 class IncidenceSection(QWidget):

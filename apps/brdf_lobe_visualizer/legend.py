@@ -166,7 +166,7 @@ class Legend(QWidget):
         box.setSpacing(4)
         box.addLayout(self._head())
         box.addWidget(self.pages, 1)
-        self.setMinimumWidth(200)
+        self.setMinimumWidth(170)
 
     def show_rows(self, rows: Sequence[LegendRow], front: str) -> None:
         """Show these rows, of which that of key ``front`` is selected."""
@@ -199,7 +199,7 @@ class Legend(QWidget):
                 self.rows.editItem(self.rows.topLevelItem(place), TITLE)
 
     def sizeHint(self) -> QSize:
-        return QSize(270, 240)
+        return QSize(220, 240)
 
     def _build_rows(self) -> None:
         rows = self.rows

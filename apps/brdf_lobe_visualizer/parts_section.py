@@ -28,7 +28,7 @@ _STYLES = {"lines": mark("As lines"), "glass": mark("Like glass"), "solid": mark
 _VIEWS = {
     "sum": mark("Their sum"),
     "parts": mark("The three parts"),
-    "stacked": mark("Stacked, lobe on lobe"),
+    "stacked": mark("Stacked"),
     "apart": mark("Each lobe alone"),
 }
 

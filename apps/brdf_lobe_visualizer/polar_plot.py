@@ -22,7 +22,7 @@ from brdf_suite.pipeline.slices_values import LOG_DECADES, Scale, nice_above, ra
 _SCALES: dict[Scale, str] = {
     "linear": mark("linear radius"),
     "cbrt": mark("cube-root radius"),
-    "log": mark("logarithmic radius"),
+    "log": mark("log radius"),
 }
 _CLEAR_PX = 26.0
 _SIDE_PX, _TOP_PX, _FOOT_PX = 44.0, 24.0, 22.0

@@ -91,6 +91,8 @@ def _layout(
             right += 0.5 * room.bar_ticks
         else:
             right += GAP + BAR + 8.0 + room.bar_ticks + room.line
+            # The numbers at the bar's ends reach half a line beyond it.
+            top, under = max(top, 0.5 * room.line), max(under, 0.5 * room.line)
     # Numbers of one row's foot and the next one's top would lie on each other.
     gap_y = max(GAP, room.line) if room.y_ticks else GAP
     wide = (width - left - right - GAP * (columns - 1)) / columns

@@ -44,7 +44,10 @@ class Opened:
     title: str
     entries: tuple[tuple[str, str], ...] = ()
     """Name and origin of every entry of a palette."""
+    refused: tuple[str, ...] = ()
+    """Why entries of a palette cannot be shown, one sentence each."""
     notes: tuple[str, ...] = ()
+    """What was repaired, assumed or left out where a palette was read."""
 
 
 def open_source(asked: str, progress: Progress | None = None) -> Opened:
@@ -144,20 +147,28 @@ def _foreign_palette(path: str, no_measurement: FileError, progress: Progress | 
         )
         raise FileError(path, reason, no_measurement.place) from no_measurement
     read = read_palette(path)
-    return _shown_of_palette(read.palette, path, None, progress)
+    return _shown_of_palette(read.palette, path, None, progress, read.notes)
 
 
 def _of_palette(path: str, entry_id: str | None, progress: Progress | None) -> Opened:
     if kind_of(path) != "palette":
         from brdf_suite.files.palettes import read_palette
 
-        return _shown_of_palette(read_palette(path).palette, path, entry_id, progress)
+        read = read_palette(path)
+        # Of a single entry nothing is told of the others: it comes from a list that has told it already.
+        return _shown_of_palette(read.palette, path, entry_id, progress, read.notes)
     from brdf_suite.documents.palette_store import load_palette
 
     return _shown_of_palette(load_palette(path), path, entry_id, progress)
 
 
-def _shown_of_palette(palette: Palette, path: str, entry_id: str | None, progress: Progress | None) -> Opened:
+def _shown_of_palette(
+    palette: Palette,
+    path: str,
+    entry_id: str | None,
+    progress: Progress | None,
+    notes: tuple[str, ...] = (),
+) -> Opened:
     """Return the entry of an id, or the first of a palette."""
     entries = tuple((entry.name or entry.id, f"{path}{ENTRY_MARK}{entry.id}") for entry in palette)
     if entry_id is not None:
@@ -166,7 +177,7 @@ def _shown_of_palette(palette: Palette, path: str, entry_id: str | None, progres
         return _one(_of_entry(palette.entry(entry_id), f"{path}{ENTRY_MARK}{entry_id}"))
     if not len(palette):
         raise FileError(path, "is a palette without a paint")
-    subjects, notes = [], []
+    subjects, refused = [], []
     for place, entry in enumerate(palette):
         if len(subjects) == MOST_AT_ONCE:
             break
@@ -174,8 +185,8 @@ def _shown_of_palette(palette: Palette, path: str, entry_id: str | None, progres
         try:
             subjects.append(_of_entry(entry, entries[place][1]))
         except SuiteError as error:
-            notes.append(str(error))
-    return Opened(tuple(subjects), palette.name, entries, tuple(notes))
+            refused.append(str(error))
+    return Opened(tuple(subjects), palette.name, entries, tuple(refused), notes)
 
 
 def _of_entry(entry: Entry, origin: str) -> Subject:

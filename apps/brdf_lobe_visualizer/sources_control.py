@@ -158,18 +158,24 @@ class Sources(QObject):
     def _tell(self, name: str, found: Opened, shown: int) -> None:
         key = f"open {name}"
         self._window.dismiss_message(key)
-        if found.notes:
+        noted = " ".join(found.notes)
+        more = ""
+        if shown + len(found.refused) < len(found.entries):
+            more = tr("The others stand in the panel Reflectances (Ctrl+L).")
+        if found.refused:
             what = tr("{count} entries of {title} cannot be shown.").format(
-                count=len(found.notes), title=found.title
+                count=len(found.refused), title=found.title
             )
-            self._window.show_message(Message(key, what, where=found.notes[0], severity="warning"))
+            where = " ".join((found.refused[0], *found.notes))
+            self._window.show_message(Message(key, what, where=where, todo=more, severity="warning"))
         elif shown < len(found.entries):
             what = tr("{title} has {count} paints; the first {shown} are shown.").format(
                 title=found.title, count=len(found.entries), shown=shown
             )
-            self._window.show_message(
-                Message(key, what, todo=tr("The others stand in the panel Reflectances (Ctrl+L)."))
-            )
+            self._window.show_message(Message(key, what, where=noted, todo=more))
+        elif noted:
+            what = tr("{title} was read with remarks.").format(title=found.title)
+            self._window.show_message(Message(key, what, where=noted))
 
     def _remember(self, name: str) -> None:
         if not Path(name).is_file():

@@ -1,7 +1,8 @@
 """What the view draws with OpenGL: buffers that are kept and written again, and the programs of its shaders.
 
-pyqtgraph's own mesh item makes new arrays of every vertex and face for each change: with normals, 0.2 s for a lobe of
-32,768 points. Here points, normals and colours go as they are into buffers of the card that are made once.
+pyqtgraph's own mesh item makes new arrays of every vertex and face for each change: from ``setMeshData`` with smooth
+normals to the picture it takes 0.5 s for the lobe's grid of 32,896 points, where drawing alone takes 0.03 s (pyqtgraph
+0.14, two cores, drawn in software). Here points, normals and colours go as they are into buffers that are made once.
 """
 
 from __future__ import annotations

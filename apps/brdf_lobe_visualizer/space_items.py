@@ -202,8 +202,9 @@ class PointItem:
         rim: Rgba,
         *,
         behind: bool = True,
+        opacity: float = 1.0,
     ) -> None:
-        """Draw ``rows`` as discs of ``size`` pixels with a rim."""
+        """Draw ``rows`` as discs of ``size`` pixels with a rim; with ``behind`` surfaces before them hide them."""
         if not len(rows):
             return
         self._arrays.bind()
@@ -211,7 +212,7 @@ class PointItem:
             self._buffer.write(rows)
             self._written = rows
         program.use()
-        program.set(to_clip=sight.to_clip, size=float(size * sight.ratio), rim=rim)
+        program.set(to_clip=sight.to_clip, size=float(size * sight.ratio), rim=rim, opacity=float(opacity))
         GL.glEnable(GL.GL_PROGRAM_POINT_SIZE)
         _blended(behind)
         GL.glDrawArrays(GL.GL_POINTS, 0, len(rows))

@@ -12,8 +12,9 @@ from brdf_qt.translation import tr
 from brdf_lobe_visualizer.crosshair import number
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.slice_words import UNIT, quantity
+from brdf_lobe_visualizer.space_fill import full_of, tops_of
 from brdf_lobe_visualizer.space_frame import rings_of
-from brdf_lobe_visualizer.space_options import BODY_DEG, SpaceOptions
+from brdf_lobe_visualizer.space_options import SpaceOptions
 from brdf_lobe_visualizer.space_samples import sample_points
 from brdf_lobe_visualizer.space_scene import CUT, Bar, FrameOptions, Layer, Panel, Scene, Style
 from brdf_lobe_visualizer.space_values import Found, SpaceValues, with_cosine
@@ -84,11 +85,13 @@ class SceneMaker:
         numbers = {
             id(sheet): with_cosine(sheet.found, shared.cosine) for plan in plans for sheet in plan.sheets
         }
-        tops = [self._top(plan, numbers, options) for plan in plans]
-        most = max(tops, default=0.0)
+        tops = [self._tops(plan, numbers) for plan in plans]
+        most = (max((peak for peak, _ in tops), default=0.0), max((body for _, body in tops), default=0.0))
         scales = [
             RadiusScale(
-                shared.radius, self._full(top if options.own_scale else most, options), options.decades
+                shared.radius,
+                full_of(*(top if options.own_scale else most), shared.radius, options),
+                options.decades,
             )
             for top in tops
         ]
@@ -105,20 +108,12 @@ class SceneMaker:
             bar = _bar(scale, quantity(shared), signed=difference)
         return Scene(panels, desk.light, scale, bar, quantity(shared), frame)
 
-    def _full(self, most: float, options: SpaceOptions) -> float:
-        if options.fill == "value":
-            return options.full
-        return most if most > 0.0 else 1.0
-
-    def _top(self, plan: _Plan, numbers: dict[int, Singles], options: SpaceOptions) -> float:
+    def _tops(self, plan: _Plan, numbers: dict[int, Singles]) -> tuple[float, float]:
         channel = self._desk.options.channel
-        tops = []
-        for sheet in plan.sheets:
-            shown = scalar_of(numbers[id(sheet)], channel)
-            if options.fill == "body":
-                shown = np.where(sheet.found.grid.gamma > np.radians(BODY_DEG), shown, np.float32(0.0))
-            tops.append(greatest(shown))
-        return max(tops, default=0.0)
+        tops = [
+            tops_of(sheet.found.grid, scalar_of(numbers[id(sheet)], channel)) for sheet in plan.sheets
+        ] or [(0.0, 0.0)]
+        return max(peak for peak, _ in tops), max(body for _, body in tops)
 
     # Which panels.
 

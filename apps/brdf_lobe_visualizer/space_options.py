@@ -20,7 +20,7 @@ LobeView = Literal["sum", "parts", "stacked", "apart"]
 FIT_STYLES: tuple[FitStyle, ...] = get_args(FitStyle)
 ARRANGEMENTS: tuple[Arrangement, ...] = get_args(Arrangement)
 LOBE_VIEWS: tuple[LobeView, ...] = get_args(LobeView)
-Fill = Literal["greatest", "body", "value"]
+Fill = Literal["auto", "greatest", "body", "value"]
 Sweep = Literal["polar", "azimuth"]
 FILLS: tuple[Fill, ...] = get_args(Fill)
 SWEEPS: tuple[Sweep, ...] = get_args(Sweep)
@@ -47,8 +47,8 @@ class SpaceOptions:
     lobes
         A fit as its sum, as its three parts, its lobes stacked, or each lobe alone.
     fill, full
-        What has radius 1: the greatest value that is shown, the greatest of the bodies (:data:`BODY_DEG`), or the value
-        ``full`` in 1/sr.
+        What has radius 1: a value by which peak and body are both seen, the greatest that is shown, the greatest of the
+        bodies (:data:`BODY_DEG`), or the value ``full`` in 1/sr.
     own_scale
         Each panel has a scale of its own.
     decades
@@ -65,7 +65,7 @@ class SpaceOptions:
     fit_style: FitStyle = "lines"
     arrangement: Arrangement = "overlay"
     lobes: LobeView = "sum"
-    fill: Fill = "greatest"
+    fill: Fill = "auto"
     full: float = 1.0
     own_scale: bool = False
     decades: float = 6.0

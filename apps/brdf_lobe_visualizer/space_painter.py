@@ -20,7 +20,9 @@ from brdf_lobe_visualizer.space_gl import Program
 from brdf_lobe_visualizer.space_items import PointItem, SegmentItem, Sight, SurfaceItem, points
 from brdf_lobe_visualizer.space_scene import Layer, Panel, Rgba, Scene
 
-_POINT_PX = 5.0
+_POINT_PX = 7.0
+_HIDDEN = 0.3
+"""How much of a sample is seen through a lobe that lies before it."""
 _HANDLE_PX, _HOT_PX = 11.0, 13.0
 _SPARE = 4
 """Surfaces that are kept for the next scene with more of them."""
@@ -106,7 +108,9 @@ class SpacePainter:
         if panel.points is not None and len(panel.points.places):
             if self._rows is None or self._rows[0] is not panel.points:
                 self._rows = panel.points, points(panel.points.places, panel.points.colours)
-            self._points.draw(self._programs["point"], sight, self._rows[1], _POINT_PX, ground)
+            program, rows_of = self._programs["point"], self._rows[1]
+            self._points.draw(program, sight, rows_of, _POINT_PX, ground, behind=False, opacity=_HIDDEN)
+            self._points.draw(program, sight, rows_of, _POINT_PX, ground)
         for order, (item, layer) in enumerate(rows):
             if layer.style != "solid":
                 self._surface(item, layer, sight, ink, order)

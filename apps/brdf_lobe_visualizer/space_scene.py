@@ -16,7 +16,7 @@ from brdf_suite.pipeline.lobe_surface_scale import RadiusScale
 Singles = npt.NDArray[np.float32]
 Style = Literal["solid", "glass", "lines"]
 
-CUT = 1.25
+CUT = 1.15
 """The radius at which what is longer than the scale ends."""
 Rgba = tuple[float, float, float, float]
 

@@ -15,28 +15,29 @@ from brdf_suite.pipeline.lobe_surface_scale import LEAST_DECADES, MOST_DECADES
 
 _RADII = {"linear": mark("Linear"), "cbrt": mark("Cube root"), "log": mark("Logarithm")}
 _COSINES = {
-    "none": mark("f_r, without a cosine"),
-    "light": mark("f_r·cosθi, reflected radiance"),
-    "both": mark("f_r·cosθi·cosθo, intensity"),
+    "none": mark("f_r"),
+    "light": mark("f_r·cosθi"),
+    "both": mark("f_r·cosθi·cosθo"),
 }
 _CHANNELS = {
     "colour": mark("Luminance"),
     "r": mark("Red"),
     "g": mark("Green"),
     "b": mark("Blue"),
-    "luminance": mark("Luminance, in grey"),
+    "luminance": mark("Luminance, grey"),
 }
 _COLOURINGS = {
-    "light": mark("The reflected light's"),
-    "line": mark("The legend's"),
+    "light": mark("Reflected light"),
+    "line": mark("As in the legend"),
     "values": mark("A map of values"),
 }
 _FILLS = {
+    "auto": mark("Automatic"),
     "greatest": mark("The greatest value"),
-    "body": mark("The greatest, 5° off R"),
-    "value": mark("A value that is held"),
+    "body": mark("The greatest off R"),
+    "value": mark("A held value"),
 }
-_ARRANGEMENTS = {"overlay": mark("Over one another"), "panels": mark("Each beside the others")}
+_ARRANGEMENTS = {"overlay": mark("Over one another"), "panels": mark("Side by side")}
 _FLAGS = {
     "hemisphere": mark("Hemisphere"),
     "labels": mark("Labels"),
@@ -69,14 +70,23 @@ class SurfaceSection(QWidget):
         self.fill = ChoiceField(_FILLS, plain.fill)
         self.fill.chosen.connect(self._choose_fill)
         form.add_row(
-            tr("Radius 1 is"), self.fill, tr("Which value reaches the hemisphere. What is longer is cut off.")
+            tr("Radius 1 is"),
+            self.fill,
+            tr(
+                "Which value reaches the hemisphere; what is longer is cut off. Automatic: the greatest, or less where "
+                "the body would be shorter than half a radius. Off R: farther than 5° from the mirror direction."
+            ),
         )
         self.full = NumberField(tr("Value of radius 1"), "1/sr", *FULL_RANGE, 0.1, 4, plain.full)
         self.full.edited.connect(lambda value: state.set(full=value, fill="value"))
         form.add_row(tr("Value"), self.full, tr("Held while the light moves."))
         self.cosine = ChoiceField(_COSINES, shared.cosine)
         self.cosine.chosen.connect(lambda key: desk.set_options(cosine=key))
-        form.add_row(tr("Quantity"), self.cosine, tr("What f_r is multiplied with, in all views."))
+        form.add_row(
+            tr("Quantity"),
+            self.cosine,
+            tr("In all views: f_r, the reflected radiance f_r·cosθi, or the intensity f_r·cosθi·cosθo."),
+        )
         self.channel = ChoiceField(_CHANNELS, shared.channel)
         self.channel.chosen.connect(lambda key: desk.set_options(channel=key))
         form.add_row(

@@ -14,6 +14,8 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_lobe_visualizer.assembly import LobeVisualizer
+from brdf_lobe_visualizer.fits import Fits
+from brdf_lobe_visualizer.slices import CURVES, POLAR, Slices
 from PySide6.QtCore import QCoreApplication, QEvent
 
 
@@ -86,3 +88,37 @@ def opened(program, qtbot):
         return program
 
     return open_and_wait
+
+
+@pytest.fixture(scope="module")
+def window_with_slices(qapp, tmp_path_factory):
+    """One window for a whole module with the slices alone; ``slices`` empties it for each test."""
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
+        patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
+        # Fits come as the tests give them.
+        patched.setattr(Fits, "_look", lambda _self: None)
+        program = LobeVisualizer((Slices,))
+        program.window.resize(1300, 800)
+        program.window.show()
+        yield program
+        program.close()
+        program.window.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def slices(window_with_slices, qtbot) -> Slices:
+    """The part that shows slices, with its polar plot and its curves, all options at their defaults."""
+    program = window_with_slices
+    part = next(part for part in program.parts if isinstance(part, Slices))
+    qtbot.waitUntil(lambda: part.polar.plot is not None)
+    program._started = True
+    program.desk.set_subjects(())
+    program.desk.show_all()
+    program.desk.reset_options()
+    program.desk.reset_incidence()
+    part.state.reset()
+    for key in program.window.plots.plots:
+        program.window.plots.set_shown(key, key in (POLAR, CURVES))
+    return part

@@ -120,6 +120,22 @@ def test_palettes_of_other_programs_are_solid_paints(shared_data, tmp_path, file
     assert only(origin).title == name
 
 
+def test_what_was_assumed_of_a_palette_is_told_apart_from_what_cannot_be_shown(
+    program, opened, tmp_path
+) -> None:
+    path = tmp_path / "few.gpl"
+    path.write_bytes(b"GIMP Palette\nName: Few\nColumns: many\n255 0 0 Zinnober\n10 20 30 Nacht\n")
+    found = open_source(str(path))
+    assert any("count of columns" in note for note in found.notes)
+    assert (found.refused, len(found.subjects)) == ((), 2)
+    opened(path)
+    shown = program.window.messages.shown()
+    assert [key for key in shown if "few.gpl" in key]
+    message = program.window.messages._rows[f"open {path}"].message
+    assert "count of columns" in message.where
+    assert "cannot be shown" not in message.what
+
+
 def test_nothing_and_a_narrow_lobe_are_told(tmp_path) -> None:
     path = tmp_path / "black.brdftable"
     write_measured(IsotropicTable.from_reflectance(Lambertian((0.0, 0.0, 0.0)), HalfAngleGrid(4, 4, 8)), path)

@@ -302,7 +302,7 @@ def test_numbers_presets_frame_and_reset(space, program) -> None:
     assert space.camera == Camera()
     space.state.set(fill="value", full=2.5, colouring="values", decades=3.0)
     space.surface.reset.click()
-    assert (space.state.options.fill, space.state.options.colouring) == ("greatest", "light")
+    assert (space.state.options.fill, space.state.options.colouring) == ("auto", "light")
 
 
 def test_the_sweep_moves_the_light(space, program) -> None:

@@ -6,6 +6,7 @@ in vec4 point_colour;
 
 uniform float size;
 uniform vec4 rim;
+uniform float opacity;
 
 out vec4 result;
 
@@ -15,5 +16,5 @@ void main() {
     if (cover <= 0.0) discard;
     float inner = clamp(0.5 * size - 0.8 - away, 0.0, 1.0);
     vec4 colour = mix(rim, point_colour, inner);
-    result = vec4(colour.rgb, colour.a * cover);
+    result = vec4(colour.rgb, colour.a * cover * opacity);
 }
