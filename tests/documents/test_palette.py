@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.flat_colour import CHANNELS, FlatColour
 from brdf_suite.documents.paint import Flakes, Gloss, OrangePeel, solid_paint
-from brdf_suite.documents.palette import MOST_ENTRIES, Entry, Group, Palette, new_id
+from brdf_suite.documents.palette import MOST_ENTRIES, Entry, Group, Palette
 from brdf_suite.documents.palette_store import (
     encode_palette,
     load_palette,
@@ -33,7 +33,7 @@ from brdf_suite.errors import DocumentError, FileError, ValueRangeError
 
 WHITE = Entry(
     solid_paint("White", (95.0, 0.0, 1.0)),
-    id=new_id(),
+    id="white",
     code="LY9C",
     tags=("fleet", "été"),
     notes="the customer's\nown",
