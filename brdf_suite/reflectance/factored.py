@@ -13,10 +13,10 @@ Sampling takes the maps for densities, as section 5 of the paper proposes: p(wi)
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -51,6 +51,10 @@ class Factored:
         working space, finite, not negative, kept as float32; their first row is that of the least t.
     alpha
         (3,), or one number for all channels, 0 to 10⁶.
+    source
+        Where the data come from, for the user.
+    facts
+        What the reader learned from the file, for the user.
 
     Raises
     ------
@@ -61,6 +65,8 @@ class Factored:
     p: npt.NDArray[np.float32]
     q: npt.NDArray[np.float32]
     alpha: npt.ArrayLike = (1.0, 1.0, 1.0)
+    source: str = ""
+    facts: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
     parameters: ClassVar[Mapping[str, Parameter]] = PARAMETERS
     reciprocal: ClassVar[bool] = True
     # Nothing in the form keeps a product of maps from sending back more than it gets.

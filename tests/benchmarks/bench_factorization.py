@@ -59,7 +59,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
 NOTES: dict[str, str] = {}
 TABLES: dict[str, dict[str, object]] = {}
 REPEATS = 5
-MEASURED_FACTORS = "p:wo.n q:h.n p:wi.n d:w.h"
+MEASURED_FACTORS = "p:|wo| q:|h| p:|wi| d:w.h"
 """Of isotropic measurements: radial maps, and one over the angle of Fresnel's formulas."""
 MEASURED_BIAS = 1e-3
 """Values below a thousandth of the mean are noise."""
@@ -168,7 +168,7 @@ def _held_out(key: str) -> float | None:
         found = model.eval(held.wi, held.wo)
         rows[name] = {
             "relative_rms": relative_rms(held.values, found),
-            "median_relative": median_relative(held.values, found),
+            "median_relative": accuracy(held.values, found).median_relative,
         }
     TABLES[f"{key}_heldout"] = rows
     return relative_rms(held.values, radial.product.eval(held.wi, held.wo))
@@ -177,9 +177,3 @@ def _held_out(key: str) -> float | None:
 def relative_rms(wanted: np.ndarray, found: np.ndarray) -> float:
     """RMS of the error over the RMS of the values: what SNR says in decibels."""
     return float(np.sqrt(np.mean((found - wanted) ** 2) / np.mean(wanted**2)))
-
-
-def median_relative(wanted: np.ndarray, found: np.ndarray) -> float:
-    """Half of the samples that are not 0 come nearer than this, relatively."""
-    seen = wanted > 0.0
-    return float(np.median(np.abs(found[seen] / wanted[seen] - 1.0)))

@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.brdftable import FORMAT, read_brdftable, write_brdftable
 from brdf_suite.geometry.directions import spherical
+from brdf_suite.reflectance.factored import Factored
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
@@ -43,10 +44,15 @@ def scattered(spectral: bool = True) -> ScatteredSamples:
     return ScatteredSamples(wi, wo, RNG.random((20, 3)), *spectra, isotropic=False, source="x", facts=FACTS)
 
 
+def factored() -> Factored:
+    p, q = RNG.random((4, 4, 3)).astype(np.float32), RNG.random((6, 6, 3)).astype(np.float32)
+    return Factored(p, q, (0.5, 1.0, 2.0), "a product", FACTS)
+
+
 @pytest.mark.parametrize(
     "make",
-    [isotropic, lambda: isotropic(False), anisotropic, scattered, lambda: scattered(False)],
-    ids=["isotropic", "whole turn", "anisotropic", "spectral", "colours"],
+    [isotropic, lambda: isotropic(False), anisotropic, factored, scattered, lambda: scattered(False)],
+    ids=["isotropic", "whole turn", "anisotropic", "factored", "spectral", "colours"],
 )
 def test_every_kind_comes_back_to_the_last_bit(make: Callable[[], Any], tmp_path: Path) -> None:
     value, path = make(), tmp_path / "a.brdftable"

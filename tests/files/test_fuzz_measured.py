@@ -14,6 +14,7 @@ import pytest
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.store import paint_to_json
 from brdf_suite.files.measured import read_measured, write_measured
+from brdf_suite.reflectance.factored import Factored
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -100,6 +101,8 @@ def tables(tmp_path_factory: pytest.TempPathFactory) -> Path:
     write_measured(
         ScatteredSamples(directions[0], directions[1], rng.random((40, 3))), folder / "scattered.brdftable"
     )
+    maps = rng.random((2, 8, 8, 3)).astype(np.float32)
+    write_measured(Factored(maps[0], maps[1], (0.5, 0.6, 0.7)), folder / "factored.brdftable")
     rng.uniform(0.01, 0.2, (3, 288, 288)).astype("<f8").tofile(folder / "cloth.bin")
     write_measured(read_measured(folder / "cloth.bin"), folder / "anisotropic.brdftable")
     return folder
@@ -107,7 +110,14 @@ def tables(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize(
     "name",
-    ["isotropic.brdftable", "scattered.brdftable", "anisotropic.brdftable", "small.binary", "cloth.bin"],
+    [
+        "isotropic.brdftable",
+        "scattered.brdftable",
+        "anisotropic.brdftable",
+        "factored.brdftable",
+        "small.binary",
+        "cloth.bin",
+    ],
 )
 def test_damaged_tables(tables: Path, tmp_path: Path, fuzzing: ModuleType, name: str) -> None:
     counts, longest = fuzzing.fuzz(tables / name, MUTATIONS, seed=5, keep=tmp_path)

@@ -5,6 +5,8 @@ The header is ``{"format": "brdftable", "version": 1, "kind", "source", "facts",
 - ``isotropic``: ``values`` <f4 (θh, θd, φd, 3), ``holes`` |u1 (θh, θd, φd), 1 where not measured; header
   ``reciprocal``: φd over [0, π) or, if false, [0, 2π).
 - ``anisotropic``: ``values`` <f4 (θi, φi, θo, φo, 3), ``theta_i`` and ``theta_o`` <f8, radians.
+- ``factored``: ``p`` <f4 (n, n, 3) and ``q`` <f4 (m, m, 3), parabolic maps, and ``alpha`` <f8 (3,):
+  f_r = alpha p(wo) q(h) p(wi).
 - ``scattered``: ``wi`` and ``wo`` <f8 (n, 3), ``values`` <f8 (n, 3), and where there are spectra
   ``spectra`` <f8 (n, k) and ``wavelengths_nm`` <f8 (k,); header ``isotropic``.
 
@@ -22,6 +24,7 @@ from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.measured.array_container import MAGIC, Array, read_container, write_container
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
 from brdf_suite.files.measured.tabulation import tabulation_notes
+from brdf_suite.reflectance.factored import Factored
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -29,18 +32,19 @@ from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 VERSION = 1
 
-Table = IsotropicTable | AnisotropicTable | ScatteredSamples
+Table = IsotropicTable | AnisotropicTable | Factored | ScatteredSamples
 
 #: kind -> arrays that must be there, header fields of its own, arrays that may be there
 _KINDS: dict[str, tuple[set[str], dict[str, type], set[str]]] = {
     "isotropic": ({"values", "holes"}, {"reciprocal": bool}, set()),
     "anisotropic": ({"values", "theta_i", "theta_o"}, {}, set()),
+    "factored": ({"p", "q", "alpha"}, {}, set()),
     "scattered": ({"wi", "wo", "values"}, {"isotropic": bool}, {"spectra", "wavelengths_nm"}),
 }
 
 
 def write_brdftable(value: Reflectance, path: PathLike) -> tuple[str, ...]:
-    """Write a table or samples as they are; any other reflectance is tabulated as 90 × 90 × 180 isotropic bins.
+    """Write a table, a product of maps or samples as they are; any other reflectance as 90 × 90 × 180 isotropic bins.
 
     Returns notes: what was lost, each a clause for the user.
 
@@ -51,7 +55,7 @@ def write_brdftable(value: Reflectance, path: PathLike) -> tuple[str, ...]:
     """
     table: Table
     notes: tuple[str, ...] = ()
-    if isinstance(value, (IsotropicTable, AnisotropicTable, ScatteredSamples)):
+    if isinstance(value, (IsotropicTable, AnisotropicTable, Factored, ScatteredSamples)):
         table = value
     else:
         facts = dict(getattr(value, "facts", {}))
@@ -121,6 +125,8 @@ def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, Array]]:
             "theta_o": table.theta_o,
         }
         return "anisotropic", {}, arrays
+    if isinstance(table, Factored):
+        return "factored", {}, {"p": table.p, "q": table.q, "alpha": np.asarray(table.alpha, np.float64)}
     arrays = {"wi": table.wi, "wo": table.wo, "values": table.values}
     if table.spectra is not None and table.wavelengths_nm is not None:
         arrays |= {"spectra": table.spectra, "wavelengths_nm": table.wavelengths_nm}
@@ -129,7 +135,8 @@ def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, Array]]:
 
 def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table:
     for name, array in arrays.items():
-        wanted = {"holes": "|u1", "values": "<f8" if kind == "scattered" else "<f4"}.get(name, "<f8")
+        singles = {"values"} if kind != "scattered" else set()
+        wanted = "|u1" if name == "holes" else "<f4" if name in {"p", "q", *singles} else "<f8"
         if array.dtype.str != wanted:
             raise ValueRangeError(name, f"holds {array.dtype.str}; {wanted} is wanted")
     if kind == "isotropic":
@@ -139,6 +146,8 @@ def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table
         return IsotropicTable(arrays["values"], holes.view(np.bool_), **header)
     if kind == "anisotropic":
         return AnisotropicTable(arrays["values"], arrays["theta_i"], arrays["theta_o"], **header)
+    if kind == "factored":
+        return Factored(arrays["p"], arrays["q"], arrays["alpha"], **header)
     return ScatteredSamples(
         arrays["wi"],
         arrays["wo"],

@@ -22,6 +22,7 @@ class Accuracy:
     mean_absolute: float
     largest_absolute: float
     mean_relative: float
+    median_relative: float
     largest_relative: float
     rms: float
     snr_db: float
@@ -45,6 +46,7 @@ def accuracy(wanted: npt.ArrayLike, found: npt.ArrayLike) -> Accuracy:
         mean_absolute=float(np.abs(error).mean()),
         largest_absolute=float(np.abs(error).max()),
         mean_relative=float(relative.mean()) if relative.size else 0.0,
+        median_relative=float(np.median(relative)) if relative.size else 0.0,
         largest_relative=float(relative.max()) if relative.size else 0.0,
         rms=rms,
         snr_db=20.0 * math.log10(size / rms) if size > 0.0 < rms else math.inf,

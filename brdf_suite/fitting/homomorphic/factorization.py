@@ -36,8 +36,8 @@ class Factorization:
     @property
     def reciprocal(self) -> bool:
         """Whether exchanging light and view changes nothing: a factor of one has its like of the other, of one map."""
-        lights = sorted(f.name for f in self.factors if f.projection.name in ("wi", "wi.n"))
-        views = sorted(f.name for f in self.factors if f.projection.name in ("wo", "wo.n"))
+        lights = sorted(f.name for f in self.factors if f.projection.name in ("wi", "|wi|"))
+        views = sorted(f.name for f in self.factors if f.projection.name in ("wo", "|wo|"))
         return lights == views
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:

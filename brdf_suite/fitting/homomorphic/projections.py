@@ -60,6 +60,12 @@ def _half_pair(wi: Floats, wo: Floats) -> Floats:
     return np.stack((np.clip(_dot(wi, h), 0.0, 1.0), np.clip(h[:, 2], 0.0, 1.0)), axis=-1)
 
 
+def _radius(w: Floats) -> Floats:
+    """How far from the middle of a parabolic map a direction lies, tan(θ/2), 1 at the horizon."""
+    s, t = parabolic_place(w)
+    return np.clip(np.hypot(s, t), 0.0, 1.0)[:, None]
+
+
 def _elevations(wi: Floats, wo: Floats) -> Floats:
     """Both cosines from the normal, the smaller first: light and view may be exchanged."""
     both = np.stack((wi[:, 2], wo[:, 2]), axis=-1)
@@ -75,9 +81,9 @@ PROJECTIONS: Mapping[str, Projection] = MappingProxyType(
             Projection("h", 2, "half vector", lambda wi, wo: _parabolic(_half(wi, wo)), hemisphere=True),
             Projection("wi.wo", 1, "cosine between light and view", _across),
             Projection("w.h", 1, "cosine between light and half vector", _difference),
-            Projection("h.n", 1, "cosine of the half vector", lambda wi, wo: _half_pair(wi, wo)[:, 1:]),
-            Projection("wi.n", 1, "cosine of the light", lambda wi, _wo: np.clip(wi[:, 2:], 0.0, 1.0)),
-            Projection("wo.n", 1, "cosine of the view", lambda _wi, wo: np.clip(wo[:, 2:], 0.0, 1.0)),
+            Projection("|wi|", 1, "radius of the light on a parabolic map", lambda wi, _wo: _radius(wi)),
+            Projection("|wo|", 1, "radius of the view on a parabolic map", lambda _wi, wo: _radius(wo)),
+            Projection("|h|", 1, "radius of the half vector there", lambda wi, wo: _radius(_half(wi, wo))),
             Projection("w.h,h.n", 2, "cosines light to half vector, half vector to normal", _half_pair),
             Projection("wi.n,wo.n", 2, "cosines of light and view, the smaller first", _elevations),
         )
@@ -98,7 +104,7 @@ DEFAULT_FACTORS = "p:wo q:h p:wi"
 """p(ωo) q(h) p(ωi), equation 9."""
 COSINE_FACTORS = "p:w.h,h.n q:wi.n,wo.n"
 """p(h·ω, h·n) q(ωi·n, ωo·n), equation 21: for isotropic reflectances."""
-RADIAL_FACTORS = "p:wo.n q:h.n p:wi.n"
+RADIAL_FACTORS = "p:|wo| q:|h| p:|wi|"
 """Equation 9 where its maps are radially symmetric, as of isotropic reflectances: one number a ring."""
 MOST_FACTORS = 8
 

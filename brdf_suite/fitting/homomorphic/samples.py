@@ -21,11 +21,15 @@ MOST_PAIRS = 4_000_000
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """f_r ``values`` (n, 3) in 1/sr at unit directions ``wi``, ``wo`` (n, 3), local frame, working space."""
+    """f_r ``values`` (n, 3) in 1/sr at unit directions ``wi``, ``wo`` (n, 3), local frame, working space.
+
+    ``even``: whether the pairs are even over both hemispheres, so that a mean over them is one over directions.
+    """
 
     wi: Floats
     wo: Floats
     values: Floats
+    even: bool = False
 
     def __len__(self) -> int:
         return len(self.values)
@@ -33,7 +37,7 @@ class Samples:
     def part(self, keep: npt.ArrayLike) -> Samples:
         """Return some of them: a mask (n,) or indices."""
         at = np.asarray(keep)
-        return Samples(self.wi[at], self.wo[at], self.values[at])
+        return Samples(self.wi[at], self.wo[at], self.values[at], self.even)
 
     def held_out(self, share: float, seed: int = DEFAULT_SEED) -> tuple[Samples, Samples]:
         """Return those to fit and those held out, drawn without order: ``share`` of all, 0 to 1."""
@@ -68,7 +72,7 @@ def samples_of(reflectance: Reflectance, pairs: int = DEFAULT_PAIRS, seed: int =
     if not 1 <= pairs <= MOST_PAIRS:
         raise ValueRangeError("pairs", f"1 to {MOST_PAIRS:,} are wanted, not {pairs}")
     wi, wo = even_directions(pairs, rng), even_directions(pairs, rng)
-    return Samples(wi, wo, np.asarray(reflectance.eval(wi, wo)))
+    return Samples(wi, wo, np.asarray(reflectance.eval(wi, wo)), even=True)
 
 
 def turned(samples: Samples, rng: np.random.Generator) -> Samples:
@@ -79,7 +83,7 @@ def turned(samples: Samples, rng: np.random.Generator) -> Samples:
     def turn(w: Floats) -> Floats:
         return np.stack((cos * w[:, 0] - sin * w[:, 1], sin * w[:, 0] + cos * w[:, 1], w[:, 2]), axis=-1)
 
-    return Samples(turn(samples.wi), turn(samples.wo), samples.values)
+    return Samples(turn(samples.wi), turn(samples.wo), samples.values, samples.even)
 
 
 def _of_table(table: IsotropicTable) -> Samples:
