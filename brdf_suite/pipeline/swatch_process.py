@@ -4,10 +4,10 @@ A driver that fails takes this process with it and nothing else, and nothing her
 request ``{"id", "look", "items"}``: ``look`` as :meth:`SwatchLook.to_json` has it, each item ``{"key", "paint"}`` or
 ``{"key", "flat"}`` with the object of a palette's file, ``key`` being whatever the asker knows it by. Each line out is
 an answer: for every item ``{"id", "key", "picture"}`` with the pixels as base64 (RGB, 8 bits, size squared, top row
-first) or ``{"id", "key", "refused"}`` where there is no such picture; ``{"id", "done"}`` after a request's last,
-``{"id", "failed"}`` where the light cannot be loaded; ``{"unavailable"}`` where nothing can be drawn on this machine,
-after which it ends. What is kept on disk is taken from there, and what is drawn is put there. It ends when its input is
-closed.
+first) or ``{"id", "key", "refused"}`` where there is no such picture, with ``"fault"`` for the log where that was a
+fault of this program; ``{"id", "done"}`` after a request's last, ``{"id", "failed"}`` where the light cannot be loaded;
+``{"id", "unavailable"}`` where nothing of this look can be drawn on this machine, after which it ends. What is kept on
+disk is taken from there, and what is drawn is put there. It ends when its input is closed.
 """
 
 from __future__ import annotations
@@ -16,9 +16,12 @@ import base64
 import json
 import os
 import sys
+import traceback
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any, TextIO
 
+from brdf_suite.documents.paint import solid_paint
 from brdf_suite.errors import GraphicsError, SuiteError
 from brdf_suite.pipeline.swatch_look import Content, SwatchLook, swatch_key
 from brdf_suite.pipeline.swatch_pictures import SwatchPainter
@@ -29,6 +32,20 @@ BATCH = 32
 _NICER = 12
 
 Answer = dict[str, object]
+
+
+@dataclass(frozen=True)
+class _Refusal:
+    """Why there is no picture; ``fault`` is the trace of an error that nobody has foreseen."""
+
+    words: str
+    fault: str = ""
+
+    def answer(self) -> Answer:
+        return {"refused": self.words, "fault": self.fault} if self.fault else {"refused": self.words}
+
+
+_Found = bytes | _Refusal
 
 
 class SwatchServer:
@@ -58,35 +75,72 @@ class SwatchServer:
         items = list(request["items"])
         for start in range(0, len(items), BATCH):
             for key, found in self._batch(items[start : start + BATCH], look):
-                if isinstance(found, str):
-                    yield {"id": name, "key": key, "refused": found}
+                if isinstance(found, _Refusal):
+                    yield {"id": name, "key": key, **found.answer()}
                 else:
                     yield {"id": name, "key": key, "picture": base64.b64encode(found).decode("ascii")}
         yield {"id": name, "done": True}
 
-    def _batch(
-        self, items: list[Mapping[str, Any]], look: SwatchLook
-    ) -> Iterator[tuple[object, bytes | str]]:
+    def _batch(self, items: list[Mapping[str, Any]], look: SwatchLook) -> Iterator[tuple[object, _Found]]:
         contents: dict[str, Content] = {}
-        asked: list[tuple[object, str | None, str]] = []
+        asked: list[tuple[object, str | _Refusal]] = []
         for item in items:
             try:
                 content = _content(item)
                 own = swatch_key(content, look)
                 contents[own] = content
-                asked.append((item.get("key"), own, ""))
+                asked.append((item.get("key"), own))
             except SuiteError as error:
-                asked.append((item.get("key"), None, str(error)))
-        found: dict[str, bytes | str] = {
+                asked.append((item.get("key"), _Refusal(str(error))))
+            except Exception as error:  # noqa: BLE001 - told for this item, and the others have their pictures
+                asked.append((item.get("key"), _fault(error)))
+        found: dict[str, _Found] = {
             key: pixels.tobytes() for key, pixels in self._store.get(contents).items()
         }
-        missing = [key for key in contents if key not in found]
-        drawn = self._painter.draw([contents[key] for key in missing], look) if missing else []
+        missing = {key: content for key, content in contents.items() if key not in found}
+        if missing:
+            found.update(self._drawn(missing, look))
+        for key, own_key in asked:
+            yield key, own_key if isinstance(own_key, _Refusal) else found[own_key]
+
+    def _drawn(self, contents: Mapping[str, Content], look: SwatchLook) -> dict[str, _Found]:
+        """Return the pictures by their keys, and what is to be said of those that are none."""
+        try:
+            return self._draw(contents, look)
+        except GraphicsError as error:
+            # All of these, and perhaps them alone: only where nothing else is drawn either, this machine cannot.
+            if not self._draws(look):
+                raise
+            return dict.fromkeys(contents, _Refusal(str(error)))
+        except SuiteError:
+            raise
+        except Exception as error:  # noqa: BLE001 - found out whose it is, and told for that one
+            if len(contents) == 1:
+                return dict.fromkeys(contents, _fault(error))
+        found: dict[str, _Found] = {}
+        for key, content in contents.items():
+            found.update(self._drawn({key: content}, look))
+        return found
+
+    def _draw(self, contents: Mapping[str, Content], look: SwatchLook) -> dict[str, _Found]:
+        drawn = self._painter.draw(list(contents.values()), look)
         self._store.put({picture.key: picture.pixels for picture in drawn if picture.pixels is not None})
-        for picture in drawn:
-            found[picture.key] = picture.problem if picture.pixels is None else picture.pixels.tobytes()
-        for key, own_key, problem in asked:
-            yield key, problem if own_key is None else found[own_key]
+        return {
+            one.key: _Refusal(one.problem) if one.pixels is None else one.pixels.tobytes() for one in drawn
+        }
+
+    def _draws(self, look: SwatchLook) -> bool:
+        """Whether a plain grey is drawn."""
+        try:
+            (picture,) = self._painter.draw([solid_paint("grey", (50.0, 0.0, 0.0))], look)
+        except GraphicsError:
+            return False
+        return picture.pixels is not None
+
+
+def _fault(error: Exception) -> _Refusal:
+    words = f"The program met a fault of its own: {type(error).__name__}: {error}"
+    return _Refusal(words, "".join(traceback.format_exception(error)))
 
 
 def _content(item: Mapping[str, Any]) -> Content:
@@ -106,7 +160,7 @@ def serve(lines: TextIO, out: TextIO, store: SwatchStore | None = None) -> None:
                     out.write(json.dumps(answer) + "\n")
                     out.flush()
             except GraphicsError as error:
-                out.write(json.dumps({"unavailable": str(error)}) + "\n")
+                out.write(json.dumps({"id": json.loads(line).get("id"), "unavailable": str(error)}) + "\n")
                 out.flush()
                 return
             except SuiteError as error:  # the light's file: told for the whole request

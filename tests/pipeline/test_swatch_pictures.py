@@ -213,7 +213,7 @@ def test_a_machine_without_graphics_is_told_of_and_flat_forms_are_drawn(
     answers = [json.loads(line) for line in out.getvalue().splitlines()]
     assert "picture" in answers[0]
     assert answers[1] == {"id": 1, "done": True}
-    assert answers[2:] == [{"unavailable": "No OpenGL 3.3 context could be made."}]
+    assert answers[2:] == [{"id": 2, "unavailable": "No OpenGL 3.3 context could be made."}]
 
 
 def test_a_paint_that_the_renderer_does_not_take_costs_no_other_its_picture(
