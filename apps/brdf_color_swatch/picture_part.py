@@ -65,7 +65,10 @@ class PicturePart:
     def _relook(self, _old: Look | None, look: Look) -> None:
         if not self._begun or look.form == "chips" or look.as_list:
             return
+        before = self.pictures.problem
         self.pictures.set_look(look.form, look.booth, look.size, self._window.devicePixelRatioF())
+        if before and not self.pictures.problem:
+            self._window.dismiss_message("pictures")
         self._soon.start()
 
     def _ask(self) -> None:

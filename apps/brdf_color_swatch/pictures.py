@@ -2,12 +2,16 @@
 
 Whoever paints asks for what it paints; what is not there is looked for on the disk by a thread, and what is not there
 either is drawn by :mod:`brdf_suite.pipeline.swatch_process`, newest wishes first. Nothing of it waits in the window.
+
+A paint over which that process dies is found by asking for one at a time, and is refused alone. That nothing can be
+drawn is a verdict on a form in a light, and another form or light is tried anew.
 """
 
 from __future__ import annotations
 
 import base64
 import json
+import logging
 import sys
 from collections import OrderedDict
 from collections.abc import Iterable, Sequence
@@ -22,6 +26,8 @@ from PySide6.QtGui import QImage, QPixmap
 from brdf_suite.documents.palette import Entry
 from brdf_suite.progress import Progress
 
+log = logging.getLogger(__name__)
+
 MOST_BYTES = 64 << 20
 """Of pictures in memory; those unused for longest go first."""
 LADDER = (32, 48, 64, 96, 128, 192, 256, 320, 384, 512)
@@ -32,7 +38,8 @@ _BATCH = 16
 _LOOKED_UP = 64
 _LINES_A_TURN = 6
 _PATIENCE_MS = 3_000
-_MOST_DEATHS = 2
+_MOST_DEATHS = 4
+"""In a row, the last ones over single paints and no picture between: then it is not the paints."""
 _MOST_KEYS = 50_000
 
 
@@ -44,7 +51,7 @@ class Pictures(QObject):
     arrived(entry ids)
         Pictures of these are there now; a set of ids.
     unavailable(text)
-        Nothing can be drawn on this machine, and why. The readings stand for the pictures.
+        Nothing can be drawn of this form in this light, and why. The readings stand for the pictures.
     waiting_changed(count)
         How many of the wanted are still to come.
     """
@@ -72,6 +79,7 @@ class Pictures(QObject):
         self._last: OrderedDict[int, tuple[object, QPixmap]] = OrderedDict()
         self._refused: dict[str, str] = {}
         self._not_stored: set[str] = set()
+        self._suspects: set[str] = set()
         self._wanted: dict[str, Entry] = {}
         self._ids: dict[str, list[str]] = {}
         self._asked: set[str] = set()
@@ -97,9 +105,12 @@ class Pictures(QObject):
         self._ratio = ratio
         if look == self._look and size == self._shown_size:
             return
+        if self._look is None or (look.form, look.environment) != (self._look.form, self._look.environment):
+            self._told, self._deaths = "", 0
         if look != self._look:
             self._keys.clear()
             self._not_stored.clear()
+            self._suspects.clear()
             self._wanted.clear()
             self._look = look
             self._asked.clear()
@@ -190,7 +201,10 @@ class Pictures(QObject):
                 self._looking = True
                 self._tasks.submit("store", self._look_up, tuple(keys), self._found, self._not_found)
         if not self._asked:
-            batch = [(key, one) for key, one in self._wanted.items() if key in self._not_stored][:_BATCH]
+            ready = [(key, one) for key, one in self._wanted.items() if key in self._not_stored]
+            # Over one of these the process has died: alone it is known which.
+            alone = [pair for pair in ready if pair[0] in self._suspects][:1]
+            batch = alone or ready[:_BATCH]
             if batch:
                 self._ask(batch)
 
@@ -245,27 +259,34 @@ class Pictures(QObject):
         self._lines_timer.start()
 
     def _take(self, answer: dict[str, Any]) -> None:
-        if "unavailable" in answer:
-            self._give_up(str(answer["unavailable"]))
-            return
         key = str(answer.get("key", ""))
         if "picture" in answer:
-            self._deaths = 0
+            self._lives(key)
             data = base64.b64decode(answer["picture"])
             self._keep(key, data, round((len(data) / 3) ** 0.5))
         elif "refused" in answer:
-            self._refused[key] = str(answer["refused"])
-            self._wanted.pop(key, None)
-            self._fresh.update(self._ids.get(key, ()))
-            self._tell_timer.start()
-        elif "failed" in answer:
-            self._asked.clear()
-            self._give_up(str(answer["failed"]))
-            return
-        if "done" in answer:
-            # Answers to a look that is shown no more end its request as well.
+            self._lives(key)
+            if "fault" in answer:
+                log.error("A picture could not be drawn.\n%s", answer["fault"])
+            self._refuse(key, str(answer["refused"]))
+        elif answer.get("id") != self._number:
+            # The end of what was asked for a look that is shown no more; it says nothing of this one.
+            self._pump()
+        elif "failed" in answer or "unavailable" in answer:
+            self._give_up(str(answer.get("failed") or answer.get("unavailable")))
+        elif "done" in answer:
             self._asked.clear()
             self._pump()
+
+    def _lives(self, key: str) -> None:
+        self._deaths = 0
+        self._suspects.discard(key)
+
+    def _refuse(self, key: str, why: str) -> None:
+        self._refused[key] = why
+        self._wanted.pop(key, None)
+        self._fresh.update(self._ids.get(key, ()))
+        self._tell_timer.start()
 
     def _keep(self, key: str, data: bytes, size: int) -> None:
         image = QImage(data, size, size, 3 * size, QImage.Format.Format_RGB888)
@@ -315,12 +336,17 @@ class Pictures(QObject):
             self._take(json.loads(self._process.readLine().data()))
         if self._told:
             return
-        if self._asked:
-            self._asked.clear()
+        unanswered = {key for key in self._asked if key not in self._kept and key not in self._refused}
+        self._asked.clear()
+        if unanswered:
             self._deaths += 1
             if self._deaths >= _MOST_DEATHS:
-                self._give_up(tr("The process that draws the pictures ended twice."))
+                self._give_up(tr("The process that draws the pictures ended again and again."))
                 return
+            if unanswered <= self._suspects:
+                for key in unanswered:
+                    self._refuse(key, tr("The process that draws the pictures ended over this paint."))
+            self._suspects.update(unanswered)
         self._pump_timer.start()
 
     def _not_started(self, error: QProcess.ProcessError) -> None:

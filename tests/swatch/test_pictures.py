@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from functools import cache
 
 import numpy as np
 import pytest
@@ -15,6 +16,38 @@ from brdf_suite.pipeline.swatch_store import SwatchStore
 
 RED = Entry(solid_paint("Red", (50.0, 60.0, 40.0)), id="r")
 BLUE = Entry(solid_paint("Blue", (30.0, 5.0, -40.0)), id="b")
+PROCESS = (
+    sys.executable,
+    "-c",
+    """
+import base64, json, os, sys
+for line in sys.stdin:
+    request = json.loads(line)
+    start = {"id": request["id"]}
+    def say(**answer):
+        print(json.dumps({**start, **answer}), flush=True)
+    names = {item["key"]: item["paint"]["name"] for item in request["items"]}
+    if request["look"]["environment"] == "nowhere":
+        say(failed="no such light")
+        continue
+    if any(name.startswith("dies") for name in names.values()):
+        os._exit(1)
+    picture = base64.b64encode(bytes(3 * request["look"]["size"] ** 2)).decode()
+    for key, name in names.items():
+        if name == "faulty":
+            say(key=key, refused="a fault", fault="Traceback of it")
+        else:
+            say(key=key, picture=picture)
+    say(done=True)
+""",
+)
+"""One that speaks as the drawing process does, and dies or fails as names and lights say."""
+
+
+@cache
+def some(name: str) -> Entry:
+    """Return a paint of which no picture is on the disk."""
+    return Entry(solid_paint(name, (50.0, sum(name.encode()) / 10.0, 3.0)), id=name)
 
 
 @pytest.fixture
@@ -76,8 +109,45 @@ def test_where_nothing_can_be_drawn_it_is_told_once(made, qtbot) -> None:
     assert not pictures.is_stale(RED)
 
 
-def test_a_process_that_dies_twice_is_given_up(made, qtbot) -> None:
+def test_a_process_that_dies_over_everything_is_given_up(made, qtbot) -> None:
     pictures = made(sys.executable, "-c", "input()")
     with qtbot.waitSignal(pictures.unavailable) as told:
+        pictures.want([some(f"p{number}") for number in range(5)])
+    assert "again and again" in told.args[0]
+
+
+def test_a_paint_over_which_the_process_dies_costs_no_other_its_picture(made, qtbot) -> None:
+    pictures = made(*PROCESS)
+    good, bad = [some(f"p{number}") for number in range(4)], [some("dies1"), some("dies2")]
+    pictures.want([bad[0], *good[:2], bad[1], *good[2:]])
+    qtbot.waitUntil(lambda: pictures.waiting == 0)
+    assert pictures.problem == ""
+    assert all(pictures.picture(entry) is not None for entry in good)
+    assert all("ended over this paint" in pictures.refusal(entry) for entry in bad)
+
+
+def test_what_cannot_be_drawn_in_one_light_is_tried_in_another(made, qtbot) -> None:
+    pictures = made(*PROCESS)
+    pictures.set_look("flop_strip", "nowhere", 40, 1.0)
+    with qtbot.waitSignal(pictures.unavailable) as told:
         pictures.want([RED])
-    assert "ended twice" in told.args[0]
+    assert told.args[0] == "no such light"
+    pictures.set_look("flop_strip", "nowhere", 64, 1.0)
+    assert pictures.problem == "no such light"
+    pictures.set_look("panel", "overcast", 40, 1.0)
+    assert pictures.problem == ""
+    # What was still to be said of the look before.
+    for late in ("failed", "unavailable"):
+        pictures._take({"id": pictures._number - 1, late: "no such light"})
+    assert pictures.problem == ""
+    pictures.want([some("p")])
+    qtbot.waitUntil(lambda: pictures.picture(some("p")) is not None)
+
+
+def test_a_fault_of_the_process_is_in_the_log(made, qtbot, caplog) -> None:
+    pictures = made(*PROCESS)
+    odd = some("faulty")
+    pictures.want([odd])
+    qtbot.waitUntil(lambda: pictures.waiting == 0)
+    assert pictures.refusal(odd) == "a fault"
+    assert "Traceback of it" in caplog.text

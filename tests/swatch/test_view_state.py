@@ -1,4 +1,4 @@
-"""The look is remembered between runs, and what is damaged of it is as it is at a first start, each for itself."""
+"""The look: remembered between runs, what is damaged of it as at a first start, and what was told of the one before."""
 
 from __future__ import annotations
 
@@ -36,3 +36,14 @@ def test_a_program_begins_with_the_look_of_the_run_before(swatch) -> None:
         settings().setValue(f"look/{key}", damaged)
     swatch.desk.recall()
     assert swatch.desk.look == Look(as_list=True)
+
+
+def test_what_cannot_be_drawn_is_told_until_another_form_is_shown(swatch, qtbot) -> None:
+    part = next(part for part in swatch.parts if hasattr(part, "pictures"))
+    qtbot.waitUntil(lambda: part._begun)
+    part.pictures._give_up("no driver")
+    assert "pictures" in swatch.window.messages.shown()
+    swatch.desk.set_look(size=80)
+    assert "pictures" in swatch.window.messages.shown()
+    swatch.desk.set_look(form="flop_strip")
+    assert "pictures" not in swatch.window.messages.shown()
