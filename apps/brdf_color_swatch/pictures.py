@@ -230,9 +230,9 @@ class Pictures(QObject):
 
     def _not_found(self, error: Exception) -> None:
         # The store itself tells of no error that matters; whatever this is, pictures are drawn all the same.
+        log.error("The pictures on the disk cannot be looked through.", exc_info=error)
         self._looking = False
         self._not_stored.update(self._wanted)
-        del error
         self._pump()
 
     def _ask(self, batch: list[tuple[str, Entry]]) -> None:

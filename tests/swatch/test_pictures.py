@@ -151,3 +151,14 @@ def test_a_fault_of_the_process_is_in_the_log(made, qtbot, caplog) -> None:
     qtbot.waitUntil(lambda: pictures.waiting == 0)
     assert pictures.refusal(odd) == "a fault"
     assert "Traceback of it" in caplog.text
+
+
+def test_an_error_of_the_disk_is_in_the_log_and_pictures_are_drawn(made, qtbot, caplog, monkeypatch) -> None:
+    def broken(*_: object) -> None:
+        raise RuntimeError("a broken store")
+
+    monkeypatch.setattr(SwatchStore, "get", broken)
+    pictures = made(*PROCESS)
+    pictures.want([some("p")])
+    qtbot.waitUntil(lambda: pictures.picture(some("p")) is not None)
+    assert "a broken store" in caplog.text
