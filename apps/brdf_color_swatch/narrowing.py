@@ -17,7 +17,7 @@ from brdf_suite.pipeline.palette_search import Filter, matching, nearest
 from brdf_suite.progress import Progress
 
 MOST_NEAREST = 500
-_MANY = 1500
+_MANY = 400
 """From so many on, a path through the colours and duplicates are worked out in the background."""
 _ORDERS = {"hue": "hue path"}
 

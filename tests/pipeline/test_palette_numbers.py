@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ from brdf_suite.documents.paint import Gloss, Measurement, Paint, solid_paint
 from brdf_suite.documents.palette import Entry
 from brdf_suite.errors import Cancelled, ValueRangeError
 from brdf_suite.pipeline.palette_columns import Columns, ColumnsWork, labs_of
-from brdf_suite.pipeline.palette_duplicates import duplicates
+from brdf_suite.pipeline.palette_duplicates import _WEIGHTS, duplicates
 from brdf_suite.pipeline.palette_order import ORDERS, hue_path, ordered, path_length
 from brdf_suite.pipeline.palette_search import (
     COMBINATIONS,
@@ -255,6 +256,62 @@ def test_duplicates_are_the_parts_that_hang_together() -> None:
         own = each[np.ix_(group.indices, group.indices)]
         assert group.widest == pytest.approx(own.max())
         assert group.chained == bool((own > tolerance).any())
+
+
+def cloud(spread: float, count: int = 1300) -> Columns:
+    """Entries around one paint."""
+    rng = np.random.default_rng(3)
+    lab = rng.normal((50.0, 5.0, 8.0), spread, (count, 3, 3))
+    none = np.zeros(count)
+    return Columns((), ANGLES, lab, np.ones((count, 3), bool), none, none > 0.0)
+
+
+def test_many_alike_take_little_memory_report_and_can_be_cancelled() -> None:
+    columns, told = cloud(0.1), []
+    tracemalloc.start()
+    try:
+        (group,) = duplicates(columns, 1.0, lambda fraction, _: told.append(fraction))
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert group.indices == tuple(range(1300))
+    assert math.isnan(group.widest)
+    assert not group.chained
+    # All pairs at once would take over 100 MB.
+    assert peak < 40e6
+    assert told == sorted(told)
+    assert told[-1] == 1.0
+    # Comparing and measuring are both long, and both tell.
+    assert sum(0.0 < fraction < 0.8 for fraction in told) > 10
+    assert sum(0.8 < fraction < 1.0 for fraction in told) > 100
+
+    def stop(fraction: float, what: str) -> None:
+        if fraction > 0.9:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        duplicates(columns, 1.0, stop)
+
+
+@pytest.mark.parametrize("tolerance", [0.5, 1.0, 2.0])
+def test_a_large_group_says_rightly_whether_it_is_a_chain(tolerance: float) -> None:
+    columns = cloud(0.11, 1100)
+    lab = columns.lab
+    widest = max(float(delta_e_2000(row, lab[i:]).max()) for i, row in enumerate(lab))
+    groups = duplicates(columns, tolerance)
+    assert len(groups[0].indices) > 1000
+    assert groups[0].chained == (widest > tolerance)
+
+
+@settings(max_examples=60, deadline=None)
+@given(LAB, LAB)
+def test_the_weighted_distance_is_never_below_the_difference(
+    one: tuple[float, ...], other: tuple[float, ...]
+) -> None:
+    near = np.array(one) + 0.02 * (np.array(other) - np.array(one))
+    for second in (np.array(other), near):
+        bound = float(np.linalg.norm((second - one) * _WEIGHTS))
+        assert float(delta_e_2000(one, second)) <= bound * (1.0 + 1e-9) + 1e-9
 
 
 def test_a_chain_is_told_and_copies_are_found_at_no_tolerance() -> None:
