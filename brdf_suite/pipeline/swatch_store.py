@@ -46,8 +46,15 @@ CREATE TABLE IF NOT EXISTS pictures (
 # Sums and ages are read from the index alone: the pictures themselves are hundreds of megabytes.
 _INDEX = "CREATE INDEX IF NOT EXISTS by_use ON pictures (used, bytes, key)"
 
-_BUSY = ("SQLITE_BUSY", "SQLITE_LOCKED")
-_REFUSED = ("SQLITE_READONLY", "SQLITE_CANTOPEN", "SQLITE_FULL", "SQLITE_PERM", "SQLITE_AUTH", "SQLITE_NOMEM")
+_COLUMNS = ["key", "height", "width", "checksum", "used", "bytes", "pixels"]
+
+_BUSY = ("SQLITE_BUSY", "SQLITE_LOCKED", "SQLITE_PROTOCOL")
+_DAMAGED = ("SQLITE_CORRUPT", "SQLITE_NOTADB")
+"""Of these alone another file helps; any other error may be of the moment, and others may have the file open."""
+
+
+class _OtherTableError(Exception):
+    """The file holds another table than this program makes."""
 
 
 class SwatchStore:
@@ -124,13 +131,14 @@ class SwatchStore:
         for attempt in range(2):
             try:
                 return work(self._open())
-            except sqlite3.Error as error:
+            except (sqlite3.Error, _OtherTableError) as error:
                 self._shut()
                 name = str(getattr(error, "sqlite_errorname", ""))
                 if name.startswith(_BUSY):
                     self._notice(f"The pictures in {self.path} are in use by another program; doing without.")
                     return nothing
-                if name.startswith(_REFUSED) or attempt:
+                spoilt = isinstance(error, _OtherTableError) or name.startswith(_DAMAGED)
+                if attempt or not spoilt:
                     return self._give_up(str(error), nothing)
                 self._notice(f"The kept pictures {self.path} are damaged ({error}); they are made anew.")
                 self._remove()
@@ -158,6 +166,11 @@ class SwatchStore:
             connection.execute("PRAGMA journal_mode = WAL")
             connection.execute("PRAGMA synchronous = NORMAL")
             connection.execute(_TABLE)
+            columns = [
+                name for (name,) in connection.execute("SELECT name FROM pragma_table_info('pictures')")
+            ]
+            if columns != _COLUMNS:
+                raise _OtherTableError("it holds another table")
             connection.execute(_INDEX)
         return self._connection
 

@@ -131,6 +131,21 @@ def test_a_full_disk_costs_the_pictures_and_no_more(store: SwatchStore) -> None:
     assert same(SwatchStore(store.folder.parent).get(KEYS))
 
 
+def test_an_error_that_is_no_damage_leaves_the_file_to_the_others(store: SwatchStore) -> None:
+    other = SwatchStore(store.folder.parent)
+    assert same(other.get(KEYS))
+    # SQLite stops the work as it would for an error of the disk.
+    store._open().set_progress_handler(lambda: 1, 1)
+    assert store.get(KEYS) == {}
+    (notice,) = store.notices
+    assert "interrupted" in notice
+    assert "damaged" not in notice
+    extra = {"e" * 64: PICTURES[KEYS[0]]}
+    other.put(extra)
+    assert same(SwatchStore(store.folder.parent).get([*KEYS]))
+    assert set(SwatchStore(store.folder.parent).get(extra)) == set(extra)
+
+
 _WRITER = """
 import sys
 import numpy as np
