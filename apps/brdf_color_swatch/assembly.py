@@ -6,7 +6,6 @@ from collections.abc import Callable
 from pathlib import Path
 
 from brdf_qt.application import error_relay
-from brdf_qt.dialogs import Dialogs, QtDialogs
 from brdf_qt.document_files import DocumentFormat
 from brdf_qt.message_bar import Message
 from brdf_qt.recovery import Recovered
@@ -17,6 +16,7 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_color_swatch.controller import Controller
 from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.export_dialog import ExportDialogs, QtExportDialogs
 from brdf_color_swatch.file_part import new_palette
 from brdf_color_swatch.library import Library
 from brdf_color_swatch.parts import build_parts
@@ -53,7 +53,7 @@ def palette_format() -> DocumentFormat[Palette]:
 class ColorSwatch:
     """The program's parts, joined; ``window`` is not yet shown."""
 
-    def __init__(self, dialogs: Callable[[QWidget], Dialogs] = QtDialogs) -> None:
+    def __init__(self, dialogs: Callable[[QWidget], ExportDialogs] = QtExportDialogs) -> None:
         lights = resource_names("environments", ".exr")
         self.window = SwatchWindow(lights)
         self.library = Library(palette_format(), dialogs(self.window), self._autosave_failed, self.window)

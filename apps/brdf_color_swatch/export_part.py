@@ -4,30 +4,38 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.translation import mark, tr
 
 from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.export_dialog import choices_of, named_by
+from brdf_color_swatch.file_names import suggested_file
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress
 
+if TYPE_CHECKING:
+    # With it come the parsers of every format, which a start need not wait for.
+    from brdf_suite.files.palettes.format import PaletteFormat
+
 _MOST_TOLD = 8
 _KEY = "export"
+_USUAL = ".ase"
 
 
 @dataclass(frozen=True, eq=False)
 class _Request:
     palette: Palette
     path: Path
-    write: bool
+    form: PaletteFormat | None = None
+    write: bool = False
 
 
 class ExportPart:
-    """Commands that write a palette, or what is selected of it, in any format by the ending of the name."""
+    """Commands that write a palette, or what is selected of it, in the format chosen or that of the name's ending."""
 
     def __init__(self, desk: Desk, window: SwatchWindow) -> None:
         self._desk, self._window = desk, window
@@ -60,13 +68,27 @@ class ExportPart:
 
     def export(self, palette: Palette) -> None:
         """Ask for a file; what its format cannot hold is told, and only then is it written."""
-        path = self._desk.library.dialogs.save_path(self._suggested(palette), _filters())
-        if path is not None:
-            self.begin(palette, path)
+        from brdf_suite.files.palettes import FORMATS
 
-    def begin(self, palette: Palette, path: Path) -> None:
-        """Look what would be lost in the format of ``path``; write where that is nothing, and ask where it is not."""
-        request = _Request(palette, path.absolute(), write=False)
+        choices = choices_of(FORMATS, _USUAL)
+        wanted, chosen = suggested_file(self._desk.item, palette.name, _USUAL), choices[0]
+        while True:
+            answer = self._desk.library.dialogs.export_path(wanted, choices, chosen)
+            if answer is None:
+                return
+            named, chosen = answer
+            wanted = named_by(named, chosen, FORMATS)
+            # The dialog has asked about the file of its own name alone: about another that is there, it asks again.
+            if wanted == named or not wanted.exists():
+                break
+        self.begin(palette, wanted, chosen.form)
+
+    def begin(self, palette: Palette, path: Path, form: PaletteFormat | None = None) -> None:
+        """Look what would be lost; write where that is nothing, and ask where it is not.
+
+        ``form`` is the format; without it the ending of ``path`` says which it is.
+        """
+        request = _Request(palette, path.absolute(), form)
         self._submit(request, lambda lost: self._looked(request, lost))
 
     def _submit(self, request: _Request, done: Any) -> None:
@@ -109,27 +131,9 @@ class ExportPart:
             Message(_KEY, tr("Written: {name}").format(name=request.path.name), where=str(request.path))
         )
 
-    def _suggested(self, palette: Palette) -> Path:
-        item = self._desk.item
-        folder = item.path.parent if item is not None and item.path is not None else Path.home()
-        name = "".join(letter if letter.isalnum() or letter in " -_." else "_" for letter in palette.name)
-        return folder / f"{name[:100].strip(' .') or 'palette'}.ase"
-
     def _enable(self) -> None:
         self._all.setEnabled(self._desk.palette is not None)
         self._some.setEnabled(bool(self._desk.selected))
-
-
-def _filters() -> str:
-    from brdf_suite.files.palettes import FORMATS
-
-    written = [known for known in FORMATS if known.write is not None]
-    every = " ".join(f"*{ending}" for known in written for ending in known.endings)
-    lines = [tr("All palette formats ({endings})").format(endings=every)]
-    for known in written:
-        endings = " ".join(f"*{ending}" for ending in known.endings)
-        lines.append(f"{known.title.replace('(', '[').replace(')', ']')} ({endings})")
-    return ";;".join(lines)
 
 
 def open_filters() -> str:
@@ -145,7 +149,7 @@ def _exported(request: _Request, progress: Progress) -> tuple[str, ...]:
     from brdf_suite.files.palettes import format_for, losses, write_palette
 
     progress(0.0, request.path.name)
-    known = format_for(request.path)
+    known = request.form or format_for(request.path)
     if request.write:
         return write_palette(request.palette, request.path, known).losses
     if known.write is None:

@@ -9,7 +9,6 @@ import itertools
 from collections.abc import Callable
 from pathlib import Path
 
-from brdf_qt.dialogs import Dialogs
 from brdf_qt.document_files import DocumentFiles, DocumentFormat
 from brdf_qt.document_store import DocumentStore
 from brdf_qt.file_stamp import FileStamp
@@ -22,6 +21,7 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_color_swatch.autosave import PaletteRecovery
 from brdf_color_swatch.columns import finished_rows, rows_of
+from brdf_color_swatch.export_dialog import ExportDialogs
 from brdf_color_swatch.history import History, Step
 from brdf_color_swatch.library_item import Item, OpenPalette
 from brdf_color_swatch.rows import Rows
@@ -55,7 +55,7 @@ class LibraryBase(QObject):
     def __init__(
         self,
         form: DocumentFormat[Palette],
-        dialogs: Dialogs,
+        dialogs: ExportDialogs,
         autosave_failed: Callable[[BaseException], None],
         parent: QObject | None = None,
     ) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import uuid
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
@@ -12,6 +12,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_color_swatch.assembly import ColorSwatch
+from brdf_color_swatch.export_dialog import Choice
 from brdf_color_swatch.pictures import Pictures
 from brdf_color_swatch.view_state import Look, PaneState, Scope
 from brdf_qt.dialogs import Answer, Overwrite
@@ -42,6 +43,7 @@ class ScriptedDialogs:
         self.answer = Answer.DISCARD
         self.overwrite = Overwrite.CANCEL
         self.path: Path | None = None
+        self.format = ""
         self.asked: list[str] = []
 
     def unsaved(self, name: str) -> Answer:
@@ -59,6 +61,17 @@ class ScriptedDialogs:
     def save_path(self, suggested: Path, filters: str) -> Path | None:
         self.asked.append(filters)
         return self.path
+
+    def export_path(
+        self, suggested: Path, choices: Sequence[Choice], chosen: Choice
+    ) -> tuple[Path, Choice] | None:
+        self.asked.append(f"export {suggested.name}")
+        if self.path is None:
+            return None
+        named = next(
+            (one for one in choices if one.form is not None and one.form.name == self.format), chosen
+        )
+        return self.path, named
 
 
 def paint(name: str, lab: tuple[float, float, float], flop: float = 10.0, gloss: float = 90.0) -> Paint:
