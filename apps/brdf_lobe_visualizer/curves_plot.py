@@ -322,7 +322,7 @@ def _bands(angle_deg: Floats, holes: Any, log_x: bool) -> list[tuple[float, floa
 
 def _short(lines: Lines, error: SliceError) -> str:
     size = f"{100.0 * error.relative:.1f} %" if np.isfinite(error.relative) else f"{number(error.rms)} {UNIT}"
-    return tr("Fit: RMS {rms}, at most {worst} {unit} at {angle}").format(
+    return tr("Fit: RMS {rms}, worst {worst} {unit} at {angle}").format(
         rms=size, worst=number(error.worst), unit=UNIT, angle=degrees(lines.cut.axis, error.worst_deg)
     )
 

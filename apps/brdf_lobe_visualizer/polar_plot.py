@@ -168,9 +168,9 @@ class PolarPlot(QWidget):
         words = [quantity(self._options), tr(_SCALES[scale])]
         if lines.signed:
             words.append(tr("sizes of the differences"))
-        words.append(tr("incidence {theta}°").format(theta=f"{self._theta_deg:.1f}"))
+        words.append(tr("θi {theta}°").format(theta=f"{self._theta_deg:.1f}"))
         if self._phi_deg:
-            words.append(tr("azimuth {phi}°").format(phi=f"{self._phi_deg:.1f}".replace("-", "−")))
+            words.append(tr("φi {phi}°").format(phi=f"{self._phi_deg:.1f}".replace("-", "−")))
         if any(line.is_front and line.filled is not None and line.filled.any() for line in lines.lines):
             words.append(tr("gaps: not measured"))
         self.note.setText(" · ".join(words))

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
+from brdf_qt.message_bar import message_of
 
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import Cosine, Options
@@ -124,7 +125,11 @@ class SliceLines:
         kept = self._kept.get(at)
         if kept is not None and _same(kept[0], source) and _same(kept[1], cuts) and kept[2] == cosine:
             return kept[3]
-        values = evaluate(reflectance, cuts, cosine=cosine)
+        try:
+            values = evaluate(reflectance, cuts, cosine=cosine)
+        except Exception as error:  # noqa: BLE001 - a model's fault is told, and the others are drawn
+            self._desk.show_message(message_of(error, f"slices {subject.key} {which}"))
+            values = [np.full((len(cut.angle_deg), 3), np.nan) for cut in cuts]
         self._kept[at] = (source, cuts, cosine, values)
         return values
 

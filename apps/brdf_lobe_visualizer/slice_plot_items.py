@@ -14,6 +14,9 @@ from brdf_lobe_visualizer.slice_lines import Line
 from brdf_lobe_visualizer.slice_pens import colour_of, grey_pen, pen_of
 from brdf_suite.geometry.directions import Floats
 
+_FEW_DECADES = 0.7
+"""Below so many there are few numbers, and all have room."""
+
 
 class LineItem(pg.GraphicsObject):
     """A line whose bounds are the plot's: a plot that frames itself need not ask its lines for theirs.
@@ -50,6 +53,18 @@ class LineItem(pg.GraphicsObject):
         painter.drawPath(self._path)
 
 
+class ThinnedAxis(pg.AxisItem):
+    """An axis whose logarithmic numbers keep apart: 1, 2 and 5 of each decade where pyqtgraph would write all nine."""
+
+    def logTickStrings(self, values: Sequence[float], scale: float, spacing: float | None) -> list[str]:
+        words = super().logTickStrings(values, scale, spacing)
+        low, high = sorted(self.range)
+        if high - low < _FEW_DECADES:
+            return list(words)
+        leading = [round(10.0 ** ((value + 1e-9) % 1.0)) for value in values]
+        return [word if lead in (1, 2, 5) else "" for word, lead in zip(words, leading, strict=True)]
+
+
 class SlicePlot(pg.PlotWidget):
     """A plot of lines: drag moves it, the wheel zooms, a double click frames all again.
 
@@ -64,7 +79,7 @@ class SlicePlot(pg.PlotWidget):
     resized = Signal()
 
     def __init__(self, *, with_axes: bool) -> None:
-        super().__init__()
+        super().__init__(axisItems={side: ThinnedAxis(side) for side in ("bottom", "left")})
         self.setAntialiasing(True)
         self.setMenuEnabled(False)
         self.hideButtons()

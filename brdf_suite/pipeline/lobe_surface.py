@@ -153,7 +153,7 @@ def _made(
 
 
 def _holes(values: Singles) -> int:
-    if not np.isnan(float(values.sum())):
+    if not np.isnan(float(values.min())):  # a sum may overflow
         return 0
     return int(np.isnan(values[:, :-1]).sum())
 

@@ -57,7 +57,10 @@ class LobeSource:
         apart[near] = np.pi + 0.05 * draws.standard_normal(int(near.sum()))
         wi = spherical(theta[0], phi)
         one, other = (self.reflectance.eval(wi, spherical(theta[1], phi + side * apart)) for side in (1, -1))
-        return bool(np.all(np.abs(one - other) <= _ALIKE * np.maximum(np.abs(one), 1e-12)))
+        with np.errstate(
+            invalid="ignore"
+        ):  # infinite ones are not told apart, and are worked out on both sides
+            return bool(np.all(np.abs(one - other) <= _ALIKE * np.maximum(np.abs(one), 1e-12)))
 
     def brdf(self, grid: LobeGrid) -> Singles:
         """Return f_r (rows, columns, 3) in 1/sr at the grid's directions, without a cosine.

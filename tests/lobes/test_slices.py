@@ -144,6 +144,18 @@ def test_curves_know_their_axes_logs_and_marks(slices, desk, qtbot) -> None:
     assert slices.curves.plot.viewRange()[1][0] == 0.0
 
 
+def test_numbers_of_a_logarithmic_axis_keep_apart(slices, desk, qtbot) -> None:
+    desk.add(subject("one", Lambertian(0.5)))
+    qtbot.waitUntil(lambda: slices.is_complete)
+    axis = slices.curves.plot.getAxis("left")
+    axis.setLogMode(y=True)
+    ticks = np.log10(np.arange(1, 10) * 0.1)
+    axis.setRange(-2.0, 0.0)
+    assert [word for word in axis.logTickStrings(ticks, 1.0, None) if word] == ["0.1", "0.2", "0.5"]
+    axis.setRange(-0.5, 0.0)
+    assert all(axis.logTickStrings(ticks, 1.0, None))
+
+
 def test_the_crosshair_tells_every_visible_value_with_its_unit(slices, desk, qtbot) -> None:
     desk.add(subject("bright", Lambertian(0.8), 0))
     desk.add(subject("dark <b>", Lambertian(0.2), 1))
@@ -223,6 +235,23 @@ def test_zero_nothing_and_holes_are_told_and_no_exception(slices, desk, qtbot) -
     assert not slices.polar.plot.isVisible()
     assert slices.polar.empty.isVisible()
     assert slices.unrolled.empty.isVisible()
+
+
+def test_a_model_that_fails_is_told_and_the_others_are_drawn(slices, desk, qtbot) -> None:
+    class Broken:
+        def eval(self, wi, wo):
+            raise ZeroDivisionError("nothing to divide by")
+
+    desk.add(subject("broken", Broken()))
+    desk.add(subject("matt", Lambertian(0.5), 1))
+    qtbot.waitUntil(lambda: slices.is_complete)
+    assert "slices broken target" in slices._window.messages.shown()
+    for plot in (slices.polar, slices.curves):
+        assert np.isnan(line(plot.lines, "broken").value).all()
+        assert np.isfinite(line(plot.lines, "matt").value).any()
+    assert "broken: nothing to draw" in slices.curves.note.text()
+    for key in list(slices._window.messages.shown()):
+        slices._window.dismiss_message(key)
 
 
 def test_samples_lie_on_the_line(slices, desk, qtbot) -> None:

@@ -267,3 +267,16 @@ def test_what_a_lobe_hides_and_where_a_ray_meets_it() -> None:
     at = np.unravel_index(np.argmax(grid.directions[..., 2]), grid.shape)
     assert value_along(surface, grid, point / np.linalg.norm(point)) == pytest.approx(nearest[at], rel=0.02)
     assert met(surface, grid, eye, [0.6, 0.0, -0.8]) is None
+
+
+@pytest.mark.parametrize("value", [1e37, 1e-42, np.inf])
+def test_values_at_the_ends_of_single_precision_make_a_surface(value: float) -> None:
+    class Even:
+        def eval(self, wi, wo):
+            return np.full(np.broadcast_shapes(np.shape(wi), np.shape(wo)), value)
+
+    grid = lobe_grid(LIGHT)
+    values = LobeSource(Even()).brdf(grid)
+    made = lobe_surface(grid, values, RadiusScale("cbrt", 1.0))
+    assert (made.holes == 0) == np.isfinite(value)
+    assert np.isfinite(made.points).all()
