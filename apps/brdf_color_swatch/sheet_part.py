@@ -8,20 +8,26 @@ from __future__ import annotations
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from brdf_qt.message_bar import Message, message_of
+from brdf_qt.tasks import Work
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 
 from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.file_names import suggested_file
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import PALETTE_ENDING, save_palette
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.progress import Progress
+
+Done = Callable[[Any], None]
 
 _KEY = "sheet"
 _CELL = (240, 180)
@@ -88,6 +94,16 @@ def run_sheets(request: SheetRequest, progress: Progress) -> tuple[Path, ...]:
     return tuple(path for _, path in request.pages)
 
 
+def draw_pages(request: SheetRequest, progress: Progress) -> tuple[bytes, ...]:
+    """Draw pages whose files nobody wants, and return their content; errors as :func:`run_sheets`.
+
+    Whichever way it ends, nothing of them stays on the disk.
+    """
+    with tempfile.TemporaryDirectory(prefix="brdf-print-") as folder:
+        pages = tuple((palette, Path(folder) / path.name) for palette, path in request.pages)
+        return tuple(path.read_bytes() for path in run_sheets(replace(request, pages=pages), progress))
+
+
 class SheetPart:
     """Commands that make contact sheets of what the pane in front shows."""
 
@@ -114,17 +130,15 @@ class SheetPart:
         shown = self.shown_palette()
         if shown is None:
             return
-        item = self._desk.item
-        folder = item.path.parent if item is not None and item.path is not None else Path.home()
         path = self._desk.library.dialogs.save_path(
-            folder / f"{shown.name[:100]}.pdf", tr("Sheets (*.pdf *.png)")
+            suggested_file(self._desk.item, shown.name, ".pdf"), tr("Sheets (*.pdf *.png)")
         )
         if path is not None:
             self.draw(shown, path.absolute())
 
     def draw(self, palette: Palette, path: Path) -> None:
         """Draw a palette into a file."""
-        self._submit(((palette, path),), None, lambda paths: self._written(paths[0]))
+        self._submit(run_sheets, ((palette, path),), None, lambda paths: self._written(paths[0]))
 
     def shown_palette(self) -> Palette | None:
         """Return what the pane in front shows, or what is selected of it, as a palette in that order."""
@@ -159,14 +173,13 @@ class SheetPart:
     def print_on(self, palette: Palette, printer: object) -> None:
         """Draw a palette in pages and print them on a QPrinter."""
         each = _PRINTED_COLUMNS * _PRINTED_ROWS
-        folder = Path(tempfile.mkdtemp(prefix="brdf-print-"))
         pages = []
         for number, start in enumerate(range(0, len(palette), each), 1):
             part = palette.entries[start : start + each]
-            pages.append((replace(palette, entries=part, groups=()), folder / f"page{number}.png"))
-        self._submit(tuple(pages), _PRINTED_COLUMNS, lambda paths: self._printed(paths, printer))
+            pages.append((replace(palette, entries=part, groups=()), Path(f"page{number}.png")))
+        self._submit(draw_pages, tuple(pages), _PRINTED_COLUMNS, lambda drawn: self._printed(drawn, printer))
 
-    def _printed(self, paths: tuple[Path, ...], printer: object) -> None:
+    def _printed(self, pages: tuple[bytes, ...], printer: object) -> None:
         from PySide6.QtPrintSupport import QPrinter
 
         assert isinstance(printer, QPrinter)
@@ -174,29 +187,28 @@ class SheetPart:
         if not painter.begin(printer):
             self._failed(SuiteError(tr("The printer does not answer.")))
             return
-        for number, path in enumerate(paths):
+        for number, page in enumerate(pages):
             if number:
                 printer.newPage()
-            picture = QImage(str(path))
+            picture = QImage.fromData(page)
             room = QRectF(painter.viewport())
             scale = min(room.width() / picture.width(), room.height() / picture.height())
             wide, high = picture.width() * scale, picture.height() * scale
             painter.drawImage(QRectF((room.width() - wide) / 2, 0, wide, high), picture)
-            path.unlink()
         painter.end()
-        if paths:
-            paths[0].parent.rmdir()
-        self._done(tr("Printed: {count} pages").format(count=len(paths)), "")
+        self._done(tr("Printed: {count} pages").format(count=len(pages)), "")
 
-    def _submit(self, pages: tuple[tuple[Palette, Path], ...], columns: int | None, done: object) -> None:
+    def _submit(
+        self, work: Work, pages: tuple[tuple[Palette, Path], ...], columns: int | None, done: Done
+    ) -> None:
         look = self._desk.look
         surface = look.form if look.form in ("sphere", "panel") else "panel"
         self._show(0.0, "")
         self._desk.library.tasks.submit(
             _KEY,
-            run_sheets,
+            work,
             SheetRequest(pages, look.booth, surface, columns),
-            done,  # type: ignore[arg-type]  # takes the paths
+            done,
             self._failed,
             self._show,
         )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tempfile
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -52,6 +54,41 @@ def test_pages_are_printed_one_after_the_other(swatch, part, tmp_path, monkeypat
     assert [len(palette) for palette, _ in asked[0].pages] == [4, 2]
     assert (tmp_path / "out.pdf").read_bytes().startswith(b"%PDF")
     assert not any(path.exists() for _, path in asked[0].pages)
+
+
+@pytest.mark.parametrize("cancelled", [False, True])
+def test_nothing_of_the_pages_stays_where_they_are_not_printed(
+    swatch, part, tmp_path, monkeypatch, qtbot, cancelled: bool
+) -> None:
+    made: list[Path] = []
+
+    def draw(request: SheetRequest, progress) -> tuple[Path, ...]:
+        path = request.pages[0][1]
+        path.write_bytes(b"half")
+        made.append(path)
+        while cancelled:
+            progress(0.5, "")
+        raise SuiteError("no ink")
+
+    monkeypatch.setattr(sheet_part, "run_sheets", draw)
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    part.print_on(swatch.desk.palette, QPrinter(QPrinter.PrinterMode.ScreenResolution))
+    qtbot.waitUntil(lambda: bool(made))
+    if cancelled:
+        swatch.library.tasks.cancel("sheet")
+        swatch.window.progress.end_job("sheet")
+    else:
+        qtbot.waitUntil(lambda: "sheet" in swatch.window.messages.shown())
+    qtbot.waitUntil(lambda: not made[0].parent.exists())
+    assert list(tmp_path.glob("brdf-print-*")) == []
+
+
+def test_a_palette_whose_name_has_a_slash_is_a_file_and_no_folder(swatch, part, dialogs, monkeypatch) -> None:
+    swatch.desk.edit("Rename", lambda palette: replace(palette, name="Cars/Trucks"))
+    suggested: list[Path] = []
+    monkeypatch.setattr(dialogs, "save_path", lambda path, _filters: suggested.append(path), raising=False)
+    part.export()
+    assert suggested == [Path.home() / "Cars_Trucks.pdf"]
 
 
 def test_what_the_command_refuses_is_said(tmp_path: Path, qapp) -> None:
