@@ -83,6 +83,7 @@ def _of_entries(entries: list[Entry], back: list[Entry]) -> list[str]:
         "paint": "{paint} {is} written as the one colour at 45°: other angles, gloss and flakes are left out.",
         "instrument": "Only what the virtual instruments read of {paint} goes in.",
         "paint fields": "Some settings of {paint} are left out or changed.",
+        "clipped": "{colour} {is} beyond what it holds and brought to the nearest that it does.",
         "rounded": "The numbers of {colour} are rounded.",
         "others": "Further numbers of {colour} in other models are left out.",
         "space": "The colour spaces of {colour} are left out.",
@@ -121,9 +122,15 @@ def _compare(entry: Entry, other: Entry, counts: Counter[str], models: Counter[t
                 else:
                     models[own.space, "sRGB"] += 1
             counts["white"] += (own.illuminant, own.observer_deg) != (new.illuminant, new.observer_deg)
-            counts["rounded"] += any(
-                abs(a - b) > _SAME * max(1.0, abs(a)) for a, b in zip(kept.values, new.values, strict=False)
-            )
+            changed = [
+                (a, b)
+                for a, b in zip(kept.values, new.values, strict=False)
+                if abs(a - b) > _SAME * max(1.0, abs(a))
+            ]
+            if kept.model == "RGB" and any(not 0.0 <= a <= 1.0 and 0.0 <= b <= 1.0 for a, b in changed):
+                counts["clipped"] += 1
+            elif changed:
+                counts["rounded"] += 1
         counts["others"] += own.others != new.others
     elif isinstance(new, FlatColour):
         counts["paint"] += 1

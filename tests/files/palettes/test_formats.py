@@ -295,6 +295,16 @@ def test_spaces_and_whites_that_are_lost_are_told_beside_rounded_numbers() -> No
     assert "The whites that 1 colour is measured by are left out." in told
 
 
+def test_colours_beyond_what_a_format_holds_are_told_as_such() -> None:
+    for name in ("aco", "gpl"):
+        _, told = written_as(name, FlatColour("c", "RGB", (0.7, 0.2, 0.1), "ProPhoto RGB"))
+        assert "1 colour is beyond what it holds and brought to the nearest that it does." in told
+        assert "rounded" not in told
+    back, told = written_as("ase", FlatColour("c", "RGB", (0.7, 0.2, 0.1), "ProPhoto RGB"))
+    assert back.values[0] > 1.0
+    assert "beyond" not in told
+
+
 def test_a_further_model_in_another_space_is_converted_too() -> None:
     others = (FlatColour("", "RGB", (178 / 255, 51 / 255, 26 / 255), "Adobe RGB (1998)"),)
     own = FlatColour("c", "Lab", (45.0, 60.0, 50.0), "", "D50", 2, (), others)
