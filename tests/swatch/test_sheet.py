@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 from dataclasses import replace
 from pathlib import Path
+from time import sleep
 
 import pytest
 from brdf_color_swatch import sheet_part
@@ -68,6 +69,7 @@ def test_nothing_of_the_pages_stays_where_they_are_not_printed(
         made.append(path)
         while cancelled:
             progress(0.5, "")
+            sleep(0.005)
         raise SuiteError("no ink")
 
     monkeypatch.setattr(sheet_part, "run_sheets", draw)
