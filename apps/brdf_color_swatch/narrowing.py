@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -85,9 +86,12 @@ def _duplicates(rows: Rows, state: PaneState, inside: np.ndarray, progress: Prog
         members = [place for place in group.indices if inside[place]]
         if len(members) < 2:
             continue
-        title = tr("{count} alike, up to ΔE00 {widest} apart").format(
-            count=len(members), widest=f"{group.widest:.2f}"
-        )
+        if math.isnan(group.widest):  # not worked out of a group that large
+            title = tr("{count} alike").format(count=len(members))
+        else:
+            title = tr("{count} alike, up to ΔE00 {widest} apart").format(
+                count=len(members), widest=f"{group.widest:.2f}"
+            )
         if group.chained:
             title = tr("{title}, by steps").format(title=title)
         parts.append(Part(title, len(places), len(members)))
