@@ -199,7 +199,7 @@ class Legend(QWidget):
                 self.rows.editItem(self.rows.topLevelItem(place), TITLE)
 
     def sizeHint(self) -> QSize:
-        return QSize(240, 240)
+        return QSize(252, 240)
 
     def _build_rows(self) -> None:
         rows = self.rows

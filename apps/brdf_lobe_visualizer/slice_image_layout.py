@@ -88,7 +88,7 @@ def _layout(
     if room.bar_ticks is not None:
         if below:
             under += GAP + BAR + 2.0 * room.line + 6.0
-            right += 0.5 * room.bar_ticks
+            left, right = max(left, 0.5 * room.bar_ticks), right + 0.5 * room.bar_ticks
         else:
             right += GAP + BAR + 8.0 + room.bar_ticks + room.line
             # The numbers at the bar's ends reach half a line beyond it.

@@ -106,10 +106,13 @@ def test_the_half_angle_slice_follows_its_slider(slices, desk, qtbot) -> None:
 
 @pytest.mark.parametrize("below", [False, True])
 def test_the_numbers_at_the_ends_of_the_bar_have_their_room(below: bool) -> None:
-    room = Room(14.0, True, True, 0.0, False, False, False, 30.0)
+    room = Room(14.0, True, True, 0.0, False, False, False, 44.0)
     width, height = (300.0, 500.0) if below else (420.0, 300.0)
     for rows, columns in ((3, 2), (2, 3), (1, 1), (3, 1)):
         way = best_layout(width, height, rows, columns, room)
-        if not way.bar_below:
+        if way.bar_below:
+            assert way.whole.left() >= 0.5 * room.bar_ticks
+            assert way.whole.right() <= width - 0.5 * room.bar_ticks
+        else:
             assert way.whole.top() >= 0.5 * room.line
             assert way.whole.bottom() <= height - 0.5 * room.line
