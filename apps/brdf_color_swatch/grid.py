@@ -153,7 +153,10 @@ class SwatchGrid(GridView):
         super().wheelEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.currentIndex().isValid():
+        # A Return that ends the writing of a name comes by here too, while the name is still the old one.
+        writing = self.state() == QAbstractItemView.State.EditingState
+        opens = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.currentIndex().isValid()
+        if opens and not writing:
             self.activated.emit(self.currentIndex())
             return
         with self._range(event.modifiers()):
