@@ -152,10 +152,8 @@ class Controller(QObject):
             count = tr("{shown} of {count}").format(shown=shown, count=whole)
         if self._desk.is_working(pane.number):
             count = tr("({count}, working)").format(count=count)
-        two = self._window.has_two_panes
-        pane.show_title(
-            title, count, front=pane.number == self._desk.front, closable=two and pane.number == 1
-        )
+        front = pane.number == self._desk.front
+        pane.show_title(title, count, front=front, two=self._window.has_two_panes)
 
     def _item(self, pane: Pane) -> Item | None:
         return self._desk.library.item(self._desk.states[pane.number].scope.palette)

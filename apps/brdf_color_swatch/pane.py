@@ -150,15 +150,16 @@ class Pane(QFrame):
         """The view that is shown."""
         return self.list if self._as_list else self.grid
 
-    def show_title(self, title: str, count: str, *, front: bool, closable: bool) -> None:
-        """Show what the pane is of; ``front``: it is the one that is worked in."""
+    def show_title(self, title: str, count: str, *, front: bool, two: bool) -> None:
+        """Show what the pane is of; ``front``: it is the one that is worked in, of ``two`` where there are two."""
         self._title.setText(title)
         font = self._title.font()
         font.setBold(front)
         self._title.setFont(font)
         self._count.setText(count)
-        self._close.setVisible(closable)
-        self._mark.setVisible(front and closable)
+        # The first pane stays.
+        self._close.setVisible(two and self.number > 0)
+        self._mark.setVisible(front and two)
 
     def reveal(self, ids: tuple[str, ...]) -> None:
         """Select these swatches and scroll to the first."""
@@ -200,6 +201,7 @@ class Pane(QFrame):
         row.setSpacing(8)
         self.head.setMinimumHeight(30)
         self._mark = QLabel("▸")
+        self._mark.setObjectName("front_mark")
         self._mark.setToolTip(tr("The pane that is worked in"))
         self._title = ElidedLabel()
         self._count = QLabel()
@@ -214,6 +216,8 @@ class Pane(QFrame):
         row.addWidget(self._title, 1)
         row.addWidget(self._count)
         row.addWidget(self._close)
+        for widget in (self.head, self._mark, self._title, self._count):
+            widget.installEventFilter(self)
 
     def _note_page(self) -> QWidget:
         page = QWidget()
@@ -285,6 +289,14 @@ class Pane(QFrame):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.FocusIn, QEvent.Type.MouseButtonPress):
             self.worked_in.emit()
+        if event.type() == QEvent.Type.MouseButtonPress and watched in (
+            self.head,
+            self._mark,
+            self._title,
+            self._count,
+        ):
+            # The keys go where the click has gone.
+            self.view.setFocus(Qt.FocusReason.MouseFocusReason)
         if (
             watched is self.list.viewport()
             and isinstance(event, QDropEvent)

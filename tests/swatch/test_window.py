@@ -5,7 +5,7 @@ from __future__ import annotations
 from brdf_color_swatch.assembly import ColorSwatch
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLineEdit
+from PySide6.QtWidgets import QLabel, QLineEdit
 
 
 def test_the_return_that_ends_a_name_opens_nothing(swatch: ColorSwatch, select, qtbot) -> None:
@@ -25,3 +25,19 @@ def test_the_return_that_ends_a_name_opens_nothing(swatch: ColorSwatch, select, 
         assert opened == ["red"]
     finally:
         pane.opened.disconnect(opened.append)
+
+
+def marked(swatch: ColorSwatch) -> list[bool]:
+    """Return which panes have the mark of the one that is worked in."""
+    return [not pane.findChild(QLabel, "front_mark").isHidden() for pane in swatch.window.panes]
+
+
+def test_a_click_on_a_title_makes_the_pane_the_one_worked_in(swatch: ColorSwatch) -> None:
+    assert marked(swatch) == [False, False]
+    swatch.controller.show_second(True)
+    assert marked(swatch) == [False, True]
+    for number in (0, 1):
+        head = swatch.window.panes[number].head
+        QTest.mouseClick(head.childAt(head.rect().center()), Qt.MouseButton.LeftButton)
+        assert swatch.desk.front == number
+        assert marked(swatch) == [number == 0, number == 1]
