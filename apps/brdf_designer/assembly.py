@@ -182,7 +182,7 @@ class Designer:
         window.close_asked.connect(self._may_close)
         window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
         documents.recent_changed.connect(lambda: window.show_recent(self.files.recent()))
-        self.paint_offer = PaintOffer(documents)
+        self.paint_offer = PaintOffer(documents, self.desk)
         self.link.received.connect(self.paint_offer.received)
         self.link.peers_changed.connect(lambda _count: window.desk_status.show_peers(self.link.peers))
         app = QCoreApplication.instance()

@@ -25,6 +25,8 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.pipeline.paint import PaintFit
 
+_TYPED: tuple[Key, ...] = (("name",), ("source",), ("notes",))
+
 
 class View(Protocol):
     """What the controller asks of a window."""
@@ -70,6 +72,7 @@ class Controller(QObject):
         super().__init__(parent)
         self._view, self._desk, self._documents = view, desk, desk.documents
         self._refused = False
+        self._in_hand: tuple[Key, int] | None = None
         # Numbers and patches are set and painted first; strip and curves follow in the next turn of the event loop,
         # once for all the edits of one turn.
         self._later = QTimer(self)
@@ -101,7 +104,13 @@ class Controller(QObject):
         self._show_history()
 
     def edit(self, key: Key, value: Any) -> None:
-        """Take one edit from the window; an edit of another field ends the gesture that runs."""
+        """Take one edit from the window; an edit of another field ends the gesture that runs.
+
+        A hand that still holds a field of the document that was in front before moves nothing of this one.
+        """
+        if self._is_left_over(key):
+            self._refused = True
+            return
         paint = self._desk.paint
         try:
             after = edited(paint, key, value)
@@ -119,11 +128,15 @@ class Controller(QObject):
 
     def begin_gesture(self, key: Key) -> None:
         """A drag, or another run of edits that is one step, begins on field ``key``."""
+        self._in_hand = key, self._desk.document_key
         self._desk.begin_gesture(step_name(self._desk.paint, key))
 
     def end_gesture(self) -> None:
         """The run of edits is over; a field that holds a refused value shows the document again."""
+        self._in_hand = None
         self._desk.end_gesture()
+        # Where another document has come in front, its gesture was over before.
+        self._settle()
 
     def undo(self) -> None:
         """Take the newest step back."""
@@ -146,6 +159,12 @@ class Controller(QObject):
     def _accepted(self) -> None:
         self._refused = False
         self._view.dismiss_message("edit")
+
+    def _is_left_over(self, key: Key) -> bool:
+        """Whether the gesture that edits ``key`` began on another document; what is typed is of this one."""
+        if self._in_hand is None or key in _TYPED:
+            return False
+        return self._in_hand[0] == key and self._in_hand[1] != self._desk.document_key
 
     def _settle(self) -> None:
         if self._refused:

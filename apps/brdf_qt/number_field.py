@@ -129,6 +129,9 @@ class NumberField(QDoubleSpinBox):
 
     def set_value(self, value: float) -> None:
         """Show ``value`` without a signal."""
+        if self._press is not None and not self._dragging:
+            # A drag goes on from what is shown, also where that has changed under the button.
+            self._press_value = value
         # A drag sets every number a hundred times a second: what it shows already is not set and drawn anew. Only
         # where it has the focus may its text be another than its value says.
         if (value, self.value()) == self._set and not self.hasFocus():

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import time
+
 import pytest
 from brdf_designer.assembly import shipped_paint
 from brdf_qt.command_palette import commands
 from brdf_qt.dialogs import Answer
-from PySide6.QtCore import Qt
+from brdf_qt.link_messages import OFFER
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTabBar
 
-from brdf_suite.documents.store import load_paint, paint_from_json, save_paint
+from brdf_suite.documents.store import load_paint, paint_from_json, paint_to_json, save_paint
 
 
 def choose(designer, path: str) -> None:
@@ -203,3 +206,38 @@ def test_a_gesture_ends_with_the_tab_that_it_was_made_in(three):
     three.window.tabs.setCurrentIndex(2)
     three.desk.edit(shipped_paint("silver_metallic"), "Drag")
     assert three.store.stack.count() == 2
+
+
+def offer_of(paint) -> dict:
+    return {"to": "designer", "time": time.time(), "paint": paint_to_json(paint)}
+
+
+def test_a_paint_that_arrives_in_the_midst_of_a_drag_waits_for_its_end(designer, qtbot):
+    before = designer.documents.front
+    band = designer.window.strip.band
+    start = band.grip_centres()[0].toPoint()
+    QTest.mousePress(band, Qt.MouseButton.LeftButton, pos=start)
+    QTest.mouseMove(band, start - QPoint(0, 8))
+    designer.link.received.emit(OFFER, offer_of(shipped_paint("red")))
+    assert designer.documents.row == (before,)
+    QTest.mouseMove(band, start - QPoint(0, 16))
+    QTest.mouseRelease(band, Qt.MouseButton.LeftButton, pos=start)
+    qtbot.waitUntil(lambda: designer.store.value == shipped_paint("red"))
+    assert before.store.stack.count() == 1
+    assert designer.store.stack.count() == 0
+
+
+def test_a_hand_that_a_switch_leaves_behind_moves_nothing_of_the_new_front(three):
+    band = three.window.strip.band
+    start = band.grip_centres()[0].toPoint()
+    QTest.mousePress(band, Qt.MouseButton.LeftButton, pos=start)
+    three.window.tabs.setCurrentIndex(0)
+    for up in (8, 16):
+        QTest.mouseMove(band, start - QPoint(0, up))
+    QTest.mouseRelease(band, Qt.MouseButton.LeftButton, pos=start)
+    assert three.store.value == shipped_paint("red")
+    assert three.store.stack.count() == 0
+    slider = three.window.editors.editors[0].sliders[0]
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=slider.rect().center())
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=slider.rect().center())
+    assert three.store.stack.count() == 1, "the next hand is taken again"

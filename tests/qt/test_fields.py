@@ -267,3 +267,12 @@ def test_the_track_shows_its_colours_and_hatches_what_is_outside(slider):
     right = {picture.pixelColor(x, 11).name() for x in range(180, 290)}
     assert left == {"#c81e1e"}
     assert len(right) > 1
+
+
+def test_a_number_that_changes_under_the_button_is_dragged_from_there(field):
+    line, start = field.lineEdit(), QPoint(40, 10)
+    QTest.mousePress(line, Qt.MouseButton.LeftButton, pos=start)
+    field.set_value(20.0)
+    send_move(line, start + QPoint(40, 0), Qt.KeyboardModifier.NoModifier)
+    QTest.mouseRelease(line, Qt.MouseButton.LeftButton, pos=start)
+    assert field.value() == 25.0
