@@ -367,7 +367,7 @@ def _no_fit(subject: Subject) -> str:
 def _notes(sheet: _Sheet) -> list[str]:
     notes = []
     if sheet.found.stale:
-        notes.append(tr("Of the incidence before: its values are being worked out."))
+        notes.append(tr("As it was before: its values are being worked out."))
     holes = int(np.isnan(sheet.found.values[:, :-1]).any(axis=-1).sum())
     if holes:
         rows, columns = sheet.found.grid.shape

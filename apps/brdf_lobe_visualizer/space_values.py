@@ -34,7 +34,8 @@ class _Kept:
     grid: LobeGrid | None = None
     values: Singles | None = None
     seconds: float = 0.0
-    asked: LobeGrid | None = None
+    before: Found | None = None
+    """What another reflectance under the same key had: one that is edited is shown as it was, until it is there."""
 
 
 @dataclass
@@ -47,7 +48,7 @@ class _KeptFit:
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """f_r (rows, columns, 3) on a grid; ``stale`` where it is of another incidence than is asked for."""
+    """f_r (rows, columns, 3) on a grid; ``stale`` where it is of another incidence or reflectance than is asked for."""
 
     grid: LobeGrid
     values: Singles
@@ -81,8 +82,9 @@ class SpaceValues:
         grid = self.grid()
         kept = self._kept.get(subject.key)
         if kept is None or not _same(kept.source, subject.reflectance, subject.measured):
-            kept = self._kept[subject.key] = _Kept(
-                LobeSource(subject.reflectance, subject.measured), seconds=kept.seconds if kept else 0.0
+            source = LobeSource(subject.reflectance, subject.measured)
+            kept = self._kept[subject.key] = (
+                _Kept(source, seconds=kept.seconds, before=_stale(kept)) if kept else _Kept(source)
             )
         if kept.grid is not grid:
             if kept.seconds <= SLOW_S:
@@ -97,7 +99,7 @@ class SpaceValues:
             else:
                 self._ask(subject.key, kept, grid)
         if kept.values is None or kept.grid is None:
-            return None
+            return kept.before
         return Found(kept.grid, kept.values, kept.grid is not grid)
 
     def fit(self, subject: Subject, lobes: tuple[FitLobe, ...]) -> Found | None:
@@ -120,9 +122,8 @@ class SpaceValues:
 
     def _ask(self, key: str, kept: _Kept, grid: LobeGrid) -> None:
         # One at a time: while a light is dragged, the newest would cancel each before it has come to an end.
-        if kept.asked is not None:
+        if key in self._waiting:
             return
-        kept.asked = grid
         self._waiting.add(key)
 
         def work(request: tuple[LobeSource, LobeGrid], _progress: object) -> tuple[Singles, float]:
@@ -131,13 +132,16 @@ class SpaceValues:
 
         def done(answer: tuple[Singles, float]) -> None:
             self._waiting.discard(key)
-            kept.values, kept.grid, kept.asked = answer[0], grid, None
+            kept.values, kept.grid = answer[0], grid
             kept.seconds = 0.5 * (kept.seconds + answer[1])
+            now = self._kept.get(key)
+            if now is not None and now is not kept and now.values is None:
+                now.before = _stale(kept)
             self._arrived()
 
         def failed(error: Exception) -> None:
             self._waiting.discard(key)
-            kept.values, kept.grid, kept.asked = np.full((*grid.shape, 3), np.nan, np.float32), grid, None
+            kept.values, kept.grid = np.full((*grid.shape, 3), np.nan, np.float32), grid
             self._told(key, error)
             self._arrived()
 
@@ -145,6 +149,12 @@ class SpaceValues:
 
     def _told(self, key: str, error: Exception) -> None:
         self._desk.show_message(message_of(error, f"space {key}"))
+
+
+def _stale(kept: _Kept) -> Found | None:
+    if kept.values is None or kept.grid is None:
+        return kept.before
+    return Found(kept.grid, kept.values, stale=True)
 
 
 def with_cosine(found: Found, cosine: Cosine) -> Singles:

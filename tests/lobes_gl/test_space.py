@@ -153,9 +153,8 @@ def test_what_is_slow_follows_a_drag_and_holds_nothing_up(space, program, qtbot)
             self.threads.append(here)
             if not here:
                 self.may.wait()
-            cosine = np.broadcast_to(
-                np.asarray(wi)[..., 2], np.broadcast_shapes(np.shape(wi), np.shape(wo))[:-1]
-            )
+            shape = np.broadcast_shapes(np.shape(wi), np.shape(wo))[:-1]
+            cosine = np.broadcast_to(np.asarray(wi)[..., 2], shape)
             return np.repeat(cosine[..., None], 3, axis=-1)
 
     model = Slow()
@@ -167,14 +166,15 @@ def test_what_is_slow_follows_a_drag_and_holds_nothing_up(space, program, qtbot)
     for theta in (50.0, 55.0, 60.0):
         program.desk.set_incidence(theta, 0.0)
         space.draw_now()
-    panel = space.view.scene.panels[0]
-    assert panel.layers, "the lobes of before stay"
-    assert "incidence before" in panel.note
+    assert (panel := space.view.scene.panels[0]).layers, "the lobes of before stay"
+    assert "was before" in panel.note
+    space._desk.set_subjects((Subject("slow", "A", Slow(), RED),))
+    space.draw_now()
+    assert space.view.scene.panels[0].layers, "of what is edited, too"
     assert not any(model.threads)
     model.may.set()
     qtbot.waitUntil(lambda: space.is_complete)
-    panel = space.view.scene.panels[0]
-    assert panel.note == ""
+    assert (panel := space.view.scene.panels[0]).note == ""
     light = np.cos(np.radians(60.0))
     assert panel.layers[0].surface.values[3, 3] == pytest.approx(light * light, rel=1e-5)
 
