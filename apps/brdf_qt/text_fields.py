@@ -1,22 +1,26 @@
 """Lines and notes of a document: every keystroke is an edit, a stay in the field is one undo step.
 
-Undo and redo belong to the document, not to the field.
+Undo and redo belong to the document, not to the field; Ctrl+E, which X11 takes for the end of the line, to a command.
 """
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QLineEdit, QPlainTextEdit, QWidget
 
 
-def _is_undo(event: QEvent) -> bool:
-    keys = QKeySequence.StandardKey
-    return (
-        event.type() == QEvent.Type.ShortcutOverride
-        and isinstance(event, QKeyEvent)
-        and (event.matches(keys.Undo) or event.matches(keys.Redo))
-    )
+def is_of_window(event: QEvent) -> bool:
+    """Whether a field with the focus asks if these keys are its own, and they are a command's of the window.
+
+    Undo and Redo, and Ctrl+E with or without Shift: End does what it would do in a line.
+    """
+    if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
+        return False
+    keys, held = QKeySequence.StandardKey, Qt.KeyboardModifier
+    bare = event.modifiers() & ~(held.ShiftModifier | held.KeypadModifier)
+    to_end = event.key() == Qt.Key.Key_E and bare == held.ControlModifier
+    return to_end or event.matches(keys.Undo) or event.matches(keys.Redo)
 
 
 class TextLine(QLineEdit):
@@ -51,7 +55,7 @@ class TextLine(QLineEdit):
             self.gesture_finished.emit()
 
     def event(self, event: QEvent) -> bool:
-        if _is_undo(event):
+        if is_of_window(event):
             event.ignore()
             return False
         return super().event(event)
@@ -90,6 +94,12 @@ class TextNotes(QPlainTextEdit):
             self._going = True
             self.gesture_started.emit()
         self.edited.emit(self.toPlainText())
+
+    def event(self, event: QEvent) -> bool:
+        if is_of_window(event):
+            event.ignore()
+            return False
+        return super().event(event)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)

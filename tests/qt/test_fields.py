@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from brdf_qt.colour_slider import ColourSlider
 from brdf_qt.number_field import NumberField, parse_number
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QGuiApplication, QWheelEvent
+from brdf_qt.text_fields import TextLine, TextNotes
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
@@ -276,3 +277,25 @@ def test_a_number_that_changes_under_the_button_is_dragged_from_there(field):
     send_move(line, start + QPoint(40, 0), Qt.KeyboardModifier.NoModifier)
     QTest.mouseRelease(line, Qt.MouseButton.LeftButton, pos=start)
     assert field.value() == 25.0
+
+
+@pytest.mark.parametrize("kind", ["number", "line", "notes"])
+@pytest.mark.parametrize(
+    ("key", "shift"), [(Qt.Key.Key_E, False), (Qt.Key.Key_E, True), (Qt.Key.Key_Z, False)]
+)
+def test_a_field_leaves_keys_of_commands_to_the_window(qtbot, kind, key, shift):
+    made = {"number": NumberField, "line": lambda name: TextLine(name, 20), "notes": TextNotes}
+    widget = made[kind]("Field")
+    qtbot.addWidget(widget)
+    held = Qt.KeyboardModifier.ControlModifier
+    if shift:
+        held |= Qt.KeyboardModifier.ShiftModifier
+    event = QKeyEvent(QEvent.Type.ShortcutOverride, key, held)
+    # Not every platform has Ctrl+E for the end of a line: the field itself has to say no.
+    event.accept()
+    QApplication.sendEvent(widget, event)
+    assert not event.isAccepted()
+    letter = QKeyEvent(QEvent.Type.ShortcutOverride, Qt.Key.Key_1, Qt.KeyboardModifier.NoModifier, "1")
+    letter.ignore()
+    QApplication.sendEvent(widget, letter)
+    assert letter.isAccepted(), "what is typed is not a command"
