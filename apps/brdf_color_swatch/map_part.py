@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 _KEY = "map/kind"
 _ROOM_PX = 1250
 """From this width of the window on, map and inspector have room beside each other."""
+_HANDLES_PX = 24
+"""For the handles between swatches, panels and the window's edges."""
 _KINDS = {
     "space": (
         mark("a* b* L*"),
@@ -41,6 +43,8 @@ class MapPart:
         self.space: SpaceMap | None = None
         self.plane: PlaneMap | None = None
         self._built = False
+        self._beside: tuple[int, int] | None = None
+        """While the panel stands beside them: the widths of library and inspector before it came."""
         kind = str(settings().value(_KEY, "flop"))
         self.kind = kind if kind in _KINDS else "flop"
         inside = QWidget()
@@ -129,15 +133,32 @@ class MapPart:
         if window.width() < _ROOM_PX:
             window.tabifyDockWidget(window.inspector_dock, self.dock)
             return
+        # Before the panel is shown: it takes its first room from the inspector.
+        library, inspector = window.library_dock.width(), window.inspector_dock.width()
         window.splitDockWidget(self.dock, window.inspector_dock, Qt.Orientation.Horizontal)
         self.dock.show()
         docks = [window.library_dock, self.dock, window.inspector_dock]
-        # Taken from the swatches alone: library and inspector keep theirs.
-        widths = [window.library_dock.width(), round(0.32 * window.width()), window.inspector_dock.width()]
+        # Taken from the swatches alone, and no more than they can spare: library and inspector keep theirs.
+        room = window.width() - library - inspector - window.centralWidget().minimumSizeHint().width()
+        wide = min(round(0.32 * window.width()), room - _HANDLES_PX)
+        widths = [library, max(self.dock.minimumSizeHint().width(), wide), inspector]
+        window.resizeDocks(docks, widths, Qt.Orientation.Horizontal)
+        self._beside = library, inspector
+
+    def _give_back(self) -> None:
+        """Give the room of the panel back to the swatches, where Qt gives it to the inspector."""
+        library, inspector = self._beside or (0, 0)
+        self._beside = None
+        window = self._window
+        docks = [window.library_dock, window.inspector_dock]
+        # As they stand now, or wider where the panel has pressed them together.
+        widths = [max(library, window.library_dock.width()), max(inspector, window.inspector_dock.width())]
         window.resizeDocks(docks, widths, Qt.Orientation.Horizontal)
 
     def _visible(self, shown: bool) -> None:
         self.action.setChecked(not self.dock.isHidden())
+        if self.dock.isHidden() and self._beside is not None:
+            self._give_back()
         if shown:
             self._later()
 

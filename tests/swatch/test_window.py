@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import pytest
 from brdf_color_swatch.assembly import ColorSwatch
-from PySide6.QtCore import Qt
+from brdf_color_swatch.map_part import MapPart
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
 
@@ -41,3 +43,34 @@ def test_a_click_on_a_title_makes_the_pane_the_one_worked_in(swatch: ColorSwatch
         QTest.mouseClick(head.childAt(head.rect().center()), Qt.MouseButton.LeftButton)
         assert swatch.desk.front == number
         assert marked(swatch) == [number == 0, number == 1]
+
+
+@pytest.fixture
+def map_part(swatch: ColorSwatch):
+    """The map in a window with room for it beside the inspector; hidden before and after."""
+    (part,) = (part for part in swatch.parts if isinstance(part, MapPart))
+    window = swatch.window
+    size = window.size()
+    window.resize(1500, 900)
+    yield part
+    if not part.dock.isHidden():
+        part.toggle()
+    window.resize(size)
+
+
+def test_the_map_takes_its_room_from_the_swatches_and_gives_it_back(
+    swatch: ColorSwatch, map_part: MapPart, qtbot
+) -> None:
+    window = swatch.window
+    docks = window.library_dock, window.inspector_dock
+    window.resizeDocks(list(docks), [190, 290], Qt.Orientation.Horizontal)
+    qtbot.waitUntil(lambda: [dock.width() for dock in docks] == [190, 290])
+    for _ in range(2):
+        map_part.toggle()
+        QCoreApplication.processEvents()
+        assert not map_part.dock.isHidden()
+        qtbot.waitUntil(lambda: [dock.width() for dock in docks] == [190, 290])
+        map_part.toggle()
+        QCoreApplication.processEvents()
+        assert map_part.dock.isHidden()
+        qtbot.waitUntil(lambda: [dock.width() for dock in docks] == [190, 290])
