@@ -322,6 +322,11 @@ class AngleEditors(QWidget):
         self.space = "lab"
         self._colours: Colours | None = None
 
+    def focus_order(self) -> list[QWidget]:
+        """Return what Tab stops at: the numbers of all angles, then the buttons that pick a colour or remove one."""
+        numbers = [field for editor in self.editors for field in editor.fields]
+        return [*numbers, *(button for editor in self.editors for button in (editor.swatch, editor.remove))]
+
     def set_space(self, space: str) -> None:
         """Edit in ``lab`` or ``lch``."""
         self.space = space

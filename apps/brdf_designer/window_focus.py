@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
+from typing import Protocol, runtime_checkable
 
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
@@ -11,8 +12,16 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 
+@runtime_checkable
+class Ordered(Protocol):
+    """A part that knows better than the order in which its widgets were made."""
+
+    def focus_order(self) -> Sequence[QWidget]:
+        """Return what Tab stops at, one after the other."""
+
+
 def order_focus(parts: Sequence[QWidget]) -> None:
-    """Let Tab go through ``parts`` one after the other; within a part in the order in which its widgets were made.
+    """Let Tab go through ``parts`` one after the other; within a part in its own order, or as its widgets were made.
 
     To be called again where widgets have come: a new one is the last of its window.
     """
@@ -26,6 +35,9 @@ def _inside(part: QWidget) -> Iterator[QWidget]:
     By the tree and not by QWidget.nextInFocusChain: Python takes what that returns for a child of the widget that was
     asked. Once that one is deleted, Python holds all that follow for deleted too, down to the window's menus.
     """
+    if isinstance(part, Ordered):
+        yield from part.focus_order()
+        return
     if part.focusPolicy() & Qt.FocusPolicy.TabFocus:
         yield part
     for child in part.children():
