@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
@@ -100,6 +100,13 @@ class Inspector(QScrollArea):
         self._box.insertWidget(place, section)
         self.sections.insert(place, section)
         return section
+
+    def bring_in_sight(self, section: Section) -> None:
+        """Scroll as little as shows the whole of ``section``, or its beginning where it is longer than the room."""
+        bar = self.verticalScrollBar()
+        top = section.mapTo(self._inside, QPoint(0, 0)).y()
+        lowest = top + section.height() - self.viewport().height()
+        bar.setValue(min(top, max(lowest, bar.value())))
 
     def sizeHint(self) -> QSize:
         return QSize(self._inside.sizeHint().width() + self.verticalScrollBar().sizeHint().width() + 2, 640)

@@ -114,3 +114,25 @@ def test_tolerances_become_options_of_the_command(designer) -> None:
 def test_names_of_files_fit_every_system() -> None:
     assert file_name('a/b:c*"d" ') == "a_b_c_d_"
     assert file_name(" .. ") == "paint"
+
+
+def test_the_command_brings_the_whole_section_in_sight(qtbot, designer) -> None:
+    window = designer.window
+    for section in window.inspector.sections:
+        section.set_open(section.objectName() != f"section_{KEY}")
+    window.resize(1100, 700)
+    bar = window.inspector.verticalScrollBar()
+    qtbot.waitUntil(lambda: bar.maximum() > window.inspector.viewport().height())
+    bar.setValue(0)
+    control = window.findChild(HandoverControl)
+    control.open()
+    settled(qtbot, control)
+    export, view = control.section.export, window.inspector.viewport()
+
+    def in_sight() -> bool:
+        return all(
+            view.rect().contains(part.mapTo(view, part.rect().center()))
+            for part in (control.section.formats, export)
+        )
+
+    qtbot.waitUntil(in_sight)
