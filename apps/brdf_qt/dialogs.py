@@ -6,7 +6,8 @@ from enum import Enum
 from pathlib import Path
 from typing import Protocol
 
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QMessageBox, QWidget
 
 from brdf_qt.icons import icon
 from brdf_qt.translation import tr
@@ -47,6 +48,13 @@ class Dialogs(Protocol):
         """Ask for a file to write; ``None`` where the user gives up."""
 
 
+def without_icons(dialog: QDialog) -> None:
+    """Take the icons off a dialog's buttons: those of Qt are green and red, and the interface has no colour."""
+    for row in dialog.findChildren(QDialogButtonBox):
+        for button in row.buttons():
+            button.setIcon(QIcon())
+
+
 class QtDialogs:
     """The questions as dialogs over ``window``."""
 
@@ -63,6 +71,7 @@ class QtDialogs:
         kinds = QMessageBox.StandardButton
         box.setStandardButtons(kinds.Save | kinds.Discard | kinds.Cancel)
         box.setDefaultButton(kinds.Save)
+        without_icons(box)
         answers = {kinds.Save: Answer.SAVE, kinds.Discard: Answer.DISCARD}
         return answers.get(kinds(box.exec()), Answer.CANCEL)
 
@@ -79,14 +88,16 @@ class QtDialogs:
         save_as = box.addButton(tr("Save As…"), roles.AcceptRole)
         box.setDefaultButton(save_as)
         box.setEscapeButton(box.addButton(QMessageBox.StandardButton.Cancel))
+        without_icons(box)
         box.exec()
         answers = {overwrite: Overwrite.OVERWRITE, save_as: Overwrite.SAVE_AS}
         return answers.get(box.clickedButton(), Overwrite.CANCEL)
 
     def open_path(self, folder: Path, filters: str) -> Path | None:
         """See :meth:`Dialogs.open_path`."""
-        name, _ = QFileDialog.getOpenFileName(self._window, tr("Open"), str(folder), filters)
-        return Path(name) if name else None
+        dialog = QFileDialog(self._window, tr("Open"), str(folder), filters)
+        dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
+        return _chosen(dialog)
 
     def save_path(self, suggested: Path, filters: str) -> Path | None:
         """See :meth:`Dialogs.save_path`."""
@@ -95,7 +106,13 @@ class QtDialogs:
         # Added by the dialog and not afterwards, so that it asks about the file that is really written.
         dialog.setDefaultSuffix(suggested.suffix)
         dialog.selectFile(suggested.name)
-        accepted = dialog.exec() == QFileDialog.DialogCode.Accepted
-        names = dialog.selectedFiles()
-        dialog.deleteLater()
-        return Path(names[0]) if accepted and names else None
+        return _chosen(dialog)
+
+
+def _chosen(dialog: QFileDialog) -> Path | None:
+    """Ask, and return the file that was named; ``None`` where the user gives up."""
+    without_icons(dialog)
+    accepted = dialog.exec() == QFileDialog.DialogCode.Accepted
+    names = dialog.selectedFiles()
+    dialog.deleteLater()
+    return Path(names[0]) if accepted and names else None

@@ -16,6 +16,7 @@ from brdf_qt.command_palette import CommandPalette
 from brdf_qt.help_windows import AboutWindow, ShortcutsWindow
 from brdf_qt.icons import icon as icon_of
 from brdf_qt.message_bar import MessageBar
+from brdf_qt.panel import Panel
 from brdf_qt.progress_strip import ProgressStrip
 from brdf_qt.section import Inspector
 from brdf_qt.settings import settings
@@ -113,7 +114,7 @@ class SuiteWindow(QMainWindow):
 
         ``title`` is English, marked for translation.
         """
-        dock = QDockWidget(tr(title), self)
+        dock = Panel(tr(title), self)
         dock.setObjectName(f"panel_{title}")
         dock.setWidget(widget)
         self.addDockWidget(area, dock)

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -81,8 +81,8 @@ class _Row(QFrame):
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 6, 8, 6)
         row.setSpacing(8)
-        sign = QLabel()
-        sign.setPixmap(icon(_ICONS[message.severity]).pixmap(16, 16))
+        self._sign = sign = QLabel()
+        self._draw_sign()
         sign.setAccessibleName(tr(_WORDS[message.severity]))
         row.addWidget(sign, 0, Qt.AlignmentFlag.AlignTop)
         texts = QVBoxLayout()
@@ -117,6 +117,15 @@ class _Row(QFrame):
             close.setAccessibleName(tr("Close this message"))
             close.clicked.connect(lambda: self.closed.emit(self.message.key))
             row.addWidget(close, 0, Qt.AlignmentFlag.AlignTop)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        # A label keeps the pixels of its picture, in the colour of the theme in which they were drawn.
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_sign"):
+            self._draw_sign()
+
+    def _draw_sign(self) -> None:
+        self._sign.setPixmap(icon(_ICONS[self.message.severity]).pixmap(16, 16))
 
     @property
     def is_brief(self) -> bool:

@@ -11,6 +11,7 @@ from brdf_qt import theme
 from brdf_qt.application import error_relay
 from brdf_qt.command_palette import commands
 from brdf_qt.command_search import search
+from brdf_qt.dialogs import Answer, QtDialogs
 from brdf_qt.fit_error import is_large, large_error_tip, marked
 from brdf_qt.icons import icon
 from brdf_qt.main_window import SuiteWindow
@@ -20,6 +21,7 @@ from brdf_qt.status_line import StatusLine
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QDockWidget, QLabel, QMessageBox
 
 from brdf_suite.errors import DocumentError
 
@@ -279,3 +281,46 @@ def test_elastic_cells_give_way_in_a_short_status_line_and_no_other_does(qtbot):
     assert fixed.width() >= fixed.sizeHint().width()
     assert elastic.toolTip().splitlines() == ["Designer is not open, not followed", "Nobody else is there"]
     assert not line.grab().isNull()
+
+
+def test_the_signs_of_messages_and_panels_follow_the_theme(window, qapp, qtbot):
+    theme.apply(qapp, "dark")
+    window.messages.show_message(Message("a", "Something is so."))
+    row = window.messages.findChild(object, "message_a")
+    sign = next(label for label in row.findChildren(QLabel) if not label.pixmap().isNull())
+
+    def drawn(pixmap) -> list[int]:
+        image = pixmap.toImage()
+        colours = [image.pixelColor(x, y) for x in range(image.width()) for y in range(image.height())]
+        assert all(c.red() == c.green() == c.blue() for c in colours if c.alpha() > 200)
+        return [c.red() for c in colours if c.alpha() > 200]
+
+    buttons = [
+        button
+        for button in window.findChild(QDockWidget).findChildren(QAbstractButton)
+        if button.objectName() in ("qt_dockwidget_floatbutton", "qt_dockwidget_closebutton")
+    ]
+    assert len(buttons) == 2
+    pictures = [sign.pixmap, *(lambda b=button: b.icon().pixmap(16, 16) for button in buttons)]
+    assert all(max(drawn(picture())) > 180 for picture in pictures)
+    theme.apply(qapp, "booth")
+    qtbot.waitUntil(lambda: all(min(drawn(picture())) < 40 for picture in pictures))
+
+
+def test_the_buttons_of_a_question_have_no_icons(window, monkeypatch):
+    seen: list[bool] = []
+
+    def with_icons(box, kinds) -> None:
+        QMessageBox.setStandardButtons(box, kinds)
+        for button in box.buttons():
+            button.setIcon(icon("x"))
+
+    def answered(box) -> int:
+        seen.extend(button.icon().isNull() for button in box.buttons())
+        return QMessageBox.StandardButton.Discard.value
+
+    # As on a desktop whose dialogs have icons on their buttons.
+    parts = {"setStandardButtons": with_icons, "exec": answered}
+    monkeypatch.setattr("brdf_qt.dialogs.QMessageBox", type("Iconed", (QMessageBox,), parts))
+    assert QtDialogs(window).unsaved("Blue") is Answer.DISCARD
+    assert seen == [True, True, True]
