@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from brdf_qt.message_bar import Message
 from brdf_qt.recovery import Recovered
-from brdf_qt.translation import tr
+from brdf_qt.translation import moment, tr
 
 from brdf_designer.desk import Messages
 from brdf_designer.tabs import Documents
@@ -33,7 +33,7 @@ class RecoveryOffer:
             names = [*names[: _MOST_NAMED - 1], tr("{count} more").format(count=len(names) - _MOST_NAMED + 1)]
         newest = max(item.when for item in items)
         what = tr("Unsaved work on {count} paints was found, the newest from {when}: {names}.").format(
-            count=len(items), when=f"{newest:%d %B, %H:%M}", names=", ".join(names)
+            count=len(items), when=moment(newest), names=", ".join(names)
         )
         actions = (
             (tr("Recover All"), lambda: self._take_all(items)),
@@ -61,7 +61,7 @@ class RecoveryOffer:
             self._offer(rest)
 
         what = tr("Unsaved work on “{name}” was found, from {when}.").format(
-            name=_name(item), when=f"{item.when:%d %B, %H:%M}"
+            name=_name(item), when=moment(item.when)
         )
         if rest:
             what = tr("{what} After it: {count} more.").format(what=what, count=len(rest))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.tasks import TaskRunner
-from brdf_qt.translation import tr
-from PySide6.QtCore import QDateTime, QLocale, QObject
+from brdf_qt.translation import moment, tr
+from PySide6.QtCore import QObject
 
 from brdf_designer.desk import Desk
 from brdf_designer.measured_endings import standard_patterns
@@ -84,7 +85,7 @@ class StandardControl(QObject):
 
     def take_present(self) -> None:
         """Take the paint as it is now as the standard."""
-        time = QLocale().toString(QDateTime.currentDateTime(), QLocale.FormatType.ShortFormat)
+        time = moment(datetime.now())
         self.set_standards([standard_of(self._desk.paint, tr("State of {time}").format(time=time))])
 
     def ask_standard(self) -> None:

@@ -7,9 +7,11 @@ tool that collects them reads the source. Messages of the core (files, fits) are
 
 from __future__ import annotations
 
+import re
+from datetime import datetime
 from functools import cache
 
-from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
+from PySide6.QtCore import QCoreApplication, QDate, QLibraryInfo, QLocale, QTranslator
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
@@ -61,6 +63,22 @@ def install(app: QCoreApplication, code: str | None = None) -> str:
     Before the first widget: texts that are shown already stay as they are.
     """
     tr.cache_clear()
+    taken = _installed(app, code)
+    app.setProperty(_KEY, taken)
+    return taken
+
+
+def moment(when: datetime) -> str:
+    """Return a date and a time of day as the language of the program writes them."""
+    app = QCoreApplication.instance()
+    code = app.property(_KEY) if app is not None else None
+    # English is that of the program's own words.
+    locale = QLocale("en_GB" if code in (None, SOURCE) else str(code))
+    form = re.sub(r"dddd,?\s*", "", locale.dateFormat(QLocale.FormatType.LongFormat))
+    return f"{locale.toString(QDate(when.year, when.month, when.day), form)}, {when:%H:%M}"
+
+
+def _installed(app: QCoreApplication, code: str | None) -> str:
     if app.applicationName() not in TRANSLATED:
         return SOURCE
     wanted = code or chosen()

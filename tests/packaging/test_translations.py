@@ -17,6 +17,9 @@ from brdf_designer.assembly import Designer
 window = Designer().window
 print([action.text() for action in window.menuBar().actions()])
 print(window.findChild(type(window.undo_action), "action_Undo").text(), window.undo_action.objectName())
+from datetime import datetime
+from brdf_qt.translation import moment
+print(moment(datetime(2026, 12, 1, 16, 32)))
 """
 
 
@@ -62,8 +65,9 @@ def test_designer_speaks_german(tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setenv("BRDF_SUITE_SETTINGS", str(tmp_path))
     done = subprocess.run([sys.executable, "-c", PROGRAM], capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
-    menus, undo = done.stdout.splitlines()[:2]
+    menus, undo, date = done.stdout.splitlines()[:3]
     assert "&Datei" in menus
     # Names of objects stay English: tests and style do not follow the language.
     assert undo.startswith("&Rückgängig")
     assert undo.endswith("action_Undo")
+    assert date == "1. Dezember 2026, 16:32"
