@@ -16,7 +16,7 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QImage, QPainter, QPalette, QPen
+from PySide6.QtGui import QFontMetrics, QImage, QPainter, QPalette, QPen
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -104,6 +104,19 @@ class HistoryModel(QAbstractListModel):
         return text
 
 
+def name_lines(name: str, metrics: QFontMetrics, width: int) -> list[str]:
+    """Return a step's name in as many lines as there is room for; what is left out is told by an ellipsis."""
+    lines: list[str] = []
+    for word in name.split():
+        longer = f"{lines[-1]} {word}" if lines else word
+        # The last line takes all that is left, and is cut.
+        if lines and (len(lines) == _NAME_LINES or metrics.horizontalAdvance(longer) <= width):
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return [metrics.elidedText(line, Qt.TextElideMode.ElideRight, width) for line in lines]
+
+
 class _Painter(QStyledItemDelegate):
     """Draws a state: picture over its step's name; undone ones are faint, the present one has the accent's frame.
 
@@ -138,8 +151,9 @@ class _Painter(QStyledItemDelegate):
         painter.setPen(option.palette.color(QPalette.ColorRole.WindowText))
         if not self.compact:
             below = rect.adjusted(3, self.size + 2 * _PAD, -3, -1)
-            flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
-            painter.drawText(below, flags, str(index.data()))
+            flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
+            name = "\n".join(name_lines(str(index.data()), option.fontMetrics, below.width()))
+            painter.drawText(below, flags, name)
         role = QPalette.ColorRole
         painter.setOpacity(1.0)
         if index.row() == model.present:
@@ -150,8 +164,12 @@ class _Painter(QStyledItemDelegate):
             painter.drawRect(rect.adjusted(0, 0, -1, -1))
         painter.restore()
 
+    def _width(self, option: QStyleOptionViewItem) -> int:
+        """Return the width in which the longest of the common names has two lines."""
+        return max(_WIDTH, option.fontMetrics.horizontalAdvance("Change Lightness") + 16)
+
     def sizeHint(self, option: QStyleOptionViewItem, _index: Index) -> QSize:
-        return QSize(self.size + 2 * _PAD + 2 if self.compact else _WIDTH, self.height(option))
+        return QSize(self.size + 2 * _PAD + 2 if self.compact else self._width(option), self.height(option))
 
 
 class HistoryStrip(QListView):
