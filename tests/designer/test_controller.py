@@ -57,7 +57,8 @@ def test_an_edit_reaches_document_view_and_link(desk, qtbot):
     assert desk.store.value.lab_at(45.0)[0] == 30.0
     assert desk.view.show_colours.call_args.args[0].paint == desk.store.value
     assert desk.view.show_fit.call_args.args[0].worst_delta_e < 0.5
-    qtbot.waitUntil(lambda: len(desk.published) == 1)
+    qtbot.waitUntil(lambda: len(desk.published) >= 1)
+    assert len(desk.published) == 1
     topic, value = desk.published[0]
     assert (topic, paint_from_json(value)) == ("paint", desk.store.value)
 
@@ -108,7 +109,8 @@ def refuse(topic, value) -> None:
 
 def test_an_unreachable_gloss_is_told_and_the_last_state_stays(desk, qtbot):
     desk.desk.refresh()
-    qtbot.waitUntil(lambda: len(desk.published) == 1)
+    qtbot.waitUntil(lambda: len(desk.published) >= 1)
+    assert len(desk.published) == 1
     fits = desk.view.show_fit.call_count
     desk.controller.edit(("gloss", "gu_20"), 199.0)
     message = desk.view.show_message.call_args.args[0]
@@ -153,7 +155,8 @@ def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
     desk.controller.edit(("lab", 1, 0), 30.0)
     limited = desk.view.show_fit.call_args.args[0]
     assert limited.time_limited
-    qtbot.waitUntil(lambda: desk.view.show_fit.call_count == 2)
+    qtbot.waitUntil(lambda: desk.view.show_fit.call_count >= 2)
+    assert desk.view.show_fit.call_count == 2
     exact = desk.view.show_fit.call_args.args[0]
     assert not exact.time_limited
     assert exact.worst_delta_e < min(0.5, limited.worst_delta_e)
@@ -172,7 +175,8 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
         desk.controller.edit(("lab", 1, 0), 30.0)
         before = desk.view.show_fit.call_args.args[0]
         assert (before.time_limited, before.exact_follows) == (True, True)
-    qtbot.waitUntil(lambda: desk.view.show_fit.call_count == 2)
+    qtbot.waitUntil(lambda: desk.view.show_fit.call_count >= 2)
+    assert desk.view.show_fit.call_count == 2
     qtbot.waitUntil(lambda: desk.view.show_curves.called)
     after = desk.view.show_fit.call_args.args[0]
     assert (after.time_limited, after.exact_follows) == (True, False)
