@@ -147,7 +147,9 @@ class Controller(QObject):
             title = tr("{palette}, nearest to {paint}").format(palette=title, paint=state.near.name[:80])
         shown, whole = len(pane.model.shown.places), len(pane.model.shown.rows)
         if shown == whole:
-            count = tr("{count} swatches").format(count=whole) if item is not None else ""
+            count = ""
+            if item is not None:
+                count = tr("1 swatch") if whole == 1 else tr("{count} swatches").format(count=whole)
         else:
             count = tr("{shown} of {count}").format(shown=shown, count=whole)
         if self._desk.is_working(pane.number):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from brdf_color_swatch.assembly import ColorSwatch
 from brdf_color_swatch.map_part import MapPart
@@ -74,3 +76,9 @@ def test_the_map_takes_its_room_from_the_swatches_and_gives_it_back(
         QCoreApplication.processEvents()
         assert map_part.dock.isHidden()
         qtbot.waitUntil(lambda: [dock.width() for dock in docks] == [190, 290])
+
+
+def test_one_swatch_is_told_in_the_singular(swatch: ColorSwatch) -> None:
+    swatch.desk.edit("Keep one", lambda palette: replace(palette, entries=palette.entries[:1], groups=()))
+    texts = [label.text() for label in swatch.window.panes[0].head.findChildren(QLabel)]
+    assert "1 swatch" in texts
