@@ -45,8 +45,9 @@ class MapPart:
         self._built = False
         self._beside: tuple[int, int] | None = None
         """While the panel stands beside them: the widths of library and inspector before it came."""
-        kind = str(settings().value(_KEY, "flop"))
-        self.kind = kind if kind in _KINDS else "flop"
+        kind = str(settings().value(_KEY, ""))
+        self.chosen_kind = kind if kind in _KINDS else ""
+        self.kind = self.chosen_kind or "flop"
         inside = QWidget()
         box = QVBoxLayout(inside)
         box.setContentsMargins(8, 4, 8, 8)
@@ -102,7 +103,7 @@ class MapPart:
 
     def choose(self, kind: str) -> None:
         """Show another map."""
-        self.kind = kind
+        self.chosen_kind = kind
         settings().setValue(_KEY, kind)
         self._show()
 
@@ -167,12 +168,15 @@ class MapPart:
             self._soon.start()
 
     def _show(self) -> None:
+        points = MapPoints.of(self._desk.shown[self._desk.front])
+        # Until the user chooses: flat colours have no flop, and would lie in one line.
+        self.kind = self.chosen_kind or ("ab" if points.are_flat else "flop")
         self.kinds.setCurrentIndex(self.kinds.findData(self.kind))
         self.kinds.setToolTip(tr(_KINDS[self.kind][1]))
         if self.dock.isHidden():
             return
         self._built = True
-        self._points = points = MapPoints.of(self._desk.shown[self._desk.front])
+        self._points = points
         self.lasso.setEnabled(self.kind == "space")
         if not len(points):
             self._tell(tr("The map shows the swatches of the pane; there are none."))

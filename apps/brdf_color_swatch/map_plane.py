@@ -147,6 +147,8 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         self.cloud.show_points(points.plane(which), points.codes)
         for side, text in zip(("bottom", "left"), _AXES[which], strict=True):
             self.setLabel(side, tr(text))
+            # No powers of ten in these units: "Flop index (x1e-06)".
+            self.getAxis(side).enableAutoSIPrefix(False)
         self.setAspectLocked(which == "ab")
         if again:
             self.frame()

@@ -12,6 +12,9 @@ from brdf_color_swatch.rows import Rows
 PLANES = ("flop", "ab", "gloss")
 """Flop over lightness, b* over a*, gloss over flop."""
 
+_NO_FLOP = 1e-3
+"""A flop index below it is rounding: one step of an instrument's reading makes more."""
+
 
 @dataclass(frozen=True, eq=False)
 class MapPoints:
@@ -38,6 +41,11 @@ class MapPoints:
             rows.gloss[places] if len(places) else np.zeros(0),
             rows.codes[places, 1] if len(places) else np.zeros((0, 3), np.uint8),
         )
+
+    @property
+    def are_flat(self) -> bool:
+        """Whether there are points, and none of them has a flop."""
+        return len(self) > 0 and not (np.abs(self.flop) > _NO_FLOP).any()
 
     def plane(self, which: str) -> np.ndarray:
         """Return x and y (n, 2) of a plane of :data:`PLANES`."""

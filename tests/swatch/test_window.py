@@ -7,9 +7,13 @@ from dataclasses import replace
 import pytest
 from brdf_color_swatch.assembly import ColorSwatch
 from brdf_color_swatch.map_part import MapPart
+from brdf_color_swatch.view_state import Scope
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
+
+from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.documents.palette import Entry, Palette
 
 
 def test_the_return_that_ends_a_name_opens_nothing(swatch: ColorSwatch, select, qtbot) -> None:
@@ -82,3 +86,21 @@ def test_one_swatch_is_told_in_the_singular(swatch: ColorSwatch) -> None:
     swatch.desk.edit("Keep one", lambda palette: replace(palette, entries=palette.entries[:1], groups=()))
     texts = [label.text() for label in swatch.window.panes[0].head.findChildren(QLabel)]
     assert "1 swatch" in texts
+
+
+def test_the_map_of_flat_colours_shows_a_and_b_until_another_is_chosen(
+    swatch: ColorSwatch, map_part: MapPart, qtbot
+) -> None:
+    map_part.chosen_kind = ""
+    map_part.toggle()
+    qtbot.waitUntil(lambda: map_part.is_complete)
+    assert map_part.kind == "flop"
+    ink = Entry(FlatColour("Ink", "RGB", (0.1, 0.1, 0.2), space="sRGB"), id="ink")
+    swatch.desk.show_scope(Scope(swatch.library.add_palette(Palette("Flat", (ink,)))))
+    qtbot.waitUntil(lambda: map_part.is_complete and map_part.kind == "ab")
+    assert map_part.kinds.currentData() == "ab"
+    map_part.choose("flop")
+    assert map_part.kind == "flop"
+    assert map_part.plane is not None
+    assert not map_part.plane.getAxis("left").autoSIPrefix
+    map_part.chosen_kind = ""
