@@ -18,6 +18,7 @@ _AXES = {
     "gloss": (mark("Flop index"), mark("Gloss at 20° (GU)")),
 }
 _SIDE, _SIDE_CHOSEN = 9, 13
+_LEAST_RANGE = 5.0
 _MANY = 3000
 _MOST_RINGED = 2000
 """Of more that are selected, the rest is drawn without a ring: rings alone would be seen."""
@@ -70,6 +71,10 @@ class _Cloud(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         if ax == 0:
             return self._box.left(), self._box.right()
         return self._box.top(), self._box.bottom()
+
+    def around(self) -> QRectF:
+        """Return the box around the points, without their own size."""
+        return self._box
 
     def pixels(self) -> np.ndarray:
         """Return where the points (n, 2) are on the screen."""
@@ -161,8 +166,13 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             )
 
     def frame(self) -> None:
-        """Show all points."""
-        self.getViewBox().autoRange(padding=0.08)
+        """Show all points, and at least a range of five: a difference of nothing fills no plane."""
+        box = self.cloud.around()
+        wide, high = max(_LEAST_RANGE, box.width()), max(_LEAST_RANGE, box.height())
+        # What begins at 0 goes up from there; the rest is in the middle.
+        left = box.left() if box.left() == 0.0 else box.center().x() - wide / 2
+        top = box.top() if box.top() == 0.0 else box.center().y() - high / 2
+        self.getViewBox().setRange(QRectF(left, top, wide, high), padding=0.08)
 
     def pixels(self) -> np.ndarray:
         """Return where the points (n, 2) are in this widget."""

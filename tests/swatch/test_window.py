@@ -103,4 +103,7 @@ def test_the_map_of_flat_colours_shows_a_and_b_until_another_is_chosen(
     assert map_part.kind == "flop"
     assert map_part.plane is not None
     assert not map_part.plane.getAxis("left").autoSIPrefix
+    low, high = map_part.plane.getViewBox().viewRange()[1]
+    assert -1.0 < low <= 0.0
+    assert 5.0 <= high < 6.0
     map_part.chosen_kind = ""
