@@ -236,6 +236,15 @@ def _both(
 def _content(base: Any, ours: Any, theirs: Any, subject: str, conflicts: list[str]) -> Any:
     """The paint or colour; of two of one kind a new name and new readings go together."""
     if ours != theirs and base not in (ours, theirs) and type(base) is type(ours) is type(theirs):
+        if "name" in ours.__dataclass_fields__ and theirs == replace(ours, name=theirs.name):
+            # The names alone have met: the colour is the same.
+            conflicts.append(
+                _sentence(
+                    f"the name of {subject} was changed here and in the file: here {ours.name}, "
+                    f"in the file {theirs.name}; it stays as it is here"
+                )
+            )
+            return ours
         changed: dict[str, object] = {}
         for name in ours.__dataclass_fields__:
             old, mine, other = (getattr(side, name) for side in (base, ours, theirs))

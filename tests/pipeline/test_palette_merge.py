@@ -110,6 +110,21 @@ def test_the_same_field_changed_twice_stays_ours_and_is_told() -> None:
     )
 
 
+def test_two_names_that_meet_are_told_as_names() -> None:
+    base = Palette("P", (Entry(solid_paint("Red", (40.0, 50.0, 30.0)), "1"),))
+    content = base.entries[0].content
+    found = merge(
+        base,
+        edited(base, "1", content=replace(content, name="Brick")),
+        edited(base, "1", content=replace(content, name="Rouge")),
+    )
+    assert found.palette.entry("1").name == "Brick"
+    assert found.conflicts == (
+        "The name of the entry Brick was changed here and in the file: here Brick, in the file Rouge; "
+        "it stays as it is here.",
+    )
+
+
 @pytest.mark.parametrize("ours_removes", [True, False])
 def test_what_one_removes_and_the_other_changes_is_kept(ours_removes: bool) -> None:
     removed = replace(BASE, entries=BASE.entries[1:])
