@@ -4,18 +4,14 @@ from __future__ import annotations
 
 from brdf_qt.form import Form
 from brdf_qt.number_field import NumberField
+from brdf_qt.quiet_slider import QuietSlider
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QPaintEvent, QPalette, QWheelEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QHBoxLayout,
     QPushButton,
-    QSlider,
-    QStyle,
-    QStyleOptionSlider,
-    QStylePainter,
     QVBoxLayout,
     QWidget,
 )
@@ -34,25 +30,6 @@ _POLARS: dict[Polar, str] = {
     "log": mark("Logarithmic"),
 }
 _SPACING = {True: mark("By the root, as tables have it"), False: mark("Evenly")}
-
-
-class _GreySlider(QSlider):
-    """A slider whose groove is grey: the accent is for focus and selection alone. The wheel scrolls the inspector."""
-
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        option = QStyleOptionSlider()
-        self.initStyleOption(option)
-        option.subControls = QStyle.SubControl.SC_SliderGroove | QStyle.SubControl.SC_SliderHandle
-        if not self.hasFocus():
-            groove = option.palette.color(QPalette.ColorRole.Base)
-            option.palette.setColor(QPalette.ColorRole.Highlight, groove)
-        QStylePainter(self).drawComplexControl(QStyle.ComplexControl.CC_Slider, option)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
 
 
 class SlicesSection(QWidget):
@@ -96,7 +73,7 @@ class SlicesSection(QWidget):
                 "The light's azimuth about the half vector, of the cuts over θh and θd and of the half-angle image."
             ),
         )
-        self.phi_d_slider = _GreySlider(Qt.Orientation.Horizontal)
+        self.phi_d_slider = QuietSlider(Qt.Orientation.Horizontal)
         self.phi_d_slider.setRange(0, 180)
         self.phi_d_slider.setSingleStep(1)
         self.phi_d_slider.setPageStep(15)

@@ -3,32 +3,9 @@
 from __future__ import annotations
 
 from brdf_qt.number_field import NumberField
+from brdf_qt.quiet_slider import QuietSlider
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QPaintEvent, QPalette, QWheelEvent
-from PySide6.QtWidgets import QHBoxLayout, QSlider, QStyle, QStyleOptionSlider, QStylePainter, QWidget
-
-
-class _QuietSlider(QSlider):
-    """A slider that leaves the wheel to the scrolling inspector, and the accent to focus.
-
-    Fusion fills the groove left of the handle with the accent. That colour is for focus and selection alone, and
-    a fill from the left end says nothing of a value whose middle is zero.
-    """
-
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        option = QStyleOptionSlider()
-        self.initStyleOption(option)
-        option.subControls = QStyle.SubControl.SC_SliderGroove | QStyle.SubControl.SC_SliderHandle
-        if not self.hasFocus():
-            groove = option.palette.color(QPalette.ColorRole.Base)
-            option.palette.setColor(QPalette.ColorRole.Highlight, groove)
-        QStylePainter(self).drawComplexControl(QStyle.ComplexControl.CC_Slider, option)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 
 class SliderField(QWidget):
@@ -55,7 +32,7 @@ class SliderField(QWidget):
     ) -> None:
         super().__init__(parent)
         self._step = step
-        self.slider = _QuietSlider(Qt.Orientation.Horizontal)
+        self.slider = QuietSlider(Qt.Orientation.Horizontal)
         self.slider.setRange(round(minimum / step), round(maximum / step))
         self.slider.setPageStep(max(1, round((maximum - minimum) / step / 12)))
         self.slider.setAccessibleName(name)
