@@ -9,7 +9,7 @@ from brdf_qt.application import error_relay
 from brdf_qt.document_files import DocumentFormat
 from brdf_qt.message_bar import Message
 from brdf_qt.recovery import Recovered
-from brdf_qt.translation import tr
+from brdf_qt.translation import moment, tr
 from PySide6.QtCore import QCoreApplication, QTimer
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QWidget
@@ -158,7 +158,7 @@ class ColorSwatch:
             names = [*names[: _MOST_NAMED - 1], tr("{count} more").format(count=len(names) - _MOST_NAMED + 1)]
         newest = max(item.when for item in found)
         what = tr("Unsaved work was found, the newest from {when}: {names}.").format(
-            when=f"{newest:%d %B, %H:%M}", names=", ".join(names)
+            when=moment(newest), names=", ".join(names)
         )
         todo = tr("An earlier run ended before it was saved. Recover opens it; no file is changed.")
         actions = (

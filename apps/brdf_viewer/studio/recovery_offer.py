@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from brdf_qt.message_bar import Message, MessageBar
 from brdf_qt.recovery import Recovered, Recovery
-from brdf_qt.translation import tr
+from brdf_qt.translation import moment, tr
 
 from brdf_suite.documents.light_store import LightDocument
 
@@ -38,7 +38,7 @@ def _offer(
 
     name = item.path.name if item.path else item.value.name
     what = tr("Unsaved work on the studio “{name}” was found, from {when}.").format(
-        name=name, when=f"{item.when:%d %B, %H:%M}"
+        name=name, when=moment(item.when)
     )
     if rest:
         what = tr("{what} After it: {count} more.").format(what=what, count=len(rest))
