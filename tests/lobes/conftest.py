@@ -5,6 +5,7 @@ Views in three dimensions need OpenGL and are tested elsewhere; here the window 
 
 from __future__ import annotations
 
+import contextlib
 import os
 import uuid
 from pathlib import Path
@@ -14,6 +15,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_lobe_visualizer.assembly import LobeVisualizer
+from brdf_lobe_visualizer.basis_part import Basis
 from brdf_lobe_visualizer.fits import Fits
 from brdf_lobe_visualizer.slices import CURVES, POLAR, Slices
 from PySide6.QtCore import QCoreApplication, QEvent
@@ -90,21 +92,35 @@ def opened(program, qtbot):
     return open_and_wait
 
 
-@pytest.fixture(scope="module")
-def window_with_slices(qapp, tmp_path_factory):
-    """One window for a whole module with the slices alone; ``slices`` empties it for each test."""
+@contextlib.contextmanager
+def window_with(part, size, tmp_path_factory):
+    """One window with one part alone, of a module's settings and link."""
     with pytest.MonkeyPatch.context() as patched:
         patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
         patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
         # Fits come as the tests give them.
         patched.setattr(Fits, "_look", lambda _self: None)
-        program = LobeVisualizer((Slices,))
-        program.window.resize(1300, 800)
+        program = LobeVisualizer((part,))
+        program.window.resize(*size)
         program.window.show()
         yield program
         program.close()
         program.window.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture(scope="module")
+def window_with_slices(qapp, tmp_path_factory):
+    """One window for a whole module with the slices alone; ``slices`` empties it for each test."""
+    with window_with(Slices, (1300, 800), tmp_path_factory) as program:
+        yield program
+
+
+@pytest.fixture(scope="module")
+def window_with_basis(qapp, tmp_path_factory):
+    """The same with the basis alone."""
+    with window_with(Basis, (1100, 700), tmp_path_factory) as program:
+        yield program
 
 
 @pytest.fixture

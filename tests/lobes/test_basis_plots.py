@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import shutil
-import uuid
 from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.assembly import LobeVisualizer
 from brdf_lobe_visualizer.basis_part import BASIS, Basis
 from brdf_lobe_visualizer.basis_run import BasisRun
-from brdf_lobe_visualizer.fits import Fits
 from brdf_lobe_visualizer.subjects import Subject
-from PySide6.QtCore import QCoreApplication, QEvent
 
 from brdf_suite.fitting.basis_search.document import save_state
 from brdf_suite.fitting.basis_search.stored import load_search
@@ -24,21 +20,6 @@ from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.resources import resource, resource_root
 
 STORED = Path(str(resource("basis", STORED_NAME)))
-
-
-@pytest.fixture(scope="module")
-def window_with_basis(qapp, tmp_path_factory):
-    with pytest.MonkeyPatch.context() as patched:
-        patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
-        patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
-        patched.setattr(Fits, "_look", lambda _self: None)
-        program = LobeVisualizer((Basis,))
-        program.window.resize(1100, 700)
-        program.window.show()
-        yield program
-        program.close()
-        program.window.deleteLater()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 @pytest.fixture
