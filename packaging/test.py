@@ -19,9 +19,9 @@ SCREEN = ("tests/viewer", "tests/qt_gl", "tests/lobes_gl", "tests/swatch_gl")
 def main() -> int:
     """Prepare, run, and return pytest's exit status (the first that is not zero)."""
     if sys.argv[1:] == ["--prepare-only"]:
-        prepare("dev", "reference", "video")
+        prepare("acquisition", "dev", "reference", "video")
         return 0
-    python = str(prepare("dev", "reference", "video"))
+    python = str(prepare("acquisition", "dev", "reference", "video"))
     environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", "PYTHONFAULTHANDLER": "1"}
     # Hundreds of tests start programs; each would compile every module again where no bytecode may be kept.
     environment.pop("PYTHONDONTWRITEBYTECODE", None)
