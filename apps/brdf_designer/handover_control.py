@@ -10,7 +10,7 @@ from brdf_qt.message_bar import Message, message_of
 from brdf_qt.settings import settings
 from brdf_qt.tasks import TaskRunner
 from brdf_qt.translation import tr
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject
 
 from brdf_designer.desk import Desk
 from brdf_designer.handover_process import Request, run_export
@@ -50,7 +50,6 @@ class HandoverControl(QObject):
         super().__init__(window)
         self._desk, self._window = desk, window
         self._tasks = TaskRunner(self, threads=2)
-        self._is_asked_for = False
         self.section = HandoverSection(NAMES)
         self.host = window.add_section(KEY, tr("Hand-over"), self.section, after="variations", is_open=False)
         self.action = window.add_command(
@@ -72,13 +71,8 @@ class HandoverControl(QObject):
         self._window.inspector_dock.show()
         self.host.set_open(True)
         self.section.formats.setFocus()
-        # The focus scrolls to where its widget is, which is not known before the section that opens is laid out.
-        self._is_asked_for = True
-        self._come_in_sight()
+        self._window.inspector.bring_in_sight(self.host)
         self._later()
-
-    def _come_in_sight(self) -> None:
-        QTimer.singleShot(0, self.section, lambda: self._window.inspector.bring_in_sight(self.host))
 
     def ask(self) -> None:
         """Ask for a file and write it."""
@@ -167,10 +161,6 @@ class HandoverControl(QObject):
 
     def _show(self, told: _Told) -> None:
         self.section.show_format(told.holds, told.losses, told.refusal)
-        if self._is_asked_for:
-            # It is longer now, by what is lost.
-            self._is_asked_for = False
-            self._come_in_sight()
 
     def _not_found(self, error: Exception) -> None:
         self._desk.show_message(message_of(error, KEY))

@@ -93,6 +93,10 @@ class Inspector(QScrollArea):
         self._box.addStretch(1)
         self.setWidget(self._inside)
         self.sections: list[Section] = []
+        self._followed: Section | None = None
+        bar = self.verticalScrollBar()
+        bar.rangeChanged.connect(lambda _low, _high: self._follow())
+        bar.actionTriggered.connect(lambda _action: self._leave())
 
     def add_section(self, section: Section, after: Section | None = None) -> Section:
         """Put ``section`` under the others, or right under ``after``, and return it."""
@@ -102,11 +106,31 @@ class Inspector(QScrollArea):
         return section
 
     def bring_in_sight(self, section: Section) -> None:
-        """Scroll as little as shows the whole of ``section``, or its beginning where it is longer than the room."""
+        """Scroll as little as shows the whole of ``section``, or its beginning where it is longer than the room.
+
+        A section that opens is laid out later, and what it tells may come later still: it is kept in sight until
+        the user scrolls or the keyboard goes elsewhere.
+        """
+        self._followed = section
+        self._show_whole(section)
+
+    def _follow(self) -> None:
+        if self._followed is None:
+            return
+        focused = self.window().focusWidget()
+        if focused is None or self._followed.isAncestorOf(focused):
+            self._show_whole(self._followed)
+        else:
+            self._leave()
+
+    def _show_whole(self, section: Section) -> None:
         bar = self.verticalScrollBar()
         top = section.mapTo(self._inside, QPoint(0, 0)).y()
         lowest = top + section.height() - self.viewport().height()
         bar.setValue(min(top, max(lowest, bar.value())))
+
+    def _leave(self) -> None:
+        self._followed = None
 
     def sizeHint(self) -> QSize:
         return QSize(self._inside.sizeHint().width() + self.verticalScrollBar().sizeHint().width() + 2, 640)
