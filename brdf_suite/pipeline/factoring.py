@@ -14,9 +14,9 @@ from brdf_suite.fitting.homomorphic.factorize import (
     DEFAULT_SMOOTHNESS,
     factorize,
 )
-from brdf_suite.fitting.homomorphic.projections import DEFAULT_FACTORS, RADIAL_FACTORS
 from brdf_suite.fitting.homomorphic.samples import DEFAULT_PAIRS, DEFAULT_SEED, samples_of
 from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, RADIAL_FACTORS
 from brdf_suite.pipeline.measuring import load_measurable
 from brdf_suite.pipeline.reflectance_figures import is_isotropic
 from brdf_suite.progress import Progress, part, report

@@ -21,11 +21,11 @@ from brdf_suite.fitting.homomorphic.factorization import normalized
 from brdf_suite.fitting.homomorphic.factorize import BIAS, factorize
 from brdf_suite.fitting.homomorphic.peak import factorize_with_peak
 from brdf_suite.fitting.homomorphic.projected import averaged
-from brdf_suite.fitting.homomorphic.projections import DEFAULT_FACTORS, parse_factors
 from brdf_suite.fitting.homomorphic.samples import Samples, samples_of
 from brdf_suite.fitting.homomorphic.separable import separate
 from brdf_suite.fitting.homomorphic.storage import compression, stored
 from brdf_suite.fitting.lobes.undivided import fit_undivided
+from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, parse_factors
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1

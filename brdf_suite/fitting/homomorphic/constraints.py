@@ -9,17 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import sparse
 
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.fitting.homomorphic.projections import Factor
 from brdf_suite.geometry.directions import Floats
-
-LEAST_RESOLUTION, MOST_RESOLUTION = 2, 512
+from brdf_suite.geometry.factor_words import LEAST_SIZE, MOST_SIZE, Factor
+from brdf_suite.geometry.map_look_up import bilinear
 
 
 @dataclass(frozen=True)
@@ -36,19 +33,20 @@ class Layout:
 
     @classmethod
     def of(cls, factors: Sequence[Factor], resolution: int) -> Layout:
-        """Lay out maps of ``resolution`` texels along each axis."""
-        if not LEAST_RESOLUTION <= resolution <= MOST_RESOLUTION:
+        """Lay out maps of ``resolution`` texels along each axis, or of as many as a factor asks for."""
+        if not LEAST_SIZE <= resolution <= MOST_SIZE:
             raise ValueRangeError(
-                "resolution", f"{LEAST_RESOLUTION} to {MOST_RESOLUTION} texels are wanted, not {resolution}"
+                "resolution", f"{LEAST_SIZE} to {MOST_SIZE} texels are wanted, not {resolution}"
             )
         shapes: dict[str, tuple[int, ...]] = {}
         starts: dict[str, int] = {}
         count = 0
         for factor in factors:
             if factor.name not in shapes:
-                shapes[factor.name] = (resolution,) * factor.projection.axes
+                size = resolution if factor.size is None else factor.size
+                shapes[factor.name] = (size,) * factor.projection.axes
                 starts[factor.name] = count
-                count += resolution**factor.projection.axes
+                count += size**factor.projection.axes
         return cls(tuple(factors), shapes, starts, count)
 
     def maps(self, unknowns: Floats) -> dict[str, Floats]:
@@ -63,28 +61,6 @@ class Layout:
     def unknowns(self, maps: Mapping[str, Floats]) -> Floats:
         """Return the unknowns (count, channels) of maps: what :meth:`maps` takes apart."""
         return np.concatenate([maps[name].reshape(-1, maps[name].shape[-1]) for name in self.shapes])
-
-
-def bilinear(places: Floats, shape: tuple[int, ...]) -> tuple[NDArray[np.int32], NDArray[np.float32]]:
-    """Return the texels (k, 2^d) that places (k, d) in [0, 1]^d read, as flat indices, and their weights.
-
-    The first axis of a place counts columns, the second rows, as in a picture; the outermost texels hold to the edge.
-    """
-    size = np.asarray(shape[::-1])
-    at = np.clip(places * size - 0.5, 0.0, size - 1.0)
-    low = np.minimum(at.astype(np.int32), np.asarray(size - 2, np.int32))
-    share = (at - low).astype(np.float32)
-    texels, weights = [], []
-    for corner in product((0, 1), repeat=len(shape)):
-        index = np.zeros(len(places), np.int32)
-        weight = np.ones(len(places), np.float32)
-        for axis, step in enumerate(corner):
-            stride = 1 if axis == 0 else int(size[0])
-            index += (low[:, axis] + np.int32(step)) * np.int32(stride)
-            weight *= share[:, axis] if step else 1.0 - share[:, axis]
-        texels.append(index)
-        weights.append(weight)
-    return np.stack(texels, axis=1), np.stack(weights, axis=1)
 
 
 def constraints(layout: Layout, wi: Floats, wo: Floats) -> sparse.csr_array:

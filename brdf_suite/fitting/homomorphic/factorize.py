@@ -17,9 +17,9 @@ from brdf_suite.errors import FittingError, ValueRangeError
 from brdf_suite.fitting.homomorphic.constraints import Layout, constraints, smoothness
 from brdf_suite.fitting.homomorphic.factorization import Factorization, normalized
 from brdf_suite.fitting.homomorphic.projected import averaged, enlarged
-from brdf_suite.fitting.homomorphic.projections import DEFAULT_FACTORS, Factor, parse_factors
 from brdf_suite.fitting.homomorphic.solve import Solver, solve, way_for
 from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, Factor, parse_factors
 from brdf_suite.progress import Progress, part, report
 
 BIAS = 1e-5
@@ -71,7 +71,7 @@ def factorize(
     values
         f_r (n, 3) in 1/sr, linear working space; what is not finite is left out, what is negative taken for 0.
     factors
-        As of :func:`~brdf_suite.fitting.homomorphic.projections.parse_factors`.
+        As of :func:`~brdf_suite.geometry.factor_words.parse_factors`.
     resolution
         Texels along each axis of every map, 2 to 512.
     smooth

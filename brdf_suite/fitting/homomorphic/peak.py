@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.fitting.homomorphic.constraints import Layout, bilinear, constraints, smoothness
+from brdf_suite.fitting.homomorphic.constraints import Layout, constraints, smoothness
 from brdf_suite.fitting.homomorphic.factorization import Factorization
 from brdf_suite.fitting.homomorphic.factorize import (
     BIAS,
@@ -22,10 +22,12 @@ from brdf_suite.fitting.homomorphic.factorize import (
     Factorized,
     factorize,
 )
-from brdf_suite.fitting.homomorphic.projections import DEFAULT_FACTORS, PROJECTIONS, Factor, parse_factors
 from brdf_suite.fitting.homomorphic.samples import Samples
 from brdf_suite.fitting.homomorphic.solve import solve
 from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.factor_projections import PROJECTIONS
+from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, Factor, parse_factors
+from brdf_suite.geometry.map_look_up import bilinear
 from brdf_suite.progress import Progress, part
 from brdf_suite.reflectance.blocks import in_blocks
 

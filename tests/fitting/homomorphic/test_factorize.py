@@ -10,20 +10,16 @@ from hypothesis import strategies as st
 
 from brdf_suite.errors import FittingError, ValueRangeError
 from brdf_suite.fitting.homomorphic.accuracy import accuracy
-from brdf_suite.fitting.homomorphic.constraints import Layout, bilinear, constraints, smoothness
+from brdf_suite.fitting.homomorphic.constraints import Layout, constraints, smoothness
 from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.peak import factorize_with_peak
-from brdf_suite.fitting.homomorphic.projections import (
-    COSINE_FACTORS,
-    DEFAULT_FACTORS,
-    PROJECTIONS,
-    RADIAL_FACTORS,
-    parse_factors,
-)
 from brdf_suite.fitting.homomorphic.samples import Samples, even_directions, samples_of
 from brdf_suite.fitting.homomorphic.separable import separate
 from brdf_suite.fitting.homomorphic.storage import compression, stored
 from brdf_suite.geometry import warps
+from brdf_suite.geometry.factor_projections import PROJECTIONS
+from brdf_suite.geometry.factor_words import COSINE_FACTORS, DEFAULT_FACTORS, RADIAL_FACTORS, parse_factors
+from brdf_suite.geometry.map_look_up import bilinear
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 

@@ -13,7 +13,6 @@ from types import MappingProxyType
 
 import numpy as np
 
-from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.parabolic import parabolic_place
@@ -66,6 +65,11 @@ def _radius(w: Floats) -> Floats:
     return np.clip(np.hypot(s, t), 0.0, 1.0)[:, None]
 
 
+def _fine_radius(wi: Floats, wo: Floats) -> Floats:
+    """The root of the half vector's radius: texels get finer towards the normal, where a peak stands."""
+    return np.sqrt(_radius(_half(wi, wo)))
+
+
 def _elevations(wi: Floats, wo: Floats) -> Floats:
     """Both cosines from the normal, the smaller first: light and view may be exchanged."""
     both = np.stack((wi[:, 2], wo[:, 2]), axis=-1)
@@ -84,59 +88,10 @@ PROJECTIONS: Mapping[str, Projection] = MappingProxyType(
             Projection("|wi|", 1, "radius of the light on a parabolic map", lambda wi, _wo: _radius(wi)),
             Projection("|wo|", 1, "radius of the view on a parabolic map", lambda _wi, wo: _radius(wo)),
             Projection("|h|", 1, "radius of the half vector there", lambda wi, wo: _radius(_half(wi, wo))),
+            Projection("sqrt|h|", 1, "root of that radius, fine at a peak", _fine_radius),
             Projection("w.h,h.n", 2, "cosines light to half vector, half vector to normal", _half_pair),
             Projection("wi.n,wo.n", 2, "cosines of light and view, the smaller first", _elevations),
         )
     }
 )
 """Every projection by its name."""
-
-
-@dataclass(frozen=True)
-class Factor:
-    """A factor of the product: the map ``name`` that it reads, and where. Two factors of one name share the map."""
-
-    name: str
-    projection: Projection
-
-
-DEFAULT_FACTORS = "p:wo q:h p:wi"
-"""p(ωo) q(h) p(ωi), equation 9."""
-COSINE_FACTORS = "p:w.h,h.n q:wi.n,wo.n"
-"""p(h·ω, h·n) q(ωi·n, ωo·n), equation 21: for isotropic reflectances."""
-RADIAL_FACTORS = "p:|wo| q:|h| p:|wi|"
-"""Equation 9 where its maps are radially symmetric, as of isotropic reflectances: one number a ring."""
-MOST_FACTORS = 8
-
-
-def parse_factors(text: str) -> tuple[Factor, ...]:
-    """Return the factors in a text of ``map:projection`` with spaces between them.
-
-    >>> [(f.name, f.projection.name) for f in parse_factors("p:wo q:h p:wi")]
-    [('p', 'wo'), ('q', 'h'), ('p', 'wi')]
-
-    Raises
-    ------
-    ValueRangeError
-        A projection is not known, a map is read by projections of two forms, or there are none or too many factors.
-    """
-    found: list[Factor] = []
-    forms: dict[str, tuple[int, bool]] = {}
-    for word in text.split():
-        name, colon, key = word.partition(":")
-        if not colon or not name.isidentifier() or key not in PROJECTIONS:
-            known = ", ".join(PROJECTIONS)
-            raise ValueRangeError(
-                "factors",
-                f"{word!r} is not map:projection with a projection of {known}, as in {DEFAULT_FACTORS!r}",
-            )
-        projection = PROJECTIONS[key]
-        form = (projection.axes, projection.hemisphere)
-        if forms.setdefault(name, form) != form:
-            raise ValueRangeError(
-                "factors", f"the map {name!r} cannot be over {key} and over something of another form"
-            )
-        found.append(Factor(name, projection))
-    if not 1 <= len(found) <= MOST_FACTORS:
-        raise ValueRangeError("factors", f"1 to {MOST_FACTORS} factors are wanted, not {len(found)}")
-    return tuple(found)
