@@ -65,6 +65,10 @@ class FittingError(SuiteError):
     """A target to which no lobes can be fitted (not finite, negative, wrong shape)."""
 
 
+class AcquisitionError(SuiteError):
+    """Photographs from which no measurement can be made; the message names what is missing or wrong in them."""
+
+
 class GraphicsError(SuiteError):
     """OpenGL is missing, too old, lost, or a shader failed; the message names shader file and line."""
 
