@@ -46,7 +46,13 @@ def _objects(value: object) -> list[dict[str, object]]:
     return [dict(item) for item in value]
 
 
-VERSIONS: dict[str, int] = {"brdfpaint": 3, "brdfview": 3, "brdfstudio": 1, "brdfpalette": 2}
+VERSIONS: dict[str, int] = {
+    "brdfpaint": 3,
+    "brdfview": 3,
+    "brdfstudio": 1,
+    "brdfpalette": 2,
+    "brdf-suite acquisition session": 1,
+}
 """The present version of each format."""
 
 MIGRATIONS: dict[tuple[str, int], Migration] = {

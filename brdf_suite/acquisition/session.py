@@ -1,0 +1,439 @@
+"""What a folder of photographs holds: the rig, the exposures, and which file shows the sphere under which light.
+
+The world of the rig is right-handed, in metres: its origin lies on the axis of the turntable at the height of the
+sphere's centre, y up. The camera stands at (0, height, distance) and looks along -z, tilted by ``tilt_deg`` about x.
+The lamp at angle α stands at (distance sin α, height, distance cos α): 0° is in front of the camera, 180° opposite.
+
+The unit of the photographs is the exposure in which a channel's code of half the full scale, 2^(bits - 1), counts as
+0.5, above the black of a dark frame. Radiance and irradiance are in this unit per second, each channel in its own.
+
+Values only, each checked as it is made: a bad one raises :class:`ValueRangeError` whose ``place`` names the field.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import Literal, get_args
+
+from brdf_suite.acquisition.session_values import (
+    Matrix,
+    Point,
+    Rgb,
+    check_name,
+    checked_numbers,
+    checked_series,
+    checked_times,
+    checked_whole,
+    refuse_twice,
+    set_numbers,
+    set_vector,
+)
+from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.errors import ValueRangeError
+
+FORMAT = "brdf-suite acquisition session"
+SESSION_FILE = "session.json"
+
+ResponseKind = Literal["unknown", "linear", "srgb"]
+RESPONSES: tuple[str, ...] = get_args(ResponseKind)
+
+MOST_POSITIONS = 3600
+MOST_EXPOSURES = 64
+_MOST_BOARDS = 500
+# A matrix between camera and working space keeps white; what does not is one for another purpose.
+_WHITE_KEPT = 0.02
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        "camera.distance_m": Parameter("Camera distance", "m", 0.01, 100.0, 2.0, "From the axis, level"),
+        "height_m": Parameter("Height", "m", -50.0, 50.0, 0.0, "Above the sphere's centre"),
+        "tilt_deg": Parameter("Tilt", "°", -89.0, 89.0, 0.0, "Of the camera's axis above the horizon"),
+        "focal": Parameter("Focal length", "pixels", 1.0, 1e7, 1000.0, "Of the camera"),
+        "principal": Parameter("Principal point", "pixels", -1e6, 1e6, 0.0, "From the middle of pixel 0, 0"),
+        "distortion": Parameter("Distortion", "", -100.0, 100.0, 0.0, "A coefficient of OpenCV's model"),
+        "matrix": Parameter("Colour matrix", "", -20.0, 20.0, 0.0, "Camera channels to linear Rec. 2020"),
+        "board.square_m": Parameter("Square", "m", 1e-4, 10.0, 0.02, "Side of a square of the board"),
+        "sphere.radius_m": Parameter("Radius", "m", 1e-4, 10.0, 0.05, "Of the painted sphere"),
+        "coordinate_m": Parameter("Position", "m", -100.0, 100.0, 0.0, "In the world of the rig"),
+        "normal": Parameter("Normal", "", -1e3, 1e3, 0.0, "A vector of any length"),
+        "light.distance_m": Parameter("Lamp distance", "m", 0.01, 100.0, 0.7, "From the axis, level"),
+        "angle_offset_deg": Parameter("Angle offset", "°", -45.0, 45.0, 0.0, "Added to every stated angle"),
+        "irradiance": Parameter(
+            "Irradiance", "1/s", 1e-12, 1e12, 1.0, "At the sphere's centre, facing the lamp"
+        ),
+        "width_m": Parameter("Radius", "m", 0.0, 1.0, 0.0, "Of what hides the sphere from the camera"),
+        "profile[][0]": Parameter("Angle off the axis", "°", 0.0, 90.0, 0.0, "Of the lamp"),
+        "profile[][1]": Parameter("Relative intensity", "", 1e-6, 1e6, 1.0, "At this angle"),
+        "reflectance": Parameter("Reflectance", "", 1e-4, 2.0, 0.99, "Of the white reference, π f_r"),
+        "angle_deg": Parameter("Angle", "°", -360.0, 360.0, 0.0, "Of the lamp, 0 in front of the camera"),
+    }
+)
+
+
+@dataclass(frozen=True)
+class Intrinsics:
+    """A camera as OpenCV describes it: focal lengths and principal point in pixels, and the lens's distortion.
+
+    Pixel (column 0, row 0) has its middle at (0, 0); x grows to the right and y downwards.
+    """
+
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+    k1: float = 0.0
+    k2: float = 0.0
+    p1: float = 0.0
+    p2: float = 0.0
+    k3: float = 0.0
+
+    def __post_init__(self) -> None:
+        set_numbers(self, PARAMETERS["focal"], "fx", "fy")
+        set_numbers(self, PARAMETERS["principal"], "cx", "cy")
+        set_numbers(self, PARAMETERS["distortion"], "k1", "k2", "p1", "p2", "k3")
+
+
+@dataclass(frozen=True)
+class Board:
+    """A chessboard photographed for the intrinsics: inner corners across and down, and the side of a square."""
+
+    columns: int
+    rows: int
+    square_m: float
+    photographs: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        for name in ("columns", "rows"):
+            checked_whole(getattr(self, name), name, 3, 100)
+        set_numbers(self, PARAMETERS["board.square_m"], "square_m")
+        files = checked_series(self.photographs, "photographs", 1, _MOST_BOARDS)
+        object.__setattr__(self, "photographs", files)
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Where the camera stands and what its codes mean.
+
+    Attributes
+    ----------
+    distance_m, height_m
+        Of its centre of projection: level distance to the turntable's axis, and height above the sphere's centre.
+    bit_depth
+        8 to 16: codes are 0 … 2^bits - 1 as they stand in the file. Float pictures know none.
+    response
+        ``unknown``: the curve is recovered from the exposures; ``linear``; or ``srgb``, the curve of IEC 61966-2-1.
+    tilt_deg
+        Of the optical axis, positive upwards.
+    to_working
+        (3, 3) from the channels' reflectance to linear Rec. 2020; rows sum to 1. ``None``: the channels are taken so.
+    intrinsics, board
+        Known values, or photographs of a board to recover them from; with neither, the focal length follows from the
+        outline of the sphere and the distance.
+    """
+
+    distance_m: float
+    height_m: float = 0.0
+    bit_depth: int = 12
+    response: ResponseKind = "unknown"
+    tilt_deg: float = 0.0
+    to_working: Matrix | None = None
+    intrinsics: Intrinsics | None = None
+    board: Board | None = None
+
+    def __post_init__(self) -> None:
+        set_numbers(self, PARAMETERS["camera.distance_m"], "distance_m")
+        set_numbers(self, PARAMETERS["height_m"], "height_m")
+        set_numbers(self, PARAMETERS["tilt_deg"], "tilt_deg")
+        checked_whole(self.bit_depth, "bit_depth", 8, 16)
+        check_choice(self.response, "response", RESPONSES)
+        if self.to_working is not None:
+            if not isinstance(self.to_working, (tuple, list)) or len(self.to_working) != 3:
+                raise ValueRangeError(
+                    "to_working", f"three rows of three numbers are wanted, not {describe(self.to_working)}"
+                )
+            rows = [
+                checked_numbers(row, f"to_working[{i}]", PARAMETERS["matrix"], 3)
+                for i, row in enumerate(self.to_working)
+            ]
+            for i, row in enumerate(rows):
+                if abs(sum(row) - 1.0) > _WHITE_KEPT:
+                    raise ValueRangeError(
+                        f"to_working[{i}]",
+                        f"the row sums to {sum(row):g}, not to 1, so that white would change",
+                    )
+            object.__setattr__(self, "to_working", tuple(rows))
+
+
+@dataclass(frozen=True)
+class Sphere:
+    """The painted sphere; ``centre_m`` in the world where it was measured, ``None``: found from its outline."""
+
+    radius_m: float
+    centre_m: Point | None = None
+
+    def __post_init__(self) -> None:
+        set_numbers(self, PARAMETERS["sphere.radius_m"], "radius_m")
+        if self.centre_m is not None:
+            set_vector(self, PARAMETERS["coordinate_m"], "centre_m")
+
+
+@dataclass(frozen=True)
+class Light:
+    """The lamp on the arm of the turntable, a point that aims at the origin.
+
+    Attributes
+    ----------
+    distance_m, height_m
+        Level distance to the axis, and height above the sphere's centre.
+    irradiance_rgb
+        On a surface at the origin that faces the lamp, in the photographs' unit per second; ``None``: from the white
+        reference.
+    profile
+        (degrees off the lamp's axis, relative radiant intensity), from 0° on, linear between; ``()``: even.
+    angle_offset_deg
+        A known error of the turntable's zero, added to every position's angle.
+    housing_radius_m, post_radius_m
+        Of the lamp's housing, and of the post from the turntable up to it, where they can hide the sphere.
+    """
+
+    distance_m: float
+    height_m: float = 0.0
+    irradiance_rgb: Rgb | None = None
+    profile: tuple[tuple[float, float], ...] = ()
+    angle_offset_deg: float = 0.0
+    housing_radius_m: float = 0.0
+    post_radius_m: float = 0.0
+
+    def __post_init__(self) -> None:
+        set_numbers(self, PARAMETERS["light.distance_m"], "distance_m")
+        set_numbers(self, PARAMETERS["height_m"], "height_m")
+        set_numbers(self, PARAMETERS["angle_offset_deg"], "angle_offset_deg")
+        set_numbers(self, PARAMETERS["width_m"], "housing_radius_m", "post_radius_m")
+        if self.irradiance_rgb is not None:
+            set_vector(self, PARAMETERS["irradiance"], "irradiance_rgb")
+        self._set_profile()
+
+    def _set_profile(self) -> None:
+        if not isinstance(self.profile, (tuple, list)):
+            raise ValueRangeError("profile", f"a list of pairs is wanted, not {describe(self.profile)}")
+        pairs = []
+        for i, pair in enumerate(self.profile):
+            if not isinstance(pair, (tuple, list)) or len(pair) != 2:
+                raise ValueRangeError(f"profile[{i}]", f"a pair is wanted, not {describe(pair)}")
+            angle = PARAMETERS["profile[][0]"].check(pair[0], f"profile[{i}][0]")
+            if pairs and angle <= pairs[-1][0]:
+                raise ValueRangeError(f"profile[{i}][0]", f"{angle:g}° is not beyond the one before")
+            if not pairs and angle != 0.0:
+                raise ValueRangeError("profile[0][0]", f"the profile starts at 0°, not at {angle:g}°")
+            pairs.append((angle, PARAMETERS["profile[][1]"].check(pair[1], f"profile[{i}][1]")))
+        object.__setattr__(self, "profile", tuple(pairs))
+
+
+@dataclass(frozen=True)
+class WhiteReference:
+    """A diffuse white of known reflectance in the sphere's place, which gives the scale of everything.
+
+    Attributes
+    ----------
+    photographs, exposures_s
+        One file for each exposure, shortest first; no times: those of the session.
+    region
+        (left, top, width, height) in pixels that show nothing but the white.
+    reflectance
+        π f_r of each channel; a Lambertian surface is assumed.
+    angle_deg
+        The lamp's position.
+    centre_m, normal
+        Of the white's surface where the region shows it.
+    """
+
+    photographs: tuple[str, ...]
+    region: tuple[int, int, int, int]
+    reflectance: Rgb = (0.99, 0.99, 0.99)
+    angle_deg: float = 0.0
+    centre_m: Point = (0.0, 0.0, 0.0)
+    normal: Point = (0.0, 0.0, 1.0)
+    exposures_s: tuple[float, ...] = ()
+
+    def __post_init__(self) -> None:
+        files = checked_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
+        object.__setattr__(self, "photographs", files)
+        if not isinstance(self.region, (tuple, list)) or len(self.region) != 4:
+            raise ValueRangeError(
+                "region", f"left, top, width, height are wanted, not {describe(self.region)}"
+            )
+        lowest = (0, 0, 1, 1)
+        region = tuple(checked_whole(v, f"region[{i}]", lowest[i], 65_535) for i, v in enumerate(self.region))
+        object.__setattr__(self, "region", region)
+        set_vector(self, PARAMETERS["reflectance"], "reflectance")
+        set_numbers(self, PARAMETERS["angle_deg"], "angle_deg")
+        set_vector(self, PARAMETERS["coordinate_m"], "centre_m")
+        set_vector(self, PARAMETERS["normal"], "normal")
+        if math.hypot(*self.normal) < 1e-9:
+            raise ValueRangeError("normal", "a vector of length 0 has no direction")
+        object.__setattr__(
+            self, "exposures_s", checked_times(self.exposures_s, "exposures_s", MOST_EXPOSURES)
+        )
+
+
+@dataclass(frozen=True)
+class FlatField:
+    """Photographs of an evenly lit white screen that fills the picture; no times: those of the session."""
+
+    photographs: tuple[str, ...]
+    exposures_s: tuple[float, ...] = ()
+
+    def __post_init__(self) -> None:
+        files = checked_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
+        object.__setattr__(self, "photographs", files)
+        object.__setattr__(
+            self, "exposures_s", checked_times(self.exposures_s, "exposures_s", MOST_EXPOSURES)
+        )
+
+
+@dataclass(frozen=True)
+class Position:
+    """One position of the lamp: its angle on the turntable and a file for each exposure, shortest first.
+
+    ``mask`` names a picture whose white pixels may be used, for what hides the sphere at this position alone.
+    """
+
+    angle_deg: float
+    photographs: tuple[str, ...]
+    mask: str | None = None
+
+    def __post_init__(self) -> None:
+        set_numbers(self, PARAMETERS["angle_deg"], "angle_deg")
+        files = checked_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
+        object.__setattr__(self, "photographs", files)
+        if self.mask is not None:
+            check_name(self.mask, "mask")
+
+
+@dataclass(frozen=True)
+class Session:
+    """A folder of photographs as ``session.json`` describes it. Names of files are relative to the folder.
+
+    Attributes
+    ----------
+    exposures_s
+        Seconds, from the shortest to the longest; every position has one photograph for each.
+    positions
+        In order of their angles.
+    dark
+        One photograph for each exposure with the lamp off, or none.
+    mask
+        A picture whose white pixels may be used, at all positions.
+    """
+
+    name: str
+    camera: Camera
+    sphere: Sphere
+    light: Light
+    exposures_s: tuple[float, ...]
+    positions: tuple[Position, ...]
+    white: WhiteReference | None = None
+    dark: tuple[str, ...] = ()
+    flat_field: FlatField | None = None
+    mask: str | None = None
+    notes: str = ""
+    date: str = ""
+
+    def __post_init__(self) -> None:
+        check_text(self.name, "name", longest=200, lines=False, empty=False)
+        check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
+        check_text(self.date, "date", longest=100, lines=False, empty=True)
+        times = checked_times(self.exposures_s, "exposures_s", MOST_EXPOSURES)
+        if not times:
+            raise ValueRangeError("exposures_s", "the list is empty")
+        object.__setattr__(self, "exposures_s", times)
+        object.__setattr__(self, "dark", checked_series(self.dark, "dark", 0, MOST_EXPOSURES))
+        if self.mask is not None:
+            check_name(self.mask, "mask")
+        self._check_positions()
+        self._check_counts()
+        self._check_light()
+        refuse_twice(self.files())
+
+    def _check_positions(self) -> None:
+        if not isinstance(self.positions, (tuple, list)) or not all(
+            isinstance(item, Position) for item in self.positions
+        ):
+            raise ValueRangeError(
+                "positions", f"a list of positions is wanted, not {describe(self.positions)}"
+            )
+        object.__setattr__(self, "positions", tuple(self.positions))
+        if not 1 <= len(self.positions) <= MOST_POSITIONS:
+            raise ValueRangeError(
+                "positions", f"1 to {MOST_POSITIONS} are wanted, there are {len(self.positions)}"
+            )
+        for i in range(1, len(self.positions)):
+            here, before = self.positions[i].angle_deg, self.positions[i - 1].angle_deg
+            if here <= before:
+                raise ValueRangeError(
+                    f"positions[{i}].angle_deg",
+                    f"{here:g}° comes after {before:g}°; list the positions in order of their angles",
+                )
+
+    def _check_counts(self) -> None:
+        """Each series has as many photographs as it has exposures."""
+        count = len(self.exposures_s)
+        series = [(f"positions[{i}].photographs", p.photographs, count) for i, p in enumerate(self.positions)]
+        if self.dark:
+            series.append(("dark", self.dark, count))
+        for name, other in (("white", self.white), ("flat_field", self.flat_field)):
+            if other is not None:
+                series.append((f"{name}.photographs", other.photographs, len(other.exposures_s) or count))
+        for place, files, wanted in series:
+            if len(files) != wanted:
+                raise ValueRangeError(
+                    place,
+                    f"there are {len(files)} photographs for {wanted} exposures; one for each is wanted",
+                )
+
+    def _check_light(self) -> None:
+        if self.camera.distance_m <= self.sphere.radius_m:
+            raise ValueRangeError("camera.distance_m", "the camera would stand inside the sphere")
+        if math.hypot(self.light.distance_m, self.light.height_m) <= self.sphere.radius_m:
+            raise ValueRangeError("light.distance_m", "the lamp would stand inside the sphere")
+
+    def light_m(self, position: int | float) -> Point:
+        """Return where the lamp stands: at the position of this index (an int), or at an angle in degrees (a float).
+
+        >>> from dataclasses import replace
+        >>> Light(0.5).distance_m
+        0.5
+        """
+        degrees = self.positions[position].angle_deg if isinstance(position, int) else position
+        angle = math.radians(degrees + self.light.angle_offset_deg)
+        distance = self.light.distance_m
+        return (distance * math.sin(angle), self.light.height_m, distance * math.cos(angle))
+
+    def files(self) -> tuple[tuple[str, str], ...]:
+        """Return (place, name) of every file that the session names, positions first."""
+        named = [
+            (f"positions[{i}].photographs[{k}]", file)
+            for i, position in enumerate(self.positions)
+            for k, file in enumerate(position.photographs)
+        ]
+        named += [
+            (f"positions[{i}].mask", p.mask) for i, p in enumerate(self.positions) if p.mask is not None
+        ]
+        named += [(f"dark[{k}]", file) for k, file in enumerate(self.dark)]
+        for place, part in (
+            ("white", self.white),
+            ("flat_field", self.flat_field),
+            ("camera.board", self.camera.board),
+        ):
+            if part is not None:
+                named += [(f"{place}.photographs[{k}]", file) for k, file in enumerate(part.photographs)]
+        if self.mask is not None:
+            named.append(("mask", self.mask))
+        return tuple(named)
+
+    def with_positions(self, indices: tuple[int, ...]) -> Session:
+        """Return the session with these positions alone."""
+        return replace(self, positions=tuple(self.positions[i] for i in indices))

@@ -1,0 +1,90 @@
+"""Checks of the fields of a session: numbers, whole numbers, names of files, times."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import PurePosixPath
+
+from brdf_suite.documents.parameter import Parameter, check_text, describe
+from brdf_suite.errors import ValueRangeError
+
+Rgb = tuple[float, float, float]
+Point = tuple[float, float, float]
+Matrix = tuple[Rgb, Rgb, Rgb]
+
+SECONDS = Parameter("Exposure time", "s", 1e-7, 36_000.0, 0.01, "Of a photograph")
+
+
+def set_numbers(owner: object, parameter: Parameter, *names: str) -> None:
+    """Check fields of a frozen value and store them as floats."""
+    for name in names:
+        object.__setattr__(owner, name, parameter.check(getattr(owner, name), name))
+
+
+def set_vector(owner: object, parameter: Parameter, name: str) -> None:
+    """Check a field of three numbers and store it as a tuple of floats."""
+    object.__setattr__(owner, name, checked_numbers(getattr(owner, name), name, parameter, 3))
+
+
+def checked_numbers(value: object, place: str, parameter: Parameter, count: int) -> tuple[float, ...]:
+    """Return ``count`` numbers in the parameter's range; the error names the one that is not."""
+    if not isinstance(value, (tuple, list)) or len(value) != count:
+        raise ValueRangeError(place, f"a list of {count} numbers is wanted, not {describe(value)}")
+    return tuple(parameter.check(item, f"{place}[{i}]") for i, item in enumerate(value))
+
+
+def checked_whole(value: object, place: str, low: int, high: int) -> int:
+    """Return a whole number from ``low`` to ``high``."""
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise ValueRangeError(place, f"a whole number is wanted, not {describe(value)}")
+    if not low <= value <= high:
+        raise ValueRangeError(place, f"{describe(value)} is outside the range {low} to {high}")
+    return value
+
+
+def checked_times(value: object, place: str, most: int) -> tuple[float, ...]:
+    """Return exposure times in seconds, which must grow from one to the next; empty is allowed."""
+    if not isinstance(value, (tuple, list)):
+        raise ValueRangeError(place, f"a list of times is wanted, not {describe(value)}")
+    if len(value) > most:
+        raise ValueRangeError(place, f"at most {most} are wanted, there are {len(value)}")
+    times = tuple(SECONDS.check(item, f"{place}[{i}]") for i, item in enumerate(value))
+    for i in range(1, len(times)):
+        if times[i] <= times[i - 1]:
+            raise ValueRangeError(
+                f"{place}[{i}]",
+                f"{times[i]:g} s comes after {times[i - 1]:g} s; list the exposures from the shortest to the longest",
+            )
+    return times
+
+
+def checked_series(value: object, place: str, least: int, most: int) -> tuple[str, ...]:
+    """Return the names of files in a list of ``least`` to ``most``."""
+    if not isinstance(value, (tuple, list)):
+        raise ValueRangeError(place, f"a list of names of files is wanted, not {describe(value)}")
+    if not least <= len(value) <= most:
+        raise ValueRangeError(place, f"{least} to {most} files are wanted, there are {len(value)}")
+    return tuple(check_name(item, f"{place}[{i}]") for i, item in enumerate(value))
+
+
+def check_name(value: object, place: str) -> str:
+    """Return the name of a file within the folder, with ``/`` between folders.
+
+    What leads out of the folder is refused: a session that someone sends must not read other files.
+    """
+    name = check_text(value, place, longest=1000, lines=False, empty=False)
+    path = PurePosixPath(name)
+    if "\\" in name or (len(name) > 1 and name[1] == ":"):
+        raise ValueRangeError(place, f"{name!r}: write folders with / between them, relative to session.json")
+    if path.is_absolute() or ".." in path.parts:
+        raise ValueRangeError(place, f"{name!r} lies outside the folder of the session")
+    return name
+
+
+def refuse_twice(files: Iterable[tuple[str, str]]) -> None:
+    """Refuse a file that is named at two places, given as (place, name): one of them shows something else."""
+    seen: dict[str, str] = {}
+    for place, name in files:
+        first = seen.setdefault(str(PurePosixPath(name)), place)
+        if first != place:
+            raise ValueRangeError(place, f"{name!r} is the file of {first} already")
