@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -10,115 +10,120 @@ import drjit as dr
 import mitsuba as mi
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reference import directions as d
-from brdf_suite.reference.directions import TINY, Colour, Real, Square, Vector
+from brdf_suite.reference.directions import Colour, Real, Vector
+from brdf_suite.reference.factored_samplers import MapSampler, RingSampler, place
 from brdf_suite.reference.terms import Matt, Sampler
+from brdf_suite.reflectance.factor_map import MapFactor
 from brdf_suite.reflectance.factored import Factored
+
+_Place = Callable[[Vector, Vector, Vector], tuple[Real, ...]]
 
 
 @dataclass(frozen=True, eq=False)
 class FactoredTerm:
-    """alpha p(wo) q(h) p(wi), each looked up bilinearly in its parabolic map."""
+    """The sum of products of maps, each read between its texels as the reflectance reads it."""
 
     model: Factored
-    p: Any = field(init=False)
-    q: Any = field(init=False)
+    terms: Sequence[tuple[Sequence[float], Sequence[_Held]]] = field(init=False)
     samplers: Sequence[Sampler] = field(init=False)
 
     def __post_init__(self) -> None:
-        for name in ("p", "q"):
-            values = np.ascontiguousarray(getattr(self.model, name), np.float32)
-            held = mi.Float(values.ravel())
-            dr.eval(held)
-            object.__setattr__(self, name, held)
-        matt, of_p, of_q = self.model.shares
-        of_light, of_half = self.model.densities
-        samplers: list[Sampler] = [Matt(matt)]
-        if of_p > 0.0:
-            samplers.append(MapSampler.of(of_p, of_light, mirrored=False))
-        if of_q > 0.0:
-            samplers.append(MapSampler.of(of_q, of_half, mirrored=True))
+        # One buffer for a map that two factors read.
+        buffers: dict[tuple[int, bool], Any] = {}
+        terms = [
+            (scale.tolist(), [_Held.of(factor, buffers) for factor in factors])
+            for scale, factors in self.model.terms
+        ]
+        object.__setattr__(self, "terms", terms)
+        found = self.model.samplers
+        samplers: list[Sampler] = [Matt(max(1.0 - sum(one.share for one in found), 0.0))]
+        for one in found:
+            kind = MapSampler if one.density.ndim == 2 else RingSampler
+            samplers.append(kind.of(one.share, one.density, mirrored=one.mirrored))
         object.__setattr__(self, "samplers", tuple(samplers))
 
     def value(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         half = dr.normalize(light + view)
-        p, q = (self.p, len(self.model.p)), (self.q, len(self.model.q))
-        product = _look_up(*p, light) * _look_up(*p, view) * _look_up(*q, half)
-        return product * d.colour(np.asarray(self.model.alpha).tolist())
+        total = d.colour([0.0, 0.0, 0.0])
+        for scale, factors in self.terms:
+            product, logs = d.colour(scale), d.colour([0.0, 0.0, 0.0])
+            for factor in factors:
+                read = factor.read(light, view, half)
+                if factor.logarithmic:
+                    logs += read
+                else:
+                    product *= read
+            total += product * dr.exp(logs)
+        return total
 
 
 @dataclass(frozen=True, eq=False)
-class MapSampler:
-    """Draws texels of a map by their chance, as light directions or as half vectors that mirror the view."""
+class _Held:
+    """A map in the renderer's memory: ``values`` row by row, logarithms or not, of ``size`` texels along an axis."""
 
-    weight: float
+    values: Any
     size: int
-    bounds: Any
-    chances: Any
-    mirrored: bool
+    projection: str
+    logarithmic: bool
 
     @classmethod
-    def of(cls, weight: float, density: Floats, *, mirrored: bool) -> MapSampler:
-        """Return the sampler of a map's chances (n, n)."""
-        bounds = np.cumsum(density.ravel())
-        limits, chances = (
-            mi.Float((values / bounds[-1]).astype(np.float32)) for values in (bounds, density.ravel())
-        )
-        dr.eval(limits, chances)
-        return cls(weight, len(density), limits, chances, mirrored)
+    def of(cls, factor: MapFactor, buffers: dict[tuple[int, bool], Any]) -> _Held:
+        key = (id(factor.values), factor.logarithmic)
+        if key not in buffers:
+            held = np.log(factor.values) if factor.logarithmic else factor.values
+            buffers[key] = mi.Float(np.ascontiguousarray(held, np.float32).ravel())
+            dr.eval(buffers[key])
+        return cls(buffers[key], len(factor.values), factor.projection, factor.logarithmic)
 
-    def share(self, _view: Vector) -> Real:
-        """Return the share of a mixture."""
-        return d.number(self.weight)
+    def read(self, light: Vector, view: Vector, half: Vector) -> Colour:
+        """Return the map between its texels."""
+        places = [
+            dr.clip(along * self.size - 0.5, 0.0, self.size - 1.0)
+            for along in _PLACES[self.projection](light, view, half)
+        ]
+        lows = [dr.minimum(mi.UInt32(along), self.size - 2) for along in places]
+        shares = [along - mi.Float(low) for along, low in zip(places, lows, strict=True)]
+        if len(places) == 1:
+            return self._row(0, lows[0], shares[0])
+        row = lows[1] * self.size
+        below, above = (self._row(row + step, lows[0], shares[0]) for step in (0, self.size))
+        return dr.fma(shares[1], above - below, below)
 
-    def draw(self, view: Vector, u: Square) -> Vector:
-        """Return directions to the light."""
-        count = self.size * self.size
-        search: Any = dr.binary_search
-        index = search(0, count - 1, lambda k: dr.gather(mi.Float, self.bounds, k) <= u.x)
-        start = dr.select(index > 0, dr.gather(mi.Float, self.bounds, dr.maximum(index, 1) - 1), 0.0)
-        chance = dr.gather(mi.Float, self.chances, index)
-        within = dr.clip((u.x - start) / dr.maximum(chance, TINY), 0.0, 1.0)
-        row = index // self.size
-        s = (mi.Float(index - row * self.size) + within) * (2.0 / self.size) - 1.0
-        t = (mi.Float(row) + u.y) * (2.0 / self.size) - 1.0
-        r2 = s * s + t * t
-        found = mi.Vector3f(2.0 * s, 2.0 * t, 1.0 - r2) / (1.0 + r2)
-        if not self.mirrored:
-            return found
-        light = dr.fma(2.0 * dr.dot(view, found), found, -view)
-        return dr.select(found.z > 0.0, light, mi.Vector3f(0.0, 0.0, -1.0))
-
-    def density(self, light: Vector, view: Vector) -> Real:
-        """Return the density per solid angle."""
-        total = light + view
-        length = dr.maximum(dr.norm(total), TINY)
-        w = total / length if self.mirrored else light
-        s, t = _place(w)
-        column, row = (_texel(0.5 * (along + 1.0) * self.size, self.size - 1) for along in (s, t))
-        chance = dr.gather(mi.Float, self.chances, row * self.size + column)
-        per_angle = chance * (self.size * self.size / 16.0) * dr.square(1.0 + s * s + t * t)
-        # w·h is half the length of the sum.
-        return per_angle / (2.0 * length) if self.mirrored else per_angle
+    def _row(self, first: Any, low: Any, share: Real) -> Colour:
+        left, right = (dr.gather(mi.Color3f, self.values, first + low + step) for step in (0, 1))
+        return dr.fma(share, right - left, left)
 
 
-def _place(w: Vector) -> tuple[Real, Real]:
-    over = dr.maximum(1.0 + w.z, TINY)
-    return w.x / over, w.y / over
+def _parabolic(w: Vector) -> tuple[Real, Real]:
+    s, t = place(w)
+    return 0.5 * (s + 1.0), 0.5 * (t + 1.0)
 
 
-def _texel(along: Real, last: int) -> Any:
-    return mi.UInt32(dr.clip(dr.floor(along), 0.0, float(last)))
+def _radius(w: Vector) -> Real:
+    s, t = place(w)
+    return dr.clip(dr.sqrt(s * s + t * t), 0.0, 1.0)
 
 
-def _look_up(values: Any, size: int, w: Vector) -> Colour:
-    x, y = (dr.clip(0.5 * (along + 1.0) * size - 0.5, 0.0, size - 1.0) for along in _place(w))
-    i, j = (dr.minimum(mi.UInt32(along), size - 2) for along in (x, y))
-    u, v = x - mi.Float(i), y - mi.Float(j)
-    rows = []
-    for row in (j, j + 1):
-        left, right = (dr.gather(mi.Color3f, values, row * size + i + k) for k in (0, 1))
-        rows.append(dr.fma(u, right - left, left))
-    return dr.fma(v, rows[1] - rows[0], rows[0])
+def _unit(cosine: Real) -> Real:
+    return dr.clip(cosine, 0.0, 1.0)
+
+
+_PLACES: Mapping[str, _Place] = {
+    "wi": lambda light, _view, _half: _parabolic(light),
+    "wo": lambda _light, view, _half: _parabolic(view),
+    "h": lambda _light, _view, half: _parabolic(half),
+    "wi.wo": lambda light, view, _half: (0.5 * (dr.dot(light, view) + 1.0),),
+    "w.h": lambda light, _view, half: (_unit(dr.dot(light, half)),),
+    "|wi|": lambda light, _view, _half: (_radius(light),),
+    "|wo|": lambda _light, view, _half: (_radius(view),),
+    "|h|": lambda _light, _view, half: (_radius(half),),
+    "sqrt|h|": lambda _light, _view, half: (dr.sqrt(_radius(half)),),
+    "w.h,h.n": lambda light, _view, half: (_unit(dr.dot(light, half)), _unit(half.z)),
+    "wi.n,wo.n": lambda light, view, _half: (
+        _unit(dr.minimum(light.z, view.z)),
+        _unit(dr.maximum(light.z, view.z)),
+    ),
+}
+"""What :data:`brdf_suite.geometry.factor_projections.PROJECTIONS` gives, in the renderer's arithmetic."""

@@ -162,6 +162,31 @@ def _factored() -> Reflectance:
     return Factored.from_functions(of_direction, of_half_vector, 32)
 
 
+def _factored_radial() -> Reflectance:
+    import numpy as np
+
+    from brdf_suite.reflectance.factor_map import MapFactor
+    from brdf_suite.reflectance.factored import Factored
+
+    # A body of radial maps with a peak apart that Fresnel's rise brightens, as factored measurements are.
+    along = (np.arange(24)[:, None] + 0.5) / 24
+    p = np.exp(np.array([-0.3, -0.6, -1.0]) * along**2)
+    q = 0.05 + np.exp(-((along / 0.3) ** 2)) * np.array([1.0, 0.7, 0.3])
+    rise = 1.0 + 4.0 * (1.0 - along) ** 5 * np.ones(3)
+    peak = 0.4 * np.exp(-((along**2 / 0.12) ** 2)) * np.ones(3)
+    return Factored(
+        p.astype(np.float32),
+        q.astype(np.float32),
+        0.15,
+        more=(MapFactor("w.h", rise.astype(np.float32), logarithmic=True),),
+        peak=(
+            MapFactor("sqrt|h|", peak.astype(np.float32)),
+            MapFactor("w.h", rise.astype(np.float32), logarithmic=True),
+        ),
+        logarithmic=True,
+    )
+
+
 def _lambertian() -> Reflectance:
     from brdf_suite.reflectance.models.lambertian import Lambertian
 
@@ -245,6 +270,14 @@ _ENTRIES = (
         True,
         False,
         "McCool, Ang and Ahmad 2001",
+    ),
+    ModelEntry(
+        "factored_radial",
+        "Product of radial textures with a peak apart",
+        _factored_radial,
+        True,
+        False,
+        "McCool, Ang and Ahmad 2001, sections 4.2 and 4.3",
     ),
     ModelEntry("ggx", "GGX metal over a matt part", _ggx, True, True, "Walter et al. 2007; Heitz 2014"),
     ModelEntry(

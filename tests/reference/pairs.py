@@ -55,7 +55,7 @@ MODELS = {
 }
 
 
-for _name in ("factored", "cosine_lobes"):
+for _name in ("factored", "factored_radial", "cosine_lobes"):
     MODELS[_name] = lambda name=_name: REGISTERED[name].default
 
 

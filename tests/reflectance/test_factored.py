@@ -9,16 +9,17 @@ from hypothesis import strategies as st
 
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import spherical
+from brdf_suite.geometry.parabolic import parabolic_direction, parabolic_place, texel_directions
 from brdf_suite.geometry.warps import half_vector
-from brdf_suite.reflectance.factored import (
-    Factored,
-    direction_density,
-    look_up,
-    map_density,
-    parabolic_direction,
-    parabolic_place,
-    texel_directions,
-)
+from brdf_suite.reflectance.factor_density import direction_density, map_density
+from brdf_suite.reflectance.factor_map import MapFactor
+from brdf_suite.reflectance.factored import Factored
+
+
+def look_up(values: np.ndarray, w: np.ndarray) -> np.ndarray:
+    """Read a parabolic map at directions (..., 3)."""
+    flat = np.asarray(w, float).reshape(-1, 3)
+    return MapFactor("wi", values).at(flat, flat).reshape(w.shape)
 
 
 @settings(max_examples=30, deadline=None)
