@@ -6,6 +6,7 @@ import hashlib
 import json
 import struct
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ from brdf_suite.files.measured.brdftable import FORMAT, read_brdftable, write_br
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.factored import Factored
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
+from brdf_suite.reflectance.tabulated.coverage import Coverage
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -29,6 +31,13 @@ FACTS = {"format": "MERL", "notes": ("one", "zwei ü"), "holes": 3, "scaled": Tr
 def isotropic(reciprocal: bool = True) -> IsotropicTable:
     values = RNG.random((4, 5, 6, 3)).astype(np.float32)
     return IsotropicTable(values, RNG.random((4, 5, 6)) < 0.3, reciprocal, "a sphere", FACTS)
+
+
+def covered() -> IsotropicTable:
+    table = isotropic()
+    readings = np.where(table.holes, 0.0, RNG.integers(1, 50, (4, 5, 6))).astype(np.float32)
+    coverage = Coverage(readings, np.where(readings > 0.0, RNG.random((4, 5, 6)), 0.0).astype(np.float32))
+    return replace(table, coverage=coverage)
 
 
 def anisotropic() -> AnisotropicTable:
@@ -51,8 +60,16 @@ def factored() -> Factored:
 
 @pytest.mark.parametrize(
     "make",
-    [isotropic, lambda: isotropic(False), anisotropic, factored, scattered, lambda: scattered(False)],
-    ids=["isotropic", "whole turn", "anisotropic", "factored", "spectral", "colours"],
+    [
+        isotropic,
+        lambda: isotropic(False),
+        covered,
+        anisotropic,
+        factored,
+        scattered,
+        lambda: scattered(False),
+    ],
+    ids=["isotropic", "whole turn", "with coverage", "anisotropic", "factored", "spectral", "colours"],
 )
 def test_every_kind_comes_back_to_the_last_bit(make: Callable[[], Any], tmp_path: Path) -> None:
     value, path = make(), tmp_path / "a.brdftable"
@@ -64,6 +81,9 @@ def test_every_kind_comes_back_to_the_last_bit(make: Callable[[], Any], tmp_path
         if isinstance(before, np.ndarray):
             assert np.array_equal(before, after)
             assert before.dtype == after.dtype
+        elif isinstance(before, Coverage):
+            assert np.array_equal(before.samples, after.samples)
+            assert np.array_equal(before.deviation, after.deviation)
         else:
             assert before == after
     data = path.read_bytes()
@@ -131,6 +151,25 @@ def test_the_hand_made_file_is_sound(tmp_path: Path) -> None:
     path = tmp_path / "a.brdftable"
     path.write_bytes(signed(sound_header(), SOUND))
     assert np.array_equal(read_brdftable(path).values, np.ones((2, 2, 2, 3)))
+
+
+def test_coverage_that_belongs_to_no_table_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "a.brdftable"
+    header = sound_header()
+    header["arrays"].append({"name": "samples", "dtype": "<f4", "shape": [2, 2, 2]})
+    ones = np.ones(8, "<f4").tobytes() + bytes(32)
+    path.write_bytes(signed(header, SOUND + ones))
+    with pytest.raises(FileError, match=r"array samples.*belong together"):
+        read_brdftable(path)
+    header["arrays"].append({"name": "deviation", "dtype": "<f4", "shape": [2, 2, 2]})
+    path.write_bytes(signed(header, SOUND + 2 * ones))
+    assert np.array_equal(read_brdftable(path).coverage.samples, np.ones((2, 2, 2)))
+    path.write_bytes(signed(header, SOUND[:128] + b"\1" * 8 + SOUND[136:] + 2 * ones))
+    with pytest.raises(FileError, match=r"array samples.*not measured"):
+        read_brdftable(path)
+    path.write_bytes(signed(header, SOUND + ones + np.full(8, -1.0, "<f4").tobytes() + bytes(32)))
+    with pytest.raises(FileError, match=r"array deviation.*negative"):
+        read_brdftable(path)
 
 
 def changed(**fields: Any) -> bytes:

@@ -3,7 +3,8 @@
 The header is ``{"format": "brdftable", "version": 1, "kind", "source", "facts", ...}``. Kinds, with their arrays:
 
 - ``isotropic``: ``values`` <f4 (θh, θd, φd, 3), ``holes`` |u1 (θh, θd, φd), 1 where not measured; header
-  ``reciprocal``: φd over [0, π) or, if false, [0, 2π).
+  ``reciprocal``: φd over [0, π) or, if false, [0, 2π). Where it is known how well each bin is, also ``samples`` and
+  ``deviation`` <f4 (θh, θd, φd): readings in a bin, and the standard error of its value over the value.
 - ``anisotropic``: ``values`` <f4 (θi, φi, θo, φo, 3), ``theta_i`` and ``theta_o`` <f8, radians.
 - ``factored``: ``p`` <f4 (n, n, 3) and ``q`` <f4 (m, m, 3), parabolic maps, and ``alpha`` <f8 (3,):
   f_r = alpha p(wo) q(h) p(wi).
@@ -27,6 +28,7 @@ from brdf_suite.files.measured.tabulation import tabulation_notes
 from brdf_suite.reflectance.factored import Factored
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
+from brdf_suite.reflectance.tabulated.coverage import Coverage
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -36,7 +38,7 @@ Table = IsotropicTable | AnisotropicTable | Factored | ScatteredSamples
 
 #: kind -> arrays that must be there, header fields of its own, arrays that may be there
 _KINDS: dict[str, tuple[set[str], dict[str, type], set[str]]] = {
-    "isotropic": ({"values", "holes"}, {"reciprocal": bool}, set()),
+    "isotropic": ({"values", "holes"}, {"reciprocal": bool}, {"samples", "deviation"}),
     "anisotropic": ({"values", "theta_i", "theta_o"}, {}, set()),
     "factored": ({"p", "q", "alpha"}, {}, set()),
     "scattered": ({"wi", "wo", "values"}, {"isotropic": bool}, {"spectra", "wavelengths_nm"}),
@@ -117,9 +119,12 @@ def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, Array]]:
     if isinstance(table, IsotropicTable):
         holes = np.asarray(table.holes).view(np.uint8)
         own = {"reciprocal": table.reciprocal}
-        return "isotropic", own, {"values": table.values, "holes": holes}
+        arrays: dict[str, Array] = {"values": table.values, "holes": holes}
+        if table.coverage is not None:
+            arrays |= {"samples": table.coverage.samples, "deviation": table.coverage.deviation}
+        return "isotropic", own, arrays
     if isinstance(table, AnisotropicTable):
-        arrays: dict[str, Array] = {
+        arrays = {
             "values": table.values,
             "theta_i": table.theta_i,
             "theta_o": table.theta_o,
@@ -136,14 +141,17 @@ def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, Array]]:
 def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table:
     for name, array in arrays.items():
         singles = {"values"} if kind != "scattered" else set()
-        wanted = "|u1" if name == "holes" else "<f4" if name in {"p", "q", *singles} else "<f8"
+        single = name in {"p", "q", "samples", "deviation", *singles}
+        wanted = "|u1" if name == "holes" else "<f4" if single else "<f8"
         if array.dtype.str != wanted:
             raise ValueRangeError(name, f"holds {array.dtype.str}; {wanted} is wanted")
     if kind == "isotropic":
         holes = arrays["holes"]
         if holes.max(initial=0) > 1:
             raise ValueRangeError("holes", "holds something else than 0 and 1")
-        return IsotropicTable(arrays["values"], holes.view(np.bool_), **header)
+        return IsotropicTable(
+            arrays["values"], holes.view(np.bool_), coverage=_coverage(arrays, holes), **header
+        )
     if kind == "anisotropic":
         return AnisotropicTable(arrays["values"], arrays["theta_i"], arrays["theta_o"], **header)
     if kind == "factored":
@@ -156,6 +164,20 @@ def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table
         arrays.get("wavelengths_nm"),
         **header,
     )
+
+
+def _coverage(arrays: dict[str, Array], holes: Array) -> Coverage | None:
+    found = {name: arrays[name] for name in ("samples", "deviation") if name in arrays}
+    if not found:
+        return None
+    if len(found) == 1:
+        raise ValueRangeError(
+            next(iter(found)), "samples and deviation belong together; one of them is missing"
+        )
+    coverage = Coverage(**found)
+    if coverage.shape == holes.shape and np.any((coverage.samples > 0.0) & (holes != 0)):
+        raise ValueRangeError("samples", "counts readings in a bin that holes says was not measured")
+    return coverage
 
 
 def _plain(value: Any) -> Any:

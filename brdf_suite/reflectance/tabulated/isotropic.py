@@ -16,6 +16,7 @@ from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.tabulated.coverage import Coverage
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.holes import fill_holes
 from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
@@ -45,6 +46,8 @@ class IsotropicTable:
         Where the data come from, for the user.
     facts
         What the reader learned from the file, for the user.
+    coverage
+        How many readings each bin is made of, and how sure it is, where that is known.
 
     Raises
     ------
@@ -57,6 +60,7 @@ class IsotropicTable:
     reciprocal: bool = True
     source: str = ""
     facts: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+    coverage: Coverage | None = None
 
     parameters: ClassVar[Mapping[str, Parameter]] = MappingProxyType({})
 
@@ -74,6 +78,10 @@ class IsotropicTable:
         holes = np.zeros(values.shape[:3], np.bool_) if holes is None else np.asarray(holes, np.bool_).view()
         if holes.shape != values.shape[:3]:
             raise ValueRangeError("holes", f"has the shape {holes.shape}; {values.shape[:3]} is wanted")
+        if self.coverage is not None and self.coverage.shape != values.shape[:3]:
+            raise ValueRangeError(
+                "coverage", f"has the shape {self.coverage.shape}; {values.shape[:3]} is wanted"
+            )
         values.flags.writeable = False
         holes.flags.writeable = False
         object.__setattr__(self, "values", values)
@@ -195,7 +203,8 @@ class IsotropicTable:
         values = np.where(first & second, 0.5 * (one + other), np.where(first, one, other))
         holes = ~(first | second)[..., 0]
         fill_holes(values, holes, grid_of(values, True))
-        return replace(self, values=values, holes=holes, reciprocal=True)
+        coverage = None if self.coverage is None else self.coverage.folded()
+        return replace(self, values=values, holes=holes, reciprocal=True, coverage=coverage)
 
 
 def grid_of(values: npt.NDArray[Any], reciprocal: bool) -> HalfAngleGrid:
