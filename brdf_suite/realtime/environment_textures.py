@@ -52,6 +52,8 @@ class EnvironmentTextures:
         self._background: _Map | None = None
         self._sharp: dict[float, _Map] = {}
         self.exponents: tuple[float, ...] = ()
+        self.is_dark = False
+        """Whether no light comes from the environment, so that nothing of it need be looked up."""
 
     @property
     def ladder(self) -> Ladder:
@@ -80,6 +82,8 @@ class EnvironmentTextures:
         self._diffuse, self._background = diffuse, background
         self._sharp = dict(zip(sharp, others, strict=True))
         self.exponents = maps.exponents
+        # Light from anywhere is in the diffuse map everywhere.
+        self.is_dark = not maps.diffuse.faces.any()
 
     def bind(self) -> None:
         """Bind what all materials share and switch filtering across the edges of faces on."""

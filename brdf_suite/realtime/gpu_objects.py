@@ -57,6 +57,11 @@ class GpuObjects:
         with graphics_errors(self.context, f"making a cube map of {size} texels"):
             return self._keep("texture", self.context.texture_cube((size, size), 3, dtype="f2"))
 
+    def cube_of(self, size: int, dtype: str) -> moderngl.TextureCube:
+        """Make an empty RGBA cube map (``f1``, ``f2`` or ``f4``)."""
+        with graphics_errors(self.context, f"making a cube map of {size} texels"):
+            return self._keep("texture", self.context.texture_cube((size, size), 4, dtype=dtype))
+
     def texture_3d(self, size: tuple[int, int, int]) -> moderngl.Texture3D:
         """Make an empty 3-D texture of half floats, RGBA, filtered linearly and held at its edges."""
         with graphics_errors(self.context, f"making a stack of {size[2]} maps of {size[0]} texels"):

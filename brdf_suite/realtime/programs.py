@@ -22,7 +22,13 @@ PLACES_UNIT = 12
 """Of a captured form's list; a form is captured without a normal map, whose unit it is otherwise."""
 KEPT_UNIT = 13
 """Of the look-ups that are kept for such a list; its form has no orange peel either."""
-RELIEF_UNITS = {"normal_slopes": 12, "peel_slopes": 13, "paint_mask": 14}
+RELIEF_UNITS = {"normal_slopes": 12, "peel_slopes": 13, "paint_mask": 14, "tangent_turns": 28}
+FIRST_FACTOR_UNIT, FIRST_CUBE_FACTOR_UNIT = 16, 22
+"""Of factored materials' maps, six flat ones and six cubes: OpenGL 3.3 has 48 units, though one shader may use 16."""
+_FACTOR_UNITS: dict[str, object] = {
+    "factor_maps": tuple(range(FIRST_FACTOR_UNIT, FIRST_CUBE_FACTOR_UNIT)),
+    "factor_cubes": tuple(range(FIRST_CUBE_FACTOR_UNIT, FIRST_CUBE_FACTOR_UNIT + 6)),
+}
 
 ScreenProgram = tuple[moderngl.Program, moderngl.VertexArray]
 
@@ -44,7 +50,8 @@ def assign(program: moderngl.Program, values: Mapping[str, object]) -> None:
 
 
 Features = frozenset[str]
-"""What of the surface shader is compiled in, by the words that its files test with ``#ifdef``."""
+"""What of the surface shader is compiled in, by the words that its files test with ``#ifdef``; ``NAME=text`` is a word
+that has a text."""
 
 CAPTURED, KEEPING, KEPT_LIGHT = "CAPTURED", "KEEPING", "KEPT_LIGHT"
 """Features of programs that shade a list of places instead of a mesh (:mod:`.captured`): with look-ups of their own,
@@ -94,7 +101,7 @@ class Programs:
         """Return the program that shades surfaces with so many look-ups and these features."""
         key = (look_ups, features)
         if key not in self._surfaces:
-            words = dict.fromkeys(sorted(features), "1")
+            words = _defines(features)
             vertex = compose("screen.vert.glsl" if CAPTURED in features else "mesh.vert.glsl", words)
             self._surfaces[key] = self._shading(vertex, look_ups, words)
         return self._surfaces[key]
@@ -119,14 +126,14 @@ class Programs:
                 block.binding = binding
         # At once: two kinds of samplers must never stand at one unit, not even while a program warms up.
         own = {"light_lobes": LIGHT_LOBES_UNIT, "places": PLACES_UNIT, "kept_light": KEPT_UNIT}
-        assign(program, own | RELIEF_UNITS)
+        assign(program, own | RELIEF_UNITS | _FACTOR_UNITS)
         return program
 
     def capture(self, features: Features) -> moderngl.Program:
         """Return the program that draws what shading asks of a surface's places, for those features."""
         key = (LookUps(0, 0), features)
         if key not in self._surfaces:
-            words = dict.fromkeys(sorted(features), "1")
+            words = _defines(features)
             self._surfaces[key] = self._objects.program(
                 compose("mesh.vert.glsl", words), compose("capture.frag.glsl", words)
             )
@@ -166,3 +173,8 @@ class Programs:
             program = self._objects.program(compose("screen.vert.glsl"), compose(fragment, words))
             self._screen[key] = (program, self._objects.vertex_array(program))
         return self._screen[key]
+
+
+def _defines(features: Features) -> dict[str, str]:
+    parted = (word.partition("=") for word in sorted(features))
+    return {name: text or "1" for name, _, text in parted}

@@ -16,7 +16,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 import moderngl
 import numpy as np
@@ -27,11 +26,13 @@ from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.backdrop import backdrop
+from brdf_suite.realtime.blending import blend_over
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
 from brdf_suite.realtime.captured import Drawing
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.display import SRGB, Display, Unshowable
 from brdf_suite.realtime.environment_textures import RAMP_UNIT, EnvironmentTextures
+from brdf_suite.realtime.factor_textures import FactorTextures
 from brdf_suite.realtime.features import surface_features
 from brdf_suite.realtime.finish import FinishPass
 from brdf_suite.realtime.gpu_objects import Counters, GpuObjects
@@ -87,6 +88,7 @@ class Renderer(OffscreenPictures):
         self.screen: Display = SRGB
         self._ground = GroundShadow(self._objects)
         self._relief = ReliefTextures(self._objects)
+        self._factors = FactorTextures(self._objects)
         self._drawing = Drawing(
             self._objects,
             self._programs,
@@ -126,6 +128,11 @@ class Renderer(OffscreenPictures):
     def relief(self) -> ReliefTextures:
         """Normal map, orange peel and mask of the paint."""
         return self._relief
+
+    @property
+    def factors(self) -> FactorTextures:
+        """The maps of factored materials, by which their lamps are shaded instead of by their lobes."""
+        return self._factors
 
     def set_ground(self, field: GroundField | None) -> None:
         """Replace the ground that a view may ask for; None: there is none."""
@@ -280,6 +287,8 @@ class Renderer(OffscreenPictures):
         self._environment.bind()
         features = surface_features(view, knows_light=self._mesh.knows_light, smooth=samples > 1)
         features |= self._single_lights.features(view)
+        if self._environment.is_dark:
+            features |= {"DARK"}
         self._warm_up(samples, features)
         framebuffer.clear(depth=1.0)
         self._draw_mesh(view, features, camera, crop(size, corner, tile), materials)
@@ -313,8 +322,10 @@ class Renderer(OffscreenPictures):
         drawn = self._drawn_parts(view, features)
         common |= self._relief.bind(view, self.bounds)
         for part, name, words in drawn:
-            self._blend("SECOND_PAINT" in words)
+            blend_over(self.context, "SECOND_PAINT" in words)
             name = materials.get(name, name)
+            if view.lamps:
+                words |= self._factors.features(name)
             material = self._materials.find(name, modes, self._environment.ladder)
             program = self._programs.surface(material.look_ups, words)
             if (material.look_ups, words) not in ready:
@@ -323,12 +334,14 @@ class Renderer(OffscreenPictures):
             assign(program, self._environment.use_sharp(material.sharp))
             if "COAT_RELIEF" in words:
                 assign(program, self._relief.peel_uniforms(view, name))
+            if "FACTORS" in words:
+                assign(program, self._factors.use(name))
             if lit:
                 assign(program, self._single_lights.uniforms(name, view, has_uv=self._mesh.has_uv[part]))
             material.ramp.use(RAMP_UNIT)
             material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
             self._mesh.arrays(program)[part].render(moderngl.TRIANGLES)
-        self._blend(False)
+        blend_over(self.context, False)
 
     def _drawn_parts(self, view: View, features: Features) -> list[tuple[int, str, Features]]:
         """Return what is drawn in order: a part's number, its material, and the features of its program.
@@ -344,16 +357,6 @@ class Renderer(OffscreenPictures):
             over = painted | {"SECOND_PAINT"}
             drawn += [(part, SECOND_PAINT, over) for part, name in enumerate(names) if name == PAINT]
         return drawn
-
-    def _blend(self, on: bool) -> None:
-        """Blend what is drawn over what is there by its alpha, and leave the object's coverage as it is; or do not."""
-        if on:
-            self.context.enable(moderngl.BLEND)
-            # moderngl's types know two factors; four set those of alpha apart.
-            factors: Any = (moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ZERO, moderngl.ONE)
-            self.context.blend_func = factors
-        else:
-            self.context.disable(moderngl.BLEND)
 
     def _draw_ground(self, view: View, camera: CameraMatrices, cropping: NDArray[np.float64]) -> None:
         """Darken the background by the shadow on the ground, which is seen from above only."""

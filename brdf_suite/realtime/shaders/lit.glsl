@@ -1,6 +1,6 @@
 // Provides: vec3 lit_radiance(SurfacePoint p, vec3 radiance)
 // Needs:    surface_point.glsl, material.glsl; LAMPS where there are lamps, SPARKLE_GLINTS or SPARKLE_TEXTURE where
-//           flakes are drawn one by one
+//           flakes are drawn one by one; FACTORS where a factored material's lamps are shaded by its maps (factors.glsl)
 //
 // `radiance`, what the surface reflects of the environment, with what single lights add. For a light of irradiance E on
 // what faces it, from a direction whose mirror direction is gamma away from the eye, the lobe sum is
@@ -11,6 +11,10 @@
 #include "lights.glsl"
 #include "light_lobes.glsl"
 #include "flake_place.glsl"
+#ifdef FACTORS
+#include "tangent_frame.glsl"
+#include "factors.glsl"
+#endif
 // A file is included once, so what both ways of sparkling share comes before the question which it is.
 #include "sparkle_hash.glsl"
 #include "flake_footprint.glsl"
@@ -37,7 +41,7 @@ float largest(vec3 c)
     return max(c.r, max(c.g, c.b));
 }
 
-#ifdef LAMPS
+#if defined(LAMPS) && !defined(FACTORS)
 // What the lamps make the surface reflect, flakes in their mean.
 vec3 lamp_radiance(SurfacePoint p, vec3 base_gain, vec3 gloss_gain)
 {
@@ -158,7 +162,9 @@ vec3 lit_radiance(SurfacePoint p, vec3 radiance)
 {
     vec3 base_gain, gloss_gain;
     fresnel_gains(max(dot(p.normal, p.view), 0.02), base_gain, gloss_gain);
-#ifdef LAMPS
+#ifdef FACTORS
+    radiance += factored_radiance(p);
+#elif defined(LAMPS)
     radiance += lamp_radiance(p, base_gain, gloss_gain);
 #endif
 #ifdef SPARKLE

@@ -1,6 +1,6 @@
 // Provides: the exposed light of a surface with lobe weights, in the light of the prefiltered maps
 // Needs:    what mesh.vert.glsl hands on; what lobes.glsl needs; LAMPS, SPARKLE_* and SECOND_PAINT where they are drawn;
-//           KEPT_LIGHT where the look-ups have been made already, KEEPING where they are made to be kept
+//           DARK where the environment sends no light; KEPT_LIGHT where the look-ups have been made already, KEEPING where they are made to be kept
 uniform vec3 eye;
 
 #include "surface_point.glsl"
@@ -8,8 +8,13 @@ uniform vec3 eye;
 #include "ramp.glsl"
 #ifdef KEPT_LIGHT
 #include "kept_light.glsl"
-#else
+#elif !defined(DARK)
 #include "lobes.glsl"
+#endif
+#ifdef DARK
+#define ENVIRONMENT_LIGHT(p) vec3(0.0)
+#else
+#define ENVIRONMENT_LIGHT(p) reflected_radiance(p)
 #endif
 #if defined(LAMPS) || defined(SPARKLE_GLINTS) || defined(SPARKLE_TEXTURE)
 #include "lit.glsl"
@@ -27,7 +32,7 @@ out vec4 fragment;
 void main()
 {
     SurfacePoint p = surface_point(eye);
-    fragment = vec4(exposed_light(LIT(p, reflected_radiance(p))), 1.0);
+    fragment = vec4(exposed_light(LIT(p, ENVIRONMENT_LIGHT(p))), 1.0);
 #ifdef KEEPING
     fragment.a = ramp_coordinate(seen_cosine(p));
 #endif

@@ -1,0 +1,83 @@
+// Provides: vec3 factored_radiance(SurfacePoint p): what the lamps make a factored material reflect
+// Needs:    surface_point.glsl, lights.glsl, tangent_frame.glsl; FACTOR_TERMS, FACTOR_FLAT, FACTOR_CUBES (numbers),
+//           FACTORS_OF_VIEW, FACTORS_OF_LIGHT (written by factor_source.py), FACTOR_FRAME where maps are over directions
+//
+// McCool, Ang and Ahmad 2001, equation 20, for all lamps in one pass:
+//     Lo = sum over lamps  E N.L f(wo, wi),      f = sum over terms  alpha prod of maps
+// The maps hold logarithms: those of a term are added and exponentiated once, so that nothing is clamped on the way and
+// dark values keep their relative accuracy (section 4.1). f then bends softly towards factor_ceiling, in brightness and
+// not in colour. Factors of the view are looked up once; a lamp below the horizon adds nothing, but is looked up like any
+// other, as the derivatives that choose a mip level are not defined behind a condition that neighbours answer otherwise.
+#if FACTOR_FLAT > 0
+uniform sampler2D factor_maps[FACTOR_FLAT];
+uniform vec3 factor_spans[FACTOR_FLAT];      // what a texel is multiplied by
+#endif
+#if FACTOR_CUBES > 0
+uniform samplerCube factor_cubes[FACTOR_CUBES];
+uniform vec3 factor_cube_spans[FACTOR_CUBES];
+#endif
+uniform vec3 factor_alphas[FACTOR_TERMS];    // logarithms of alpha
+uniform float factor_limit;                  // largest logarithm of f that is exponentiated
+uniform float factor_ceiling;                // 1 / ceiling, sr
+
+// The place of a direction in a parabolic map, 0 to 1; from below the horizon it is brought there.
+vec2 disc_place(vec3 w)
+{
+    return 0.5 + 0.5 * w.xy / (1.0 + max(w.z, 0.0));
+}
+
+// tan(theta / 2)
+float disc_radius(float cosine)
+{
+    return sqrt(max(1.0 - cosine, 0.0) / (1.0 + cosine));
+}
+
+#ifdef NORMAL_MAP
+// What of the relief is too fine for a pixel spreads the normals, and with them the places in a map, by about a quarter.
+vec3 flat_factor(sampler2D map, vec2 at, float spread)
+{
+    vec2 size = vec2(textureSize(map, 0));
+    vec2 across = dFdx(at) * size, down = dFdy(at) * size;
+    float hidden = 0.25 * spread * size.x;
+    float turns = max(max(dot(across, across), dot(down, down)), hidden * hidden);
+    return textureLod(map, at, 0.5 * log2(max(turns, 1e-12))).rgb;
+}
+#define FLAT_FACTOR(k, at) (flat_factor(factor_maps[k], at, p.base_spread) * factor_spans[k])
+#else
+#define FLAT_FACTOR(k, at) (texture(factor_maps[k], at).rgb * factor_spans[k])
+#endif
+#define CUBE_FACTOR(k, direction) (texture(factor_cubes[k], direction).rgb * factor_cube_spans[k])
+
+vec3 factored_radiance(SurfacePoint p)
+{
+    float cos_view = clamp(dot(p.normal, p.view), 0.0, 1.0);
+#ifdef FACTOR_FRAME
+    mat3 to_local = tangent_frame(p);
+    vec3 wo = to_local * p.view;
+#endif
+    FACTORS_OF_VIEW
+    vec3 sum = vec3(0.0);
+    for (int i = int(light_counts.x); i < int(light_counts.y); ++i)
+    {
+        Arriving light = light_at(i, p.position);
+        float cos_light = clamp(dot(p.normal, light.direction), 0.0, 1.0);
+        float cos_across = clamp(dot(light.direction, p.view), -1.0, 1.0);
+        vec3 between = light.direction + p.view;
+        // Never opposite: both are above the horizon, or nothing comes of it.
+        vec3 facet = between * inversesqrt(max(dot(between, between), 1e-12));
+        float cos_half = sqrt(0.5 * cos_across + 0.5);
+        float cos_facet = clamp(dot(p.normal, facet), 0.0, 1.0);
+        // By the sine, which near the normal is accurate where the cosine is not.
+        float half_radius = length(facet - cos_facet * p.normal) / (1.0 + cos_facet);
+#ifdef FACTOR_FRAME
+        vec3 wi = to_local * light.direction;
+        vec3 h = to_local * facet;
+#endif
+        vec3 f = vec3(0.0);
+        FACTORS_OF_LIGHT
+        float over = max(f.r, max(f.g, f.b)) * factor_ceiling;
+        over *= over;
+        sum += light.irradiance * (cos_light * inversesqrt(sqrt(1.0 + over * over))) * f;
+    }
+    return sum;
+}
