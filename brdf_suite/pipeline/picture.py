@@ -12,6 +12,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.pipeline.exposure import metered
+from brdf_suite.pipeline.factored_maps import maps_of
 from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit
 from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.scene import PreparedEnvironment
@@ -19,6 +20,7 @@ from brdf_suite.pipeline.surface_images import SurfaceImages, peel_tile
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.captured import Swatch
 from brdf_suite.realtime.context import Context, create_context
+from brdf_suite.realtime.factored_values import FactoredMaps
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.light_block import NO_LIGHTS, DistantLights
 from brdf_suite.realtime.offscreen import SECOND_PAINT
@@ -53,6 +55,7 @@ class SceneRenderer:
     def __init__(self, context: Context, angles: PaintAngles | None = None) -> None:
         self._renderer = Renderer(context)
         self._renderer.relief.make_peel = peel_tile
+        self._maps: tuple[object, FactoredMaps | None] | None = None
         self._angles = angles or PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S)
 
     @property
@@ -79,7 +82,16 @@ class SceneRenderer:
         weights = material_weights(fit.weights, self._angles.of(fit), self._angles.by_view(fit))
         self._renderer.set_material(material, weights)
         self._renderer.set_flakes(material, fit.flakes)
+        self._renderer.factors.set(material, self._factored(fit))
         self._renderer.relief.set_own_peel(material, fit.orange_peel)
+
+    def _factored(self, fit: PaintFit | AnyFit) -> FactoredMaps | None:
+        """The maps by which a factored paint's lamps are shaded, made once: an edit of other paints costs nothing."""
+        if isinstance(fit, PaintFit):
+            return None
+        if self._maps is None or self._maps[0] is not fit.reflectance:
+            self._maps = (fit.reflectance, maps_of(fit.reflectance))
+        return self._maps[1]
 
     def swatch(self, fit: PaintFit | AnyFit) -> Swatch:
         """Return this paint as a captured form takes it (:meth:`Renderer.capture`), with the same weights."""

@@ -72,6 +72,8 @@ def shader_words(maps: FactoredMaps, slots: Slots) -> Features:
     }
     if maps.has_directions:
         words.add("FACTOR_FRAME")
+    if maps.coat is not None:
+        words.add("FACTORS_COATED")
     return frozenset(words)
 
 

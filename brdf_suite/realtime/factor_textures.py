@@ -105,6 +105,10 @@ class FactorTextures:
             "factor_limit": float(np.log(maps.ceiling)) + _ROOM,
             "factor_ceiling": 1.0 / maps.ceiling,
         }
+        if maps.coat is not None:
+            coat = maps.coat
+            uniforms["factor_coat"] = (coat.ior, coat.spread, coat.inner, coat.even)
+            uniforms["factor_albedo"] = coat.albedo
         if flat:
             uniforms["factor_spans"] = tuple(tuple(stretch[name][1].tolist()) for name in slots.flat)
         if cubes:

@@ -85,9 +85,30 @@ class FactorTerm:
                 raise ValueRangeError("factors", f"{projection!r} is none of {', '.join(PROJECTIONS)}")
 
 
+@dataclass(frozen=True)
+class FactorCoat:
+    """A clearcoat over factored terms: they are multiplied by T(θi) T(θo) / T̄ · (1 - K) / (1 - K E_b).
+
+    ``ior`` of the coat, ``spread`` of the base (0 mirror, 1 matt), ``inner`` and ``even``: what of matt light the coat
+    keeps inside, and sends back from outside; ``albedo`` (3,) of the base without the coat, 0 to 1. The coat's own
+    highlight is that of the lobes.
+    """
+
+    ior: float
+    spread: float
+    inner: float
+    even: float
+    albedo: tuple[float, float, float]
+
+    def __post_init__(self) -> None:
+        shares = (self.spread, self.inner, self.even, *self.albedo)
+        if not (1.0 <= self.ior <= 100.0 and all(0.0 <= share <= 1.0 for share in shares)):
+            raise ValueRangeError("coat", f"an index of 1 to 100 and shares of 0 to 1 are wanted, not {self}")
+
+
 @dataclass(frozen=True, eq=False)
 class FactoredMaps:
-    """f_r = Σ of ``terms``.
+    """f_r = Σ of ``terms``, below the ``coat`` where there is one.
 
     Attributes
     ----------
@@ -103,6 +124,7 @@ class FactoredMaps:
     maps: Mapping[str, FactorMap]
     terms: tuple[FactorTerm, ...]
     ceiling: float = field(default=1e4)
+    coat: FactorCoat | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "maps", MappingProxyType(dict(self.maps)))

@@ -1,5 +1,5 @@
 // Provides: vec3 factored_radiance(SurfacePoint p): what the lamps make a factored material reflect
-// Needs:    surface_point.glsl, lights.glsl, tangent_frame.glsl; FACTOR_TERMS, FACTOR_FLAT, FACTOR_CUBES (numbers),
+// Needs:    surface_point.glsl, lights.glsl, material.glsl, tangent_frame.glsl; FACTORS_COATED below a clearcoat; FACTOR_TERMS, FACTOR_FLAT, FACTOR_CUBES (numbers),
 //           FACTORS_OF_VIEW, FACTORS_OF_LIGHT (written by factor_source.py), FACTOR_FRAME where maps are over directions
 //
 // McCool, Ang and Ahmad 2001, equation 20, for all lamps in one pass:
@@ -48,6 +48,23 @@ vec3 flat_factor(sampler2D map, vec2 at, float spread)
 #endif
 #define CUBE_FACTOR(k, direction) (texture(factor_cubes[k], direction).rgb * factor_cube_spans[k])
 
+#ifdef FACTORS_COATED
+uniform vec4 factor_coat;                    // index, spread of the base, K of matt light, mean F of even light
+uniform vec3 factor_albedo;                  // of the base without the coat
+
+// What the base is multiplied by below a clearcoat: T(light) T(view) / mean T  (1 - K) / (1 - K albedo), as
+// reflectance/models/coated.py has it.
+vec3 through_coat(float cos_light, float cos_view)
+{
+    float through = (1.0 - fresnel_dielectric(cos_light, factor_coat.x))
+        * (1.0 - fresnel_dielectric(cos_view, factor_coat.x));
+    float one_way = sqrt(max(through, 1e-12));
+    float stays = mix(1.0 - one_way, factor_coat.z, factor_coat.y);
+    float mean = mix(one_way, 1.0 - factor_coat.w, factor_coat.y);
+    return through / mean * (1.0 - stays) / (1.0 - stays * factor_albedo);
+}
+#endif
+
 vec3 factored_radiance(SurfacePoint p)
 {
     float cos_view = clamp(dot(p.normal, p.view), 0.0, 1.0);
@@ -75,6 +92,9 @@ vec3 factored_radiance(SurfacePoint p)
 #endif
         vec3 f = vec3(0.0);
         FACTORS_OF_LIGHT
+#ifdef FACTORS_COATED
+        f *= through_coat(cos_light, cos_view);
+#endif
         float over = max(f.r, max(f.g, f.b)) * factor_ceiling;
         over *= over;
         sum += light.irradiance * (cos_light * inversesqrt(sqrt(1.0 + over * over))) * f;

@@ -41,39 +41,49 @@ float largest(vec3 c)
     return max(c.r, max(c.g, c.b));
 }
 
-#if defined(LAMPS) && !defined(FACTORS)
-// What the lamps make the surface reflect, flakes in their mean.
+#if defined(LAMPS) && (!defined(FACTORS) || defined(FACTORS_COATED))
+// What turns from pixel to pixel: the coat's highlight may be smaller than one, and is the mean of four places in it.
+struct Turns
+{
+    vec3 normal_across, normal_down, view_across, view_down;
+};
+
+// The coat's highlight of a light, without its irradiance. The mirror direction of a light turns by twice the turn of
+// the coat's normal.
+vec3 coat_highlight(SurfacePoint p, vec3 to_light, Turns turns)
+{
+    vec3 n = p.coat_normal;
+    float cos_coat = dot(n, to_light);
+    if (cos_coat <= 0.0)
+        return vec3(0.0);
+    vec3 off = 2.0 * cos_coat * n - to_light - p.view;
+    vec3 across = 0.5 * (dot(turns.normal_across, to_light) * n + cos_coat * turns.normal_across)
+        - 0.25 * turns.view_across;
+    vec3 down = 0.5 * (dot(turns.normal_down, to_light) * n + cos_coat * turns.normal_down) - 0.25 * turns.view_down;
+    return 0.25 * (light_lobe(LOBE_GLOSS, length(off + across + down)).rgb
+        + light_lobe(LOBE_GLOSS, length(off + across - down)).rgb
+        + light_lobe(LOBE_GLOSS, length(off - across + down)).rgb
+        + light_lobe(LOBE_GLOSS, length(off - across - down)).rgb);
+}
+
+// What the lamps make the surface reflect, flakes in their mean; of a factored material the coat's part alone.
 vec3 lamp_radiance(SurfacePoint p, vec3 base_gain, vec3 gloss_gain)
 {
-    // The coat's highlight may be smaller than a pixel: it is the mean of four places in it. The mirror direction of a
-    // light turns by twice the turn of the coat's normal.
-    vec3 n = p.coat_normal;
-    vec3 normal_across = dFdx(n), normal_down = dFdy(n);
-    vec3 view_across = dFdx(p.view), view_down = dFdy(p.view);
+    Turns turns = Turns(dFdx(p.coat_normal), dFdy(p.coat_normal), dFdx(p.view), dFdy(p.view));
     vec3 kd = vec3(light_lobe(LOBE_BASE, 2.0).a, light_lobe(LOBE_GLOSS, 2.0).a, light_lobe(LOBE_FLAKES, 2.0).a);
     vec3 sum = vec3(0.0);
     for (int i = int(light_counts.x); i < int(light_counts.y); ++i)
     {
         Arriving light = light_at(i, p.position);
+#ifndef FACTORS
         float cos_light = dot(p.normal, light.direction);
         if (cos_light > 0.0)
         {
             float chord = length(2.0 * cos_light * p.normal - light.direction - p.view);
             sum += light.irradiance * base_gain * cos_light * (kd + light_lobe(LOBE_BASE, chord).rgb);
         }
-        float cos_coat = dot(n, light.direction);
-        if (cos_coat > 0.0)
-        {
-            vec3 off = 2.0 * cos_coat * n - light.direction - p.view;
-            vec3 across = 0.5 * (dot(normal_across, light.direction) * n + cos_coat * normal_across)
-                - 0.25 * view_across;
-            vec3 down = 0.5 * (dot(normal_down, light.direction) * n + cos_coat * normal_down) - 0.25 * view_down;
-            vec3 gloss = light_lobe(LOBE_GLOSS, length(off + across + down)).rgb
-                + light_lobe(LOBE_GLOSS, length(off + across - down)).rgb
-                + light_lobe(LOBE_GLOSS, length(off - across + down)).rgb
-                + light_lobe(LOBE_GLOSS, length(off - across - down)).rgb;
-            sum += light.irradiance * gloss_gain * (0.25 * gloss);
-        }
+#endif
+        sum += light.irradiance * gloss_gain * coat_highlight(p, light.direction, turns);
     }
     return sum;
 }
@@ -164,7 +174,8 @@ vec3 lit_radiance(SurfacePoint p, vec3 radiance)
     fresnel_gains(max(dot(p.normal, p.view), 0.02), base_gain, gloss_gain);
 #ifdef FACTORS
     radiance += factored_radiance(p);
-#elif defined(LAMPS)
+#endif
+#if defined(LAMPS) && (!defined(FACTORS) || defined(FACTORS_COATED))
     radiance += lamp_radiance(p, base_gain, gloss_gain);
 #endif
 #ifdef SPARKLE
