@@ -1,0 +1,164 @@
+"""What the sphere sends into each pixel: the mean of its radiance over the pixel's square.
+
+The clear coat's peak of a car paint is a degree wide, much less than a pixel of a small photograph. So a pixel gets as
+many rays as its neighbourhood needs: one where the picture is smooth, a grid where the outline, the shadow's edge, an
+occluder or a steep change passes, and the finest where the peak may lie in it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.acquisition.simulator.lamp import Lamp
+from brdf_suite.acquisition.simulator.optics import Optics, first_hits
+from brdf_suite.acquisition.simulator.turntable import mirrored_turntable
+from brdf_suite.reflectance.protocol import Reflectance
+
+Floats = NDArray[np.float64]
+
+_LARGEST_GRID = 16
+_FINEST_STEP = 0.0025
+"""Radians of the half vector between rays at a peak; the narrowest of Günther's Table 1 has m = 0.013."""
+_PEAK_REACH = 3.0
+"""The peak may lie in a pixel whose half vector is within so many steps to the next pixel of the normal."""
+_STEEP = 1.10
+_STEEPER = 1.5
+"""Ratios of neighbours from which on a pixel gets 4 × 4 and 8 × 8 rays."""
+_BLOCK = 1 << 18
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A sphere before the camera; ``matrix`` (3, 3) turns reflectance into that of the camera's channels."""
+
+    optics: Optics
+    size: tuple[int, int]
+    centre: Floats
+    radius: float
+    reflectance: Reflectance
+    matrix: Floats | None
+    arm: bool
+
+    def mean_radiance(self, lamp: Lamp) -> Floats:
+        """Return (h, w, 3): the mean over each pixel, over the strength of the lamp's channel."""
+        width, height = self.size
+        rows, columns = np.mgrid[0.0:height, 0.0:width]
+        values, half, covered, hidden = self._seen(lamp, columns.ravel(), rows.ravel())
+        shape = (height, width)
+        picture = values.reshape(height, width, 3)
+        grid = _grids(
+            picture.mean(axis=-1), half.reshape(shape), covered.reshape(shape), hidden.reshape(shape)
+        )
+        for side in np.unique(grid[grid > 1]):
+            self._refine(lamp, picture, np.argwhere(grid == side), int(side))
+        return picture
+
+    def _refine(self, lamp: Lamp, picture: Floats, pixels: NDArray[np.int64], side: int) -> None:
+        """Replace pixels (n, 2) as (row, column) by the mean of ``side`` × ``side`` rays."""
+        steps = (np.arange(side) + 0.5) / side - 0.5
+        down, right = (part.ravel() for part in np.meshgrid(steps, steps, indexing="ij"))
+        block = max(1, _BLOCK // (side * side))
+        for start in range(0, len(pixels), block):
+            part = pixels[start : start + block]
+            x = (part[:, 1, None] + right).ravel()
+            y = (part[:, 0, None] + down).ravel()
+            values = self._seen(lamp, x, y)[0].reshape(len(part), side * side, 3)
+            picture[part[:, 0], part[:, 1]] = values.mean(axis=1)
+
+    def _seen(
+        self, lamp: Lamp, x: Floats, y: Floats
+    ) -> tuple[Floats, Floats, NDArray[np.bool_], NDArray[np.bool_]]:
+        """Return of each ray: radiance (n, 3), θh (n,) or NaN, whether it meets the sphere, whether it is hidden."""
+        values, half = np.zeros((len(x), 3)), np.full(len(x), np.nan)
+        covered, hidden = np.zeros(len(x), bool), np.zeros(len(x), bool)
+        for start in range(0, len(x), _BLOCK):
+            here = slice(start, start + _BLOCK)
+            rays = self.optics.rays(x[here], y[here])
+            reach = first_hits(self.optics.centre, rays, self.centre, self.radius)
+            covered[here] = hit = ~np.isnan(reach)
+            if self.arm:
+                hidden[here] = lamp.hides(self.optics.centre, rays, np.where(hit, reach, np.inf))
+            shown = np.flatnonzero(hit & ~hidden[here])
+            points = self.optics.centre + reach[shown, None] * rays[shown]
+            values[start + shown], half[start + shown] = self._shaded(lamp, points, -rays[shown])
+        return values, half, covered, hidden
+
+    def _shaded(self, lamp: Lamp, points: Floats, views: Floats) -> tuple[Floats, Floats]:
+        """Return radiance (n, 3) and θh (n,) of points on the sphere seen from directions (n, 3)."""
+        normals = (points - self.centre) / self.radius
+        lights, relative = lamp.at(points)
+        cosines = np.einsum("ij,ij->i", normals, lights)
+        halves = lights + views
+        halves /= np.linalg.norm(halves, axis=-1, keepdims=True)
+        # By the difference of two unit vectors: the arc cosine of nearly 1 has no digits.
+        theta = 2.0 * np.arcsin(np.minimum(1.0, 0.5 * np.linalg.norm(halves - normals, axis=-1)))
+        values = np.zeros((len(points), 3))
+        # Attached shadow: what looks away from the lamp is dark.
+        lit = np.flatnonzero(cosines > 0.0)
+        frames = _frames(normals[lit])
+        wi = np.einsum("nij,nj->ni", frames, lights[lit])
+        wo = np.einsum("nij,nj->ni", frames, views[lit])
+        found = np.asarray(self.reflectance.eval(wi, wo))
+        if self.matrix is not None:
+            found = np.maximum(found @ self.matrix.T, 0.0)
+        values[lit] = found * (cosines * relative)[lit, None]
+        if self.arm:
+            values += mirrored_turntable(lamp, points, normals, views)[:, None]
+        return values, theta
+
+
+def _frames(normals: Floats) -> Floats:
+    """Return (n, 3, 3): rows tangent, bitangent, normal; the tangent runs level around the axis."""
+    level = np.stack([normals[:, 2], np.zeros(len(normals)), -normals[:, 0]], axis=-1)
+    length = np.linalg.norm(level, axis=-1, keepdims=True)
+    tangents = np.where(length > 1e-9, level / np.maximum(length, 1e-9), [1.0, 0.0, 0.0])
+    return np.stack([tangents, np.cross(normals, tangents), normals], axis=1)
+
+
+def _grids(
+    luminance: Floats, half: Floats, covered: NDArray[np.bool_], hidden: NDArray[np.bool_]
+) -> NDArray[np.int64]:
+    """Return how many rays each way a pixel wants, (h, w)."""
+    shown = covered & ~hidden
+    grid = np.ones(luminance.shape, np.int64)
+    lowest, highest = _around(luminance, np.minimum, np.inf), _around(luminance, np.maximum, -np.inf)
+    ratio = np.divide(highest, lowest, out=np.full(luminance.shape, np.inf), where=lowest > 0.0)
+    any_light = shown & (highest > 0.0)
+    grid[any_light & (ratio > _STEEP)] = 4
+    grid[any_light & (ratio > _STEEPER)] = 8
+    mixed = _around(shown.astype(float), np.minimum, np.inf) != _around(
+        shown.astype(float), np.maximum, -np.inf
+    )
+    grid[mixed & (highest > 0.0)] = 8
+    known = np.where(np.isnan(half), np.inf, half)
+    nearest, farthest = (
+        _around(known, np.minimum, np.inf),
+        _around(np.where(np.isnan(half), 0.0, half), np.maximum, 0.0),
+    )
+    step = np.maximum(farthest - nearest, 0.0)
+    step[~np.isfinite(step)] = 0.0
+    peak = any_light & (nearest < _PEAK_REACH * step)
+    wanted = np.clip(np.ceil(step / _FINEST_STEP), 4, _LARGEST_GRID)
+    # In powers of two, so that there are few groups.
+    grid[peak] = np.maximum(grid[peak], 2 ** np.ceil(np.log2(wanted[peak])).astype(np.int64))
+    return grid
+
+
+def _around(values: Floats, choose: np.ufunc, outside: float) -> Floats:
+    """Return the least or largest of each pixel's 3 × 3 neighbourhood."""
+    padded = np.pad(values, 1, constant_values=outside)
+    found = values
+    height, width = values.shape
+    for down in range(3):
+        for right in range(3):
+            found = choose(found, padded[down : down + height, right : right + width])
+    return found
+
+
+def solid_angle_radius(radius: float, distance: float) -> float:
+    """Return the tangent of the angle that a sphere's outline has to its middle, seen from a distance."""
+    return math.tan(math.asin(radius / distance))

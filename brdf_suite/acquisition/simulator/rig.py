@@ -1,0 +1,222 @@
+"""The simulated rig: what it truly is, what its session says, and the photographs that it takes."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.acquisition.session import Camera, Intrinsics, Session
+from brdf_suite.acquisition.session_values import Matrix
+from brdf_suite.acquisition.simulator.calibration_pictures import (
+    BOARD_COLUMNS,
+    BOARD_PICTURES,
+    BOARD_ROWS,
+    board_picture,
+    board_square_m,
+    tile_picture,
+    tile_region,
+)
+from brdf_suite.acquisition.simulator.description import WHITE_ANGLE_DEG, session_of, truth_of
+from brdf_suite.acquisition.simulator.lamp import Lamp
+from brdf_suite.acquisition.simulator.optics import Optics, tilted
+from brdf_suite.acquisition.simulator.picture import Scene
+from brdf_suite.acquisition.simulator.sensor import Codes, Sensor
+from brdf_suite.acquisition.simulator.settings import SimulatorSettings
+from brdf_suite.reflectance.protocol import Reflectance
+
+Floats = NDArray[np.float64]
+
+_LAMP_RGB = np.array([0.92, 1.0, 0.81])
+_METER_ANGLE_DEG = 60.0
+_BRIGHTEST = 0.7
+"""Of the well, in the shortest exposure, at the angle where the photographer meters."""
+_MIDDLING = 6.0
+"""Fillings of the well in the longest exposure that a typical lit pixel has at most."""
+
+_TO_WORKING = np.array([[0.82, 0.13, 0.05], [0.06, 0.88, 0.06], [0.02, 0.15, 0.83]])
+
+# The noise of each kind of photograph is its own.
+_DARK_SHOT, _WHITE_SHOT, _FLAT_SHOT, _BOARD_SHOT = 10_000, 10_001, 10_002, 10_100
+
+
+class Simulator:
+    """A rig with a sphere of one paint. Nothing is written; photographs are made when asked for.
+
+    >>> from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+    >>> from brdf_suite.reflectance.models.table_1 import TABLE_1
+    >>> paint = CookTorrance(TABLE_1["table1_polaris_silver"])
+    >>> rig = Simulator(paint, SimulatorSettings(size=(64, 64), positions=3, exposures=4), "Polaris")
+    >>> rig.position(1).shape
+    (4, 64, 64, 3)
+    """
+
+    def __init__(
+        self, reflectance: Reflectance, settings: SimulatorSettings | None = None, name: str = "paint"
+    ) -> None:
+        self.reflectance = reflectance
+        self.settings = settings or SimulatorSettings()
+        self.name = name
+        self.sensor = Sensor.made(self.settings)
+        self.optics = _optics(self.settings)
+
+    @cached_property
+    def session(self) -> Session:
+        """What the reconstruction is told: the rig as it was meant, and the names of the files."""
+        settings = self.settings
+        corners = board_square_m(self.optics, settings)
+        return session_of(
+            settings,
+            self.name,
+            Camera(
+                settings.camera_distance_m,
+                settings.camera_height_m,
+                settings.bit_depth,
+                "unknown" if settings.curve == "film" else settings.curve,
+                math.degrees(_tilt(settings)),
+                self._stated_matrix(),
+                None if settings.board else self.optics.lens,
+            ),
+            (BOARD_COLUMNS, BOARD_ROWS, corners, BOARD_PICTURES),
+            tile_region(self.optics, settings),
+            self._irradiance(),
+        )
+
+    @cached_property
+    def truth(self) -> dict[str, object]:
+        """What the rig truly is, as JSON has it; nothing of it is told to the reconstruction."""
+        centres = [list(self._centre(k)) for k in range(len(self.settings.angles()))]
+        places = [list(self.lamp(k).place) for k in range(len(self.settings.angles()))]
+        return truth_of(
+            self.settings,
+            self.name,
+            self.optics.lens,
+            self._irradiance(),
+            self.sensor.black,
+            self.sensor.unit_rgb(),
+            centres,
+            places,
+        )
+
+    def lamp(self, position: int) -> Lamp:
+        """Return the lamp where it truly stands at a position."""
+        return self._lamp(self.settings.angles()[position])
+
+    def radiance(self, position: int) -> NDArray[np.float32]:
+        """Return (h, w, 3): the sphere's radiance as it is, without camera, in the photographs' unit per second."""
+        unit = self._strength * self.sensor.unit_rgb()
+        return (self._scene(position).mean_radiance(self.lamp(position)) * unit).astype(np.float32)
+
+    def position(self, position: int) -> Codes:
+        """Return the photographs of a position, (e, h, w, 3) codes, shortest exposure first."""
+        picture = self._scene(position).mean_radiance(self.lamp(position)) * self._strength
+        return self._photographed(picture, self.settings.exposures_s(), position)
+
+    def dark(self) -> Codes:
+        """Return the dark frames (e, h, w, 3)."""
+        width, height = self.settings.size
+        return self._photographed(np.zeros((height, width, 3)), self.settings.exposures_s(), _DARK_SHOT)
+
+    def white(self) -> Codes:
+        """Return the photographs (e, h, w, 3) of a white tile in the sphere's place."""
+        picture = tile_picture(self.optics, self.settings, self._lamp(WHITE_ANGLE_DEG)) * self._strength
+        return self._photographed(picture, self.settings.exposures_s(), _WHITE_SHOT)
+
+    def flat_field(self) -> Codes:
+        """Return one photograph (1, h, w, 3) of an even screen, well exposed."""
+        width, height = self.settings.size
+        return self._photographed(np.full((height, width, 3), 0.55), (1.0,), _FLAT_SHOT)
+
+    def board(self, index: int) -> Codes:
+        """Return a photograph (h, w, 3) of the chessboard, each in another place."""
+        picture = board_picture(self.optics, self.settings, index)
+        return self._photographed(picture, (1.0,), _BOARD_SHOT + index)[0]  # type: ignore[no-any-return]  # a row of codes
+
+    @cached_property
+    def _strength(self) -> Floats:
+        """Full wells per second of radiance 1 at irradiance 1, (3,): the lamp as the photographer sets it."""
+        lamp = self._unit_lamp(_METER_ANGLE_DEG)
+        seen = self._scene(0).mean_radiance(lamp).mean(axis=-1)
+        lit = seen[seen > 0.0]
+        if not len(lit):
+            return _LAMP_RGB
+        shortest, longest = self.settings.shortest_s, self.settings.longest_s
+        bright = _BRIGHTEST / (float(lit.max()) * shortest)
+        return _LAMP_RGB * min(bright, _MIDDLING / (float(np.median(lit)) * longest))
+
+    def _irradiance(self) -> Floats:
+        stated: Floats = self._strength * self.sensor.unit_rgb()
+        return stated
+
+    def _stated_matrix(self) -> Matrix | None:
+        if not self.settings.colour_matrix:
+            return None
+        first, second, third = ((float(a), float(b), float(c)) for a, b, c in _TO_WORKING)
+        return first, second, third
+
+    def _lamp(self, degrees: float) -> Lamp:
+        return self._unit_lamp(degrees + self.settings.light_offset_deg)
+
+    def _unit_lamp(self, degrees: float) -> Lamp:
+        angle, settings = math.radians(degrees), self.settings
+        distance = settings.light_distance_m
+        height = settings.light_height_m + settings.light_height_offset_m
+        place = np.array([distance * math.sin(angle), height, distance * math.cos(angle)])
+        return Lamp(place, settings.profile)
+
+    def _centre(self, position: int) -> Floats:
+        """Where the sphere truly stands at a position."""
+        settings = self.settings
+        right, down = settings.centre_offset_px
+        if settings.moved is not None and position >= settings.moved[0]:
+            right, down = right + settings.moved[1], down + settings.moved[2]
+        scale = settings.camera_distance_m / self.optics.lens.fx
+        centre: Floats = (right * self.optics.turn[0] + down * self.optics.turn[1]) * scale
+        return centre
+
+    def _scene(self, position: int) -> Scene:
+        settings = self.settings
+        matrix = np.linalg.inv(_TO_WORKING) if settings.colour_matrix else None
+        centre = self._centre(position)
+        return Scene(
+            self.optics, settings.size, centre, settings.radius_m, self.reflectance, matrix, settings.arm
+        )
+
+    @cached_property
+    def _vignette(self) -> Floats:
+        """(h, w, 1): what is left of the light, 1 in the middle of the picture."""
+        width, height = self.settings.size
+        rows, columns = np.mgrid[0.0:height, 0.0:width]
+        off = ((rows - 0.5 * (height - 1)) ** 2 + (columns - 0.5 * (width - 1)) ** 2) / (
+            0.25 * (width**2 + height**2)
+        )
+        left: Floats = (1.0 - self.settings.vignetting * off)[..., None]
+        return left
+
+    def _photographed(self, picture: Floats, exposures_s: tuple[float, ...], shot: int) -> Codes:
+        return self.sensor.expose((picture * self._vignette).astype(np.float32), exposures_s, shot)
+
+
+def _tilt(settings: SimulatorSettings) -> float:
+    """The camera looks at the origin."""
+    return math.atan2(-settings.camera_height_m, settings.camera_distance_m)
+
+
+def _optics(settings: SimulatorSettings) -> Optics:
+    width, height = settings.size
+    away = math.hypot(settings.camera_distance_m, settings.camera_height_m)
+    outline = math.tan(math.asin(settings.radius_m / away))
+    focal = 0.5 * settings.fill * min(width, height) / outline
+    corner = 0.5 * math.hypot(width, height) / focal
+    # The principal point is never quite the middle of the picture.
+    lens = Intrinsics(
+        focal,
+        focal,
+        0.5 * (width - 1) + 0.004 * width,
+        0.5 * (height - 1) - 0.003 * height,
+        settings.distortion / corner**2,
+    )
+    centre, turn = tilted(settings.camera_height_m, settings.camera_distance_m, _tilt(settings))
+    return Optics(centre, turn, lens)
