@@ -31,6 +31,8 @@ class MapFactor:
     logarithmic
         Whether the logarithms of the values, which then are over 0, are what is interpolated between texels: so a
         factorization found them (McCool, Ang and Ahmad 2001, section 4.1). Otherwise the values themselves.
+    name
+        What the map is called, for the user.
 
     Raises
     ------
@@ -41,6 +43,7 @@ class MapFactor:
     projection: str
     values: Map
     logarithmic: bool = False
+    name: str = ""
 
     def __post_init__(self) -> None:
         if self.projection not in PROJECTIONS:

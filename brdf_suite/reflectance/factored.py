@@ -135,8 +135,8 @@ class Factored:
         around_p = ("wi", "wo") if self.p.ndim == 3 else ("|wi|", "|wo|")
         about_h = "h" if self.q.ndim == 3 else "|h|"
         body = (
-            *(MapFactor(name, self.p, self.logarithmic) for name in around_p),
-            MapFactor(about_h, self.q, self.logarithmic),
+            *(MapFactor(name, self.p, self.logarithmic, "p") for name in around_p),
+            MapFactor(about_h, self.q, self.logarithmic, "q"),
             *self.more,
         )
         found: list[Term] = [(np.asarray(self.alpha, np.float64), body)]

@@ -1,47 +1,77 @@
-"""The specular part apart: a factorization of what is left when the peak is cut off, and the peak as a map of its own.
+"""The specular part apart: a factorization of what is left when the peak is cut off, and the peak as a product too.
 
-Logarithms discount a peak, and smoothness wears it down (McCool, Ang and Ahmad 2001, sections 3.1.1 and 4.2). So
-values are clamped before they are factored, and what was cut off is kept as a sum: f_r = α Π maps + s(h), s over the
-half vector and not negative.
+Logarithms discount a peak, and smoothness wears it down (McCool, Ang and Ahmad 2001, sections 3.1.1 and 4.2). So values
+are clamped before they are factored, and what was cut off is added again: f_r = α Π maps + s(h) F(ω·h).
+
+Where to cut is not a level: a metallic paint's body is a hundred times brighter near the mirror direction than aside,
+and is still a product. What is cut is what stands out over a product, by a factor: the body is fitted, clamped at so
+many times itself, and fitted again, until the peak has no say in it.
+
+s is fitted as any factor. F starts from a formula, since a measured peak is met by a handful of samples, most of them
+at one incidence each, and a free map over ω·h runs away between and beyond them. Of four formulas (none, Fresnel's,
+Fresnel's over ω·h and over (ω·h)², the last being microfacets with the shadowing of Kelemen and Szirmay-Kalos 2001) the
+nearest is taken, and a stiff map then bends it as far as the samples insist.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.fitting.homomorphic.constraints import Layout, constraints, smoothness
 from brdf_suite.fitting.homomorphic.factorization import Factorization
 from brdf_suite.fitting.homomorphic.factorize import (
-    BIAS,
     DEFAULT_RESOLUTION,
     DEFAULT_SMOOTHNESS,
     Factorized,
     factorize,
 )
 from brdf_suite.fitting.homomorphic.samples import Samples
-from brdf_suite.fitting.homomorphic.solve import solve
+from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_projections import PROJECTIONS
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, Factor, parse_factors
-from brdf_suite.geometry.map_look_up import bilinear
-from brdf_suite.progress import Progress, part
-from brdf_suite.reflectance.blocks import in_blocks
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.progress import Progress, part, report
 
-DEFAULT_CUT = 4.0
-"""Values beyond so many times the median of their channel are peak."""
-_PEAK_SMOOTHNESS = 0.02
+PeakForm = Literal["radial", "map"]
+PEAK_FORMS: tuple[str, ...] = get_args(PeakForm)
+"""``radial``: s over the root of the half vector's radius, fine at the normal; ``map``: s over the hemisphere."""
+PEAK_BIAS = 1e-2
+"""Over the mean of the clamped values, which no peak raises."""
+DEFAULT_CUT = 3.0
+"""Values beyond so many times the body are peak."""
+RADIAL_TEXELS, FRESNEL_TEXELS = 64, 32
+INDEX = 1.5
+_LEAST_COSINE = 0.1
+"""Of ω·h in F, which has no bound at grazing; 84°."""
+_ROUNDS = 3
+_MOST_IN_ROUNDS = 20_000
+_FIRST_QUANTILE = 0.9
+_STANDS_OUT = 2.0
+"""Times the body: what weighs fully in the fit of the peak."""
+_BESIDE_WEIGHT = 0.1
+_FLOOR_NEAR, _FLOOR_FAR = 0.05, 5e-4
+"""Of the body: what the peak is taken for where nothing stands out, near the normal and beyond the peak's reach."""
+_REACH_SHARE, _REACH_MARGIN, _LEAST_REACH_DEG = 0.995, 1.5, 2.0
+_LEAST_LEFT = 0.3
+"""Of a clamped value: what the body keeps where the peak takes more than all."""
+_SMOOTHNESS, _STIFFNESS = 0.3, 30.0
+"""λ of s, and of the map that bends F."""
+_PEAK_FIT_BIAS = 1e-12
+"""The rest is over 0 everywhere, and its dark end is wanted dark."""
 
 
 @dataclass(frozen=True, eq=False)
 class WithPeak:
-    """f_r = the product + ``peak`` (n, n, 3) at the half vector, in 1/sr, a parabolic map, not negative."""
+    """f_r = ``product`` + ``peak``, in 1/sr; ``peak`` is s(h) F(ω·h), or ``None`` where nothing stood out."""
 
     product: Factorization
-    peak: Floats
+    peak: Factorization | None
 
     @property
     def reciprocal(self) -> bool:
@@ -50,68 +80,196 @@ class WithPeak:
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
-        return in_blocks(self._eval_block, wi, wo)
-
-    def _eval_block(self, wi: Floats, wo: Floats) -> Floats:
-        texels, weights = bilinear(PROJECTIONS["h"].places(wi, wo), self.peak.shape[:2])
-        added = np.einsum("kc,kcj->kj", weights, self.peak.reshape(-1, 3)[texels])
-        above = (wi[:, 2] > 0.0) & (wo[:, 2] > 0.0)
-        return np.asarray(self.product.eval(wi, wo) + np.where(above[:, None], added, 0.0))
+        body = self.product.eval(wi, wo)
+        return body if self.peak is None else body + self.peak.eval(wi, wo)
 
 
 def factorize_with_peak(
     samples: Samples,
     *,
     cut: float = DEFAULT_CUT,
+    form: PeakForm = "radial",
     factors: str | tuple[Factor, ...] = DEFAULT_FACTORS,
     resolution: int = DEFAULT_RESOLUTION,
     smooth: float = DEFAULT_SMOOTHNESS,
-    bias: float = BIAS,
+    bias: float = PEAK_BIAS,
+    weights: npt.ArrayLike | None = None,
     progress: Progress | None = None,
 ) -> tuple[WithPeak, Factorized]:
-    """Factor ``samples`` cut off at ``cut`` medians (over 1), and fit what the cut took.
+    """Factor ``samples`` cut off at ``cut`` times (over 1) the body itself, and what the cut took.
 
-    The rest is fitted by its absolute error times √(cosθi cosθo). All channels of a sample are cut by one factor, so
-    that what is left keeps its colour.
+    All channels of a sample are cut by one factor, so that what is left keeps its colour. Other arguments as of
+    :func:`~brdf_suite.fitting.homomorphic.factorize.factorize`; ``bias`` is over the mean of what is left.
 
     Raises
     ------
     ValueRangeError, FittingError
-        As :func:`~brdf_suite.fitting.homomorphic.factorize.factorize`; or ``cut`` is not over 1.
+        As :func:`~brdf_suite.fitting.homomorphic.factorize.factorize`; or ``cut`` or ``form`` is not as above.
     """
     if not cut > 1.0:
-        raise ValueRangeError("cut", f"more than 1 median is wanted, not {cut:g}")
+        raise ValueRangeError("cut", f"more than 1 time the body is wanted, not {cut:g}")
+    if form not in PEAK_FORMS:
+        raise ValueRangeError("peak", f"one of {', '.join(PEAK_FORMS)} is wanted, not {form!r}")
     chosen = parse_factors(factors) if isinstance(factors, str) else factors
-    good = np.isfinite(samples.values).all(axis=1) & (samples.wi[:, 2] > 0.0) & (samples.wo[:, 2] > 0.0)
+    body = _Body(chosen, resolution, smooth, bias, cut)
+    share = np.ones(len(samples)) if weights is None else np.asarray(weights, np.float64)
+    good = _usable(samples)
     kept = samples.part(good)
-    values = np.maximum(kept.values, 0.0)
-    size = values.mean(axis=1)
-    limit = cut * float(np.median(size)) if len(size) else 0.0
-    share = np.minimum(1.0, limit / np.maximum(size, 1e-300)) if limit > 0.0 else np.ones(len(size))
-    clamped = values * share[:, None]
-    found = factorize(
-        kept.wi,
-        kept.wo,
-        clamped,
-        factors=chosen,
-        resolution=resolution,
-        smooth=smooth,
-        bias=bias,
-        progress=part(progress, 0.0, 0.7),
-    )
-    rest = np.where(share[:, None] < 1.0, values - found.product.eval(kept.wi, kept.wo), 0.0)
-    layout = Layout.of((Factor("peak", PROJECTIONS["h"]),), resolution)
-    matrix = constraints(layout, kept.wi, kept.wo)
-    unknowns = solve(
-        matrix,
-        smoothness(layout),
-        _PEAK_SMOOTHNESS,
-        rest,
-        np.sqrt(kept.wi[:, 2] * kept.wo[:, 2]),
-        np.zeros((layout.count, 3)),
-        "direct",
-        part(progress, 0.7, 1.0),
-    )
-    # Where the product alone is too bright the sum would want a negative peak; light has none.
-    peak = np.maximum(layout.maps(unknowns)["peak"], 0.0)
-    return WithPeak(found.product, peak), found
+    kept = replace(kept, values=np.maximum(kept.values, 0.0))
+    if not len(kept) or share.shape != good.shape:
+        # Let the one place that says what is wrong with samples say it.
+        factorize(
+            samples.wi, samples.wo, samples.values, factors=chosen, resolution=resolution, weights=weights
+        )
+    share = share[good]
+    few, few_share = kept, share
+    if len(kept) > _MOST_IN_ROUNDS:
+        drawn = np.random.default_rng(len(kept)).permutation(len(kept))[:_MOST_IN_ROUNDS]
+        few, few_share = kept.part(drawn), share[drawn]
+    clamped = _clamped(few.values, float(np.quantile(_grey(few.values), _FIRST_QUANTILE)))
+    rough = body.fit(few, clamped, few_share).product
+    for number in range(_ROUNDS - 1):
+        clamped = _clamped(few.values, cut * _grey(rough.eval(few.wi, few.wo)))
+        rough = body.fit(few, clamped, few_share, part(progress, 0.1 * number, 0.1 * (number + 1))).product
+    s = _peak_factor(form, resolution)
+    first = _peak(few, few_share, rough, s, cut, fresnel_maps(), part(progress, 0.2, 0.3))
+    clamped = _clamped(kept.values, cut * _grey(rough.eval(kept.wi, kept.wo)))
+    left = clamped
+    if first is not None:
+        left = np.clip(kept.values - first.product.eval(kept.wi, kept.wo), _LEAST_LEFT * clamped, clamped)
+    found = body.fit(kept, left, share, part(progress, 0.3, 0.8))
+    peak = None
+    if first is not None:
+        last = _peak(kept, share, found.product, s, cut, (first.formula,), part(progress, 0.8, 1.0))
+        peak = (last or first).product
+    raised = int((samples.values[good] < 0.0).any(axis=1).sum())
+    told = replace(found, left_out=len(samples) - found.used, raised=raised)
+    return WithPeak(found.product, peak), told
+
+
+@dataclass(frozen=True, eq=False)
+class _Peak:
+    """A peak, the formula (n, 3) that its F started from, and its mean squared distance from the rest, as logarithms."""
+
+    product: Factorization
+    formula: Floats
+    miss: float
+
+
+@dataclass(frozen=True)
+class _Body:
+    """How the body is factored."""
+
+    factors: tuple[Factor, ...]
+    resolution: int
+    smooth: float
+    bias: float
+    cut: float
+
+    def fit(
+        self, samples: Samples, values: Floats, weights: Floats, progress: Progress | None = None
+    ) -> Factorized:
+        return factorize(
+            samples.wi,
+            samples.wo,
+            values,
+            factors=self.factors,
+            resolution=self.resolution,
+            smooth=self.smooth,
+            bias=self.bias,
+            weights=weights,
+            keep_mean=False,
+            progress=progress,
+        )
+
+
+def _usable(samples: Samples) -> npt.NDArray[np.bool_]:
+    finite = np.isfinite(samples.values).all(axis=1)
+    finite &= np.isfinite(samples.wi).all(axis=1) & np.isfinite(samples.wo).all(axis=1)
+    return np.asarray(finite & (samples.wi[:, 2] > 0.0) & (samples.wo[:, 2] > 0.0))
+
+
+def _grey(values: Floats) -> Floats:
+    return np.asarray(values @ LUMINANCE)
+
+
+def _clamped(values: Floats, limit: npt.ArrayLike) -> Floats:
+    """Cut all channels of each value by one factor to a luminance of at most ``limit``."""
+    share = np.minimum(1.0, np.asarray(limit) / np.maximum(_grey(values), 1e-300))
+    return np.asarray(values * share[:, None])
+
+
+def _peak_factor(form: PeakForm, resolution: int) -> Factor:
+    if form == "map":
+        return Factor("s", PROJECTIONS["h"], resolution)
+    return Factor("s", PROJECTIONS["sqrt|h|"], RADIAL_TEXELS)
+
+
+def fresnel_maps() -> tuple[Floats, ...]:
+    """Return log F (n, 3) over ω·h of each formula, 0 at the normal: 1, Fresnel's, that over ω·h and over (ω·h)²."""
+    cosine = np.maximum((np.arange(FRESNEL_TEXELS) + 0.5) / FRESNEL_TEXELS, _LEAST_COSINE)
+    rise = np.log(fresnel_dielectric(cosine, INDEX) / fresnel_dielectric(1.0, INDEX))
+    greys = (np.zeros_like(rise), rise, rise - np.log(cosine), rise - 2.0 * np.log(cosine))
+    return tuple(np.repeat(np.asarray(grey, np.float64)[:, None], 3, axis=1) for grey in greys)
+
+
+def _peak(
+    samples: Samples,
+    weights: Floats,
+    product: Factorization,
+    s: Factor,
+    cut: float,
+    formulas: tuple[Floats, ...],
+    progress: Progress | None = None,
+) -> _Peak | None:
+    """Return what stands out over ``product``, or None where nothing does.
+
+    Where nothing stands out the peak is taken for a small share of the body: near the normal for one that no noise can
+    be told from, beyond the peak's reach for next to nothing.
+    """
+    body = product.eval(samples.wi, samples.wo)
+    over = _grey(samples.values) - _STANDS_OUT * _grey(body)
+    out = over > 0.0
+    if not (_grey(samples.values) > cut * _grey(body)).any():
+        return None
+    tilt = np.degrees(np.arccos(np.clip(warps.half_vector(samples.wi, samples.wo)[:, 2], -1.0, 1.0)))
+    order = np.argsort(tilt)
+    held = np.cumsum(np.maximum(over[order], 0.0))
+    last = tilt[order][min(int(np.searchsorted(held, _REACH_SHARE * held[-1])), len(order) - 1)]
+    near = tilt < max(_REACH_MARGIN * float(last), _LEAST_REACH_DEG)
+    rest = np.maximum(samples.values - body, np.where(near, _FLOOR_NEAR, _FLOOR_FAR)[:, None] * body)
+    share = weights * np.where(out & near, 1.0, _BESIDE_WEIGHT)
+    standing = weights * (out & near)
+    found = []
+    for number, formula in enumerate(formulas):
+        report(progress, number / len(formulas), "peak")
+        found.append(_against(samples, rest, share, standing, s, formula))
+    return min(found, key=lambda one: one.miss)
+
+
+def _against(
+    samples: Samples, rest: Floats, weights: Floats, standing: Floats, s: Factor, formula: Floats
+) -> _Peak:
+    """Return s(h) F(ω·h), F from the logarithms (n, 3) of a formula.
+
+    ``weights`` (n,) are of all samples, ``standing`` of those that stand out alone.
+    """
+    f = Factor("f", PROJECTIONS["w.h"], FRESNEL_TEXELS)
+    given = Factorization((f,), {"f": formula}, np.ones(3)).eval(samples.wi, samples.wo)
+    parts = []
+    for factor, smooth, share in ((s, _SMOOTHNESS, weights), (f, _STIFFNESS, standing)):
+        one = factorize(
+            samples.wi,
+            samples.wo,
+            rest / given,
+            factors=(factor,),
+            smooth=smooth,
+            bias=_PEAK_FIT_BIAS,
+            weights=share,
+            keep_mean=False,
+        ).product
+        given = given * one.eval(samples.wi, samples.wo)
+        parts.append(one)
+    miss = float(np.average(np.log(rest / given) ** 2, axis=0, weights=standing**2).mean())
+    logs = {"s": parts[0].logs["s"], "f": formula + parts[1].logs["f"]}
+    return _Peak(Factorization((s, f), logs, parts[0].alpha * parts[1].alpha), formula, miss)
