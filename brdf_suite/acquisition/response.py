@@ -1,0 +1,207 @@
+"""The response of a camera: which exposure stands behind each code of each channel, and how noisy it is.
+
+A photograph's code y is f(t·L) where L is the radiance, t the exposure time and f the response. What is kept is the
+inverse, g(y) = t·L, as a table over all codes (Robertson, Borman and Stevenson 2003, "Estimation-theoretic approach
+to dynamic range enhancement using multiple exposures"). A scale of g cannot be told from photographs, as every
+radiance takes it up; it is fixed for each channel by g(2^(bits-1)) = 0.5 above black. For a linear camera without
+black level that is code / 2^bits.
+
+The variance of one pixel's exposure X is modelled as read² + shot·X, and that of rounding to whole codes comes on top.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.errors import ValueRangeError
+
+Floats = npt.NDArray[np.float64]
+
+MIDDLE_EXPOSURE = 0.5
+"""The exposure that the middle code stands for, in the unit of the photographs."""
+
+_TOP_MARGIN = 0.01
+# Of a linear sensor of 20,000 electrons and 8 electrons of read noise, where nothing better is known.
+_READ = 4e-4
+_SHOT = 5e-5
+_SRGB_KNEE = 0.04045
+
+
+@dataclass(frozen=True, eq=False)
+class Response:
+    """The inverse response and the noise of each channel.
+
+    Attributes
+    ----------
+    bit_depth
+        Codes run from 0 to 2^bit_depth - 1.
+    exposure
+        (channels, 2^bit_depth) float64, the exposure of each code, never falling; negative below black, so that
+        the noise of a black pixel averages to nothing.
+    black
+        (channels,) the code without light, may be fractional.
+    lowest, highest
+        (channels,) codes between which the response was measured; a code above ``highest`` counts as clipped.
+    read, shot
+        (channels,) the noise: variance of an exposure X = read² + shot·X, in exposure².
+    linear
+        Whether exposure is proportional to the code above black.
+    """
+
+    bit_depth: int
+    exposure: Floats
+    black: Floats
+    lowest: npt.NDArray[np.int64]
+    highest: npt.NDArray[np.int64]
+    read: Floats
+    shot: Floats
+    linear: bool
+
+    def __post_init__(self) -> None:
+        check_bit_depth(self.bit_depth)
+        exposure = np.asarray(self.exposure, float)
+        if exposure.ndim != 2 or exposure.shape[1] != 1 << self.bit_depth:
+            raise ValueRangeError(
+                "response.exposure", f"the shape is {exposure.shape}, a row of codes is wanted"
+            )
+        if not np.all(np.isfinite(exposure)) or np.any(np.diff(exposure, axis=1) < 0.0):
+            raise ValueRangeError(
+                "response.exposure", "exposures must be finite and must not fall as codes grow"
+            )
+        object.__setattr__(self, "exposure", exposure)
+        for name, kind in (
+            ("black", float),
+            ("lowest", np.int64),
+            ("highest", np.int64),
+            ("read", float),
+            ("shot", float),
+        ):
+            value = np.array(getattr(self, name), kind)
+            if value.shape != exposure.shape[:1] or not np.all(np.isfinite(value)) or np.any(value < 0):
+                raise ValueRangeError(f"response.{name}", "one finite number of 0 or more for each channel")
+            object.__setattr__(self, name, value)
+        if np.any(self.highest >= exposure.shape[1]) or np.any(self.lowest > self.highest):
+            raise ValueRangeError("response.highest", "it lies between the lowest and the largest code")
+
+    @property
+    def channels(self) -> int:
+        """Return how many channels there are."""
+        return int(self.exposure.shape[0])
+
+    def rounding_variance(self) -> Floats:
+        """Return (channels, 2^bit_depth) the variance of an exposure by rounding to whole codes, step²/12."""
+        step = np.gradient(self.exposure, axis=1)
+        return np.asarray(step * step / 12.0)
+
+    def to_json(self) -> dict[str, object]:
+        """Return plain values from which :meth:`from_json` makes the same response."""
+        return {
+            "bit_depth": self.bit_depth,
+            "linear": self.linear,
+            "exposure": self.exposure.tolist(),
+            **{name: getattr(self, name).tolist() for name in ("black", "lowest", "highest", "read", "shot")},
+        }
+
+    @classmethod
+    def from_json(cls, values: Mapping[str, object]) -> Response:
+        """Make a response from what :meth:`to_json` gave.
+
+        Raises
+        ------
+        ValueRangeError
+            A value is missing or out of its range; ``place`` names it.
+        """
+        bit_depth = values.get("bit_depth")
+        if not isinstance(bit_depth, int):
+            raise ValueRangeError("response.bit_depth", "a whole number is wanted")
+        arrays: dict[str, Floats] = {}
+        for name in ("exposure", "black", "lowest", "highest", "read", "shot"):
+            try:
+                arrays[name] = np.asarray(values[name], float)
+            except (KeyError, TypeError, ValueError) as error:
+                raise ValueRangeError(f"response.{name}", "numbers for each channel are wanted") from error
+        return cls(
+            bit_depth,
+            arrays["exposure"],
+            arrays["black"],
+            arrays["lowest"].astype(np.int64),
+            arrays["highest"].astype(np.int64),
+            arrays["read"],
+            arrays["shot"],
+            bool(values.get("linear", False)),
+        )
+
+
+def check_bit_depth(bit_depth: int) -> None:
+    """Raise :class:`ValueRangeError` where codes have fewer than 8 or more than 16 bits."""
+    if not 8 <= bit_depth <= 16:
+        raise ValueRangeError("bit_depth", f"{bit_depth} is outside the range 8 to 16")
+
+
+def middle_code(bit_depth: int) -> int:
+    """Return the code that stands for an exposure of 0.5."""
+    return 1 << (bit_depth - 1)
+
+
+def linear_response(
+    bit_depth: int,
+    channels: int = 3,
+    black: npt.ArrayLike = 0.0,
+    read: npt.ArrayLike = _READ,
+    shot: npt.ArrayLike = _SHOT,
+    highest: npt.ArrayLike | None = None,
+) -> Response:
+    """Return the response of a camera whose codes above ``black`` are proportional to the exposure.
+
+    >>> linear_response(12).exposure[0, [0, 2048]].tolist()
+    [0.0, 0.5]
+    """
+    check_bit_depth(bit_depth)
+    dark = np.broadcast_to(np.asarray(black, float), (channels,))
+    codes = np.arange(1 << bit_depth)
+    exposure = (codes - dark[:, None]) * (MIDDLE_EXPOSURE / (middle_code(bit_depth) - dark[:, None]))
+    return Response(
+        bit_depth,
+        exposure,
+        dark,
+        np.minimum(np.ceil(dark).astype(np.int64), codes[-1]),
+        _highest(bit_depth, channels, highest),
+        np.broadcast_to(np.asarray(read, float), (channels,)),
+        np.broadcast_to(np.asarray(shot, float), (channels,)),
+        True,
+    )
+
+
+def srgb_response(bit_depth: int, channels: int = 3) -> Response:
+    """Return the response of photographs stored by the transfer curve of sRGB (IEC 61966-2-1)."""
+    check_bit_depth(bit_depth)
+    value = np.arange(1 << bit_depth) / ((1 << bit_depth) - 1.0)
+    light = np.where(value <= _SRGB_KNEE, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
+    light *= MIDDLE_EXPOSURE / light[middle_code(bit_depth)]
+    full = np.full(channels, 1.0)
+    return Response(
+        bit_depth,
+        np.tile(light, (channels, 1)),
+        0.0 * full,
+        np.ones(channels, np.int64),
+        _highest(bit_depth, channels, None),
+        _READ * full,
+        _SHOT * full,
+        False,
+    )
+
+
+def default_highest(bit_depth: int, largest: int | None = None) -> int:
+    """Return the last code that does not count as clipped, a margin for noise below the ``largest``."""
+    top = (1 << bit_depth) - 1 if largest is None else largest
+    return top - max(2, math.ceil(_TOP_MARGIN * top))
+
+
+def _highest(bit_depth: int, channels: int, highest: npt.ArrayLike | None) -> npt.NDArray[np.int64]:
+    chosen = default_highest(bit_depth) if highest is None else highest
+    return np.broadcast_to(np.asarray(chosen, np.int64), (channels,))
