@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from brdf_qt.choice_button import ChoiceButton
 from brdf_qt.icons import icon
+from brdf_qt.quiet_slider import QuietSlider
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QPalette, QResizeEvent
@@ -14,7 +15,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLineEdit,
     QSizePolicy,
-    QSlider,
     QToolButton,
     QWidget,
 )
@@ -153,7 +153,7 @@ class TopBar(QWidget):
         self.list_button.setAccessibleName(tr("List with columns"))
         self.list_button.clicked.connect(self.list_chosen)
         row.addWidget(self.list_button)
-        self.size_slider = QSlider(Qt.Orientation.Horizontal)
+        self.size_slider = QuietSlider(Qt.Orientation.Horizontal)
         self.size_slider.setObjectName("size")
         self.size_slider.setRange(*SIZES)
         self.size_slider.setMinimumWidth(48)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.number_field import NumberField
+from brdf_qt.quiet_slider import QuietSlider
 from brdf_qt.translation import tr
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QSlider, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from brdf_designer.variations_section import PictureButton
 from brdf_suite.pipeline.variations_mix import LEAST_SHARE, MOST_SHARE
@@ -96,7 +97,7 @@ class InterpolationSection(QWidget):
             button.clicked.connect(lambda _=False, stop=stop: self.stop_taken.emit(stop))
             row.addWidget(button)
         box.addLayout(row)
-        self.slider = QSlider(Qt.Orientation.Horizontal)
+        self.slider = QuietSlider(Qt.Orientation.Horizontal)
         self.slider.setAccessibleName(tr("Share of the other paint, %"))
         self.slider.setSingleStep(10)
         self.slider.setPageStep(100)

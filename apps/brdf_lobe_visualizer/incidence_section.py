@@ -5,9 +5,10 @@ from __future__ import annotations
 from brdf_qt.form import Form
 from brdf_qt.icons import icon
 from brdf_qt.number_field import NumberField
+from brdf_qt.quiet_slider import QuietSlider
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSlider, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
 from brdf_lobe_visualizer.desk import Desk
@@ -42,7 +43,7 @@ class IncidenceSection(QWidget):
             self.theta,
             tr("From the normal to the light. Drag the yellow handle in the view, too."),
         )
-        self.theta_slider = QSlider(Qt.Orientation.Horizontal)
+        self.theta_slider = QuietSlider(Qt.Orientation.Horizontal)
         self.theta_slider.setRange(0, 890)
         self.theta_slider.setPageStep(50)
         self.theta_slider.setSingleStep(10)
