@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from brdf_suite.geometry.factor_projections import PROJECTIONS
 from brdf_suite.realtime.factored_values import FactoredMaps
 from brdf_suite.realtime.programs import Features
 
@@ -30,6 +31,7 @@ _PLACES = {
     "wi.n,wo.n": ("vec2(min(cos_light, cos_view), max(cos_light, cos_view))", ""),
 }
 _OF_VIEW = ("wo", "|wo|")
+_UNEVEN = ("sqrt|h|",)
 
 
 @dataclass(frozen=True)
@@ -81,4 +83,15 @@ def _look_up(name: str, projection: str, slots: Slots) -> str:
     flat, cube = _PLACES[projection]
     if name in slots.cubes:
         return f"CUBE_FACTOR({slots.cubes.index(name)}, {cube})"
-    return f"FLAT_FACTOR({slots.flat.index(name)}, {flat})"
+    kind = "FINE" if projection in _UNEVEN else "FLAT"
+    return f"{kind}_FACTOR({slots.flat.index(name)}, {flat})"
+
+
+def texels_per_radian(projection: str, size: int, *, cube: bool = False) -> float:
+    """Return how many texels of a map of ``size`` a normal passes that turns by a radian, about; 0: it is at none."""
+    if projection in ("w.h", "wi.wo"):
+        return 0.0
+    if cube:
+        return 0.5 * size
+    # Of a parabolic place 0.5 (s + 1) it is (1 + r²)/4 to 1/2, of a radius twice as much.
+    return (0.35 if PROJECTIONS[projection].hemisphere else 0.7) * size

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.factor_cube import cube_faces
 from brdf_suite.realtime.factor_levels import levels
-from brdf_suite.realtime.factor_source import Layout, Slots, shader_words
+from brdf_suite.realtime.factor_source import Layout, Slots, shader_words, texels_per_radian
 from brdf_suite.realtime.factored_values import FactoredMaps
 from brdf_suite.realtime.gpu_objects import GpuObjects
 from brdf_suite.realtime.programs import FIRST_CUBE_FACTOR_UNIT, FIRST_FACTOR_UNIT, Features
@@ -63,10 +63,15 @@ class FactorTextures:
             with graphics_errors(self._objects.context, f"writing the factors of {material}"):
                 self._materials[material] = self._made(maps)
 
-    def features(self, material: str) -> Features:
-        """Return the words of the shader of a material; none where it has no factors."""
+    def features(self, material: str, *, has_uv: bool = False) -> Features:
+        """Return the words of the shader of a material, on a part with texture coordinates or without.
+
+        None where it has no factors.
+        """
         found = self._materials.get(material)
-        return frozenset() if found is None else found.words
+        if found is None:
+            return frozenset()
+        return found.words | {"HAS_UV"} if has_uv and "FACTOR_FRAME" in found.words else found.words
 
     def use(self, material: str) -> dict[str, object]:
         """Bind a material's maps and return the uniforms of factors.glsl."""
@@ -111,11 +116,14 @@ class FactorTextures:
             uniforms["factor_albedo"] = coat.albedo
         if flat:
             uniforms["factor_spans"] = tuple(tuple(stretch[name][1].tolist()) for name in slots.flat)
+            uniforms["factor_levels"] = tuple(_level(maps, name, cube=False) for name in slots.flat)
         if cubes:
             uniforms["factor_cube_spans"] = tuple(tuple(stretch[name][1].tolist()) for name in slots.cubes)
-        return _Factored(
-            shader_words(maps, slots), tuple(t for t, _ in flat), tuple(t for t, _ in cubes), uniforms
-        )
+            uniforms["factor_cube_levels"] = tuple(_level(maps, name, cube=True) for name in slots.cubes)
+        words = shader_words(maps, slots)
+        if self.store == "8-bit":
+            words |= {"FACTOR_SPANS"}
+        return _Factored(words, tuple(t for t, _ in flat), tuple(t for t, _ in cubes), uniforms)
 
     def _flat(self, maps: FactoredMaps, name: str) -> tuple[moderngl.Texture, tuple[Floats, Floats]]:
         """Return a map's texture, and lowest value and span (3,) by which its texels are to be read."""
@@ -160,3 +168,10 @@ class FactorTextures:
         if self.store == "half":
             return bytes(np.clip(pixels, -6e4, 6e4).astype(np.float16).tobytes())
         return bytes(pixels.astype(np.float32).tobytes())
+
+
+def _level(maps: FactoredMaps, name: str, *, cube: bool) -> float:
+    """Return log2 of the texels of a map in a radian, of the projection that passes most."""
+    size = max(maps.maps[name].values.shape[:-1])
+    read = {p for term in maps.terms for m, p in term.factors if m == name}
+    return float(np.log2(max(max(texels_per_radian(p, size, cube=cube) for p in read), 1e-6)))

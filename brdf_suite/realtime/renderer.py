@@ -325,7 +325,7 @@ class Renderer(OffscreenPictures):
             blend_over(self.context, "SECOND_PAINT" in words)
             name = materials.get(name, name)
             if view.lamps:
-                words |= self._factors.features(name)
+                words |= self._factors.features(name, has_uv=self._mesh.has_uv[part])
             material = self._materials.find(name, modes, self._environment.ladder)
             program = self._programs.surface(material.look_ups, words)
             if (material.look_ups, words) not in ready:

@@ -10,11 +10,13 @@
 // other, as the derivatives that choose a mip level are not defined behind a condition that neighbours answer otherwise.
 #if FACTOR_FLAT > 0
 uniform sampler2D factor_maps[FACTOR_FLAT];
-uniform vec3 factor_spans[FACTOR_FLAT];      // what a texel is multiplied by
+uniform vec3 factor_spans[FACTOR_FLAT];      // what a texel is multiplied by, with FACTOR_SPANS
+uniform float factor_levels[FACTOR_FLAT];    // log2(texels in a radian)
 #endif
 #if FACTOR_CUBES > 0
 uniform samplerCube factor_cubes[FACTOR_CUBES];
 uniform vec3 factor_cube_spans[FACTOR_CUBES];
+uniform float factor_cube_levels[FACTOR_CUBES];
 #endif
 uniform vec3 factor_alphas[FACTOR_TERMS];    // logarithms of alpha
 uniform float factor_limit;                  // largest logarithm of f that is exponentiated
@@ -32,21 +34,30 @@ float disc_radius(float cosine)
     return sqrt(max(1.0 - cosine, 0.0) / (1.0 + cosine));
 }
 
-#ifdef NORMAL_MAP
-// What of the relief is too fine for a pixel spreads the normals, and with them the places in a map, by about a quarter.
-vec3 flat_factor(sampler2D map, vec2 at, float spread)
-{
-    vec2 size = vec2(textureSize(map, 0));
-    vec2 across = dFdx(at) * size, down = dFdy(at) * size;
-    float hidden = 0.25 * spread * size.x;
-    float turns = max(max(dot(across, across), dot(down, down)), hidden * hidden);
-    return textureLod(map, at, 0.5 * log2(max(turns, 1e-12))).rgb;
-}
-#define FLAT_FACTOR(k, at) (flat_factor(factor_maps[k], at, p.base_spread) * factor_spans[k])
+// A map's mip level: the logarithm of how far directions turn from pixel to pixel, and that of its texels in a radian. It
+// is worked out once a pixel, which is cheaper than by each look-up; but of a map that is much finer at one place than at
+// another (FINE_FACTOR) by the look-up itself.
+#ifdef FACTOR_SPANS
+#define SPAN(k) * factor_spans[k]
+#define CUBE_SPAN(k) * factor_cube_spans[k]
 #else
-#define FLAT_FACTOR(k, at) (texture(factor_maps[k], at).rgb * factor_spans[k])
+#define SPAN(k)
+#define CUBE_SPAN(k)
 #endif
-#define CUBE_FACTOR(k, direction) (texture(factor_cubes[k], direction).rgb * factor_cube_spans[k])
+#define FLAT_FACTOR(k, at) (textureLod(factor_maps[k], at, turn + factor_levels[k]).rgb SPAN(k))
+#define FINE_FACTOR(k, at) (texture(factor_maps[k], at).rgb SPAN(k))
+#define CUBE_FACTOR(k, direction) (textureLod(factor_cubes[k], direction, turn + factor_cube_levels[k]).rgb CUBE_SPAN(k))
+
+// The logarithm to base 2 of the radians by which normal and view turn from pixel to pixel; what of a relief is too fine
+// for a pixel counts as well.
+float pixel_turn(SurfacePoint p)
+{
+    vec3 normal_across = dFdx(p.normal), normal_down = dFdy(p.normal);
+    vec3 view_across = dFdx(p.view), view_down = dFdy(p.view);
+    float turns = max(dot(normal_across, normal_across) + dot(view_across, view_across),
+                      dot(normal_down, normal_down) + dot(view_down, view_down));
+    return 0.5 * log2(max(max(turns, p.base_spread * p.base_spread), 1e-12));
+}
 
 #ifdef FACTORS_COATED
 uniform vec4 factor_coat;                    // index, spread of the base, K of matt light, mean F of even light
@@ -72,6 +83,7 @@ vec3 factored_radiance(SurfacePoint p)
     mat3 to_local = tangent_frame(p);
     vec3 wo = to_local * p.view;
 #endif
+    float turn = pixel_turn(p);
     FACTORS_OF_VIEW
     vec3 sum = vec3(0.0);
     for (int i = int(light_counts.x); i < int(light_counts.y); ++i)

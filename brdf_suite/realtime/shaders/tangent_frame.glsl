@@ -1,5 +1,5 @@
 // Provides: mat3 tangent_frame(SurfacePoint p), whose rows are tangent, bitangent and normal at a place
-// Needs:    surface_point.glsl, local_frame of flake_place.glsl; TANGENT_MAP where a map turns the tangent
+// Needs:    surface_point.glsl, local_frame of flake_place.glsl; HAS_UV, and TANGENT_MAP where a map turns the tangent
 //
 // The tangent is the way along which u grows (convention of the local frame: x = tangent, z = normal, right-handed).
 // Where a surface has no texture coordinates, any tangent does that stands still on it.
@@ -10,23 +10,17 @@ uniform vec2 tangent_tiles;                  // per millimetre, along u and v
 
 mat3 tangent_frame(SurfacePoint p)
 {
-    mat3 anyhow = local_frame(p.normal);
-#ifdef CAPTURED
-    return anyhow;
-#else
-    vec3 along = surface_axes(p.normal, world_position, surface_uv)[0];
-    along -= dot(along, p.normal) * p.normal;
-    float size = dot(along, along);
-    if (size < 1e-8)
-        return anyhow;
-    vec3 t = along * inversesqrt(size);
-    vec3 b = cross(p.normal, t);
+#if defined(HAS_UV) && !defined(CAPTURED)
+    // Schueler 2013, for u alone. It is across the normal; where u stands still it is nothing, and so are the places.
+    vec3 t = cross(dFdy(world_position), p.normal) * dFdx(surface_uv.x)
+        + cross(p.normal, dFdx(world_position)) * dFdy(surface_uv.x);
+    t *= inversesqrt(max(dot(t, t), 1e-36));
 #ifdef TANGENT_MAP
     vec2 turn = texture(tangent_turns, p.uv * tangent_tiles).rg;
-    turn = dot(turn, turn) > 1e-8 ? normalize(turn) : vec2(1.0, 0.0);
-    t = turn.x * t + turn.y * b;
-    b = cross(p.normal, t);
+    t = normalize(turn.x * t + turn.y * cross(p.normal, t) + 1e-6 * t);
 #endif
-    return transpose(mat3(t, b, p.normal));
+    return transpose(mat3(t, cross(p.normal, t), p.normal));
+#else
+    return local_frame(p.normal);
 #endif
 }
