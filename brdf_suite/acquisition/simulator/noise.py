@@ -81,13 +81,15 @@ def expose(
     height, width, channels = rate.shape
     start = _mixed(key * _STEP + np.uint64(1))
     top = table.shape[1] - 1
+    # From here on no noise brings a full well below its brim.
+    brim = well + 12.0 * np.sqrt(well + read * read)
     for row in range(height):
         for column in range(width):
             for channel in range(channels):
                 mean = (
                     rate[row, column, channel] * gain[row, column] * well + dark_rate[row, column]
                 ) * seconds
-                if noisy:
+                if noisy and mean < brim:
                     place = np.uint64(4 * ((row * width + column) * channels + channel))
                     mean = _electrons(mean, read, start + place * _STEP)
                 filling = min(mean / well, 1.0)

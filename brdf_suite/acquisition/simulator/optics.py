@@ -18,7 +18,8 @@ from brdf_suite.acquisition.session import Intrinsics
 Floats = NDArray[np.float64]
 
 # A fixed point of a mild distortion gains two digits a step.
-_UNDISTORTING_STEPS = 12
+_UNDISTORTING_STEPS = 30
+_UNDISTORTED = 1e-13
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,8 +69,11 @@ def undistorted(lens: Intrinsics, u: Floats, v: Floats) -> tuple[Floats, Floats]
     ideal_u, ideal_v = u.copy(), v.copy()
     for _ in range(_UNDISTORTING_STEPS):
         seen_u, seen_v = distorted(lens, ideal_u, ideal_v)
-        ideal_u += u - seen_u
-        ideal_v += v - seen_v
+        off_u, off_v = u - seen_u, v - seen_v
+        ideal_u += off_u
+        ideal_v += off_v
+        if max(np.abs(off_u).max(initial=0.0), np.abs(off_v).max(initial=0.0)) < _UNDISTORTED:
+            break
     return ideal_u, ideal_v
 
 

@@ -1,0 +1,185 @@
+"""Check a folder against its session before any pixel is unpacked: what is missing, cut off, or cannot be so.
+
+Every file is opened once: that it is there and whole, its size and depth, and the exposure time that its EXIF tells.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from brdf_suite.acquisition.photographs import PhotographFacts, photograph_facts
+from brdf_suite.acquisition.session import Session
+from brdf_suite.acquisition.session_finding import Finding, Severity
+from brdf_suite.errors import FileError
+from brdf_suite.progress import Progress, report
+
+_Path = str | os.PathLike[str]
+
+LEAST_EXPOSURES = 4
+"""Of a position, from which a response curve can be recovered."""
+
+_SAME_TIME = 0.20
+"""Cameras tell nominal times: 1/3 s is 0.3 s, and 1/60 s is 1/64 s."""
+_OTHER_TIME = 0.01
+"""Within this share EXIF's time is another exposure's of the session, so that the files were exchanged."""
+
+_PLACE = re.compile(r"positions\[(\d+)\]\.photographs\[(\d+)\]")
+
+
+@dataclass
+class _Seen:
+    """What the files were, as far as they were read."""
+
+    facts: dict[str, tuple[str, PhotographFacts]] = field(default_factory=dict)
+    findings: list[Finding] = field(default_factory=list)
+
+
+def check_session(folder: _Path, session: Session, progress: Progress | None = None) -> tuple[Finding, ...]:
+    """Return what is wrong with the files of a session; nothing is raised but :class:`Cancelled`.
+
+    A position of which nothing is left is told so, and a folder without any position is fatal.
+    """
+    seen = _Seen()
+    files = session.files()
+    for i, (place, name) in enumerate(files):
+        if i % 16 == 0:
+            report(progress, i / len(files), f"file {i + 1:,} of {len(files):,}")
+        try:
+            seen.facts[place] = (name, photograph_facts(Path(folder) / name))
+        except FileError as error:
+            position, exposure = _indices(place)
+            severity = _severity_of_loss(place)
+            seen.findings.append(Finding(severity, error.path, error.reason, place, position, exposure))
+    _sizes(folder, seen)
+    _depths(folder, session, seen)
+    _times(folder, session, seen)
+    _curve(folder, session, seen)
+    _what_is_left(folder, session, seen)
+    report(progress, 1.0, "checked")
+    return tuple(seen.findings)
+
+
+def _indices(place: str) -> tuple[int | None, int | None]:
+    found = _PLACE.fullmatch(place)
+    if found is not None:
+        return int(found[1]), int(found[2])
+    of_mask = re.fullmatch(r"positions\[(\d+)\]\.mask", place)
+    return (int(of_mask[1]) if of_mask else None), None
+
+
+def _severity_of_loss(place: str) -> Severity:
+    """How much is lost where a file is: a photograph alone, its position, a little, or everything."""
+    if place.endswith("].mask"):
+        return "position"
+    if place == "mask":
+        return "fatal"
+    return "exposure" if place.startswith("positions[") else "warning"
+
+
+def _add(seen: _Seen, folder: _Path, severity: Severity, place: str, reason: str) -> None:
+    position, exposure = _indices(place)
+    path = str(Path(folder) / seen.facts[place][0])
+    seen.findings.append(Finding(severity, path, reason, place, position, exposure))
+
+
+def _sizes(folder: _Path, seen: _Seen) -> None:
+    """All photographs of the sphere, and what is compared with them pixel by pixel, have one size."""
+    compared = {
+        place: facts for place, (_, facts) in seen.facts.items() if not place.startswith("camera.board")
+    }
+    sizes = Counter((facts.width, facts.height) for facts in compared.values())
+    if len(sizes) < 2:
+        return
+    (width, height), _ = sizes.most_common(1)[0]
+    for place, facts in compared.items():
+        if (facts.width, facts.height) != (width, height):
+            reason = f"is {facts.width} × {facts.height} pixels, and the others are {width} × {height}"
+            _add(seen, folder, _severity_of_loss(place), place, reason)
+            del seen.facts[place]
+
+
+def _depths(folder: _Path, session: Session, seen: _Seen) -> None:
+    for place, (_, facts) in list(seen.facts.items()):
+        if facts.bits is not None and facts.bits < session.camera.bit_depth and not place.endswith("mask"):
+            reason = (
+                f"has {facts.bits} bits a channel, and session.json says {session.camera.bit_depth}; "
+                "correct camera.bit_depth"
+            )
+            _add(seen, folder, _severity_of_loss(place), place, reason)
+            del seen.facts[place]
+
+
+def _times(folder: _Path, session: Session, seen: _Seen) -> None:
+    """EXIF against the session: nominal times may differ a little, another exposure's time may not."""
+    for place, (_, facts) in list(seen.facts.items()):
+        position, exposure = _indices(place)
+        if exposure is None and place.startswith("dark["):
+            exposure = int(place[5:-1])
+        if exposure is None or facts.exposure_s is None:
+            continue
+        stated, told = session.exposures_s[exposure], facts.exposure_s
+        if abs(math.log(told / stated)) <= math.log1p(_SAME_TIME) and _nearest(session, told) == exposure:
+            continue
+        reason = f"was exposed for {told:g} s as its EXIF says, and session.json says {stated:g} s"
+        other = _nearest(session, told)
+        if other != exposure and abs(math.log(told / session.exposures_s[other])) <= _OTHER_TIME:
+            reason += f"; that is the time of exposure {other}: were files exchanged?"
+        else:
+            reason += "; correct exposures_s"
+        _add(seen, folder, "exposure" if position is not None else "warning", place, reason)
+
+
+def _nearest(session: Session, seconds: float) -> int:
+    return min(range(len(session.exposures_s)), key=lambda k: abs(math.log(seconds / session.exposures_s[k])))
+
+
+def _curve(folder: _Path, session: Session, seen: _Seen) -> None:
+    """A JPEG picture is never linear, and its curve must be told or recovered from the exposures."""
+    jpegs = [
+        place
+        for place, (_, facts) in seen.facts.items()
+        if facts.kind == "jpeg" and place.startswith("positions[") and not place.endswith("mask")
+    ]
+    if not jpegs:
+        return
+    response, count = session.camera.response, len(session.exposures_s)
+    if response == "linear":
+        reason = (
+            "is a JPEG, whose codes are never linear; set camera.response to unknown, or write linear TIFF from the "
+            "raw files"
+        )
+        _add(seen, folder, "fatal", jpegs[0], reason)
+    elif response == "unknown" and count < LEAST_EXPOSURES:
+        reason = (
+            f"is a JPEG with an unknown curve, and {count} exposures cannot tell it; take {LEAST_EXPOSURES} or more, "
+            "or set camera.response to srgb where the camera applies just that"
+        )
+        _add(seen, folder, "fatal", jpegs[0], reason)
+    elif response == "unknown":
+        reason = (
+            "is a JPEG with an unknown curve: it is recovered from the exposures, to 8 bits, and holds only if the "
+            "camera treated all photographs alike (no automatic contrast)"
+        )
+        _add(seen, folder, "warning", jpegs[0], reason)
+
+
+def _what_is_left(folder: _Path, session: Session, seen: _Seen) -> None:
+    lost = {(f.position, f.exposure) for f in seen.findings if f.severity == "exposure"}
+    whole = {f.position for f in seen.findings if f.severity == "position"}
+    empty = []
+    for i, position in enumerate(session.positions):
+        if all((i, k) in lost for k in range(len(position.photographs))):
+            empty.append(i)
+            path = str(Path(folder) / position.photographs[0])
+            reason = (
+                f"none of the photographs at {position.angle_deg:g}° can be used, beginning with this one"
+            )
+            seen.findings.append(Finding("position", path, reason, f"positions[{i}]", i))
+    if len({*empty, *whole}) == len(session.positions):
+        reason = "none of its photographs can be used; see the files named before"
+        seen.findings.append(Finding("fatal", str(Path(folder)), reason))

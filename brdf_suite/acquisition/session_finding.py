@@ -1,0 +1,66 @@
+"""What is wrong with a folder of photographs: which file, why, and how much of the session is lost by it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from brdf_suite.errors import FileError
+
+Severity = Literal["fatal", "position", "exposure", "warning"]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing found in a folder.
+
+    Attributes
+    ----------
+    severity
+        ``fatal``: nothing can be made of the folder; ``position``, ``exposure``: this position, or this photograph of
+        it, is left out; ``warning``: all is used.
+    path
+        The file, as it would be opened.
+    reason
+        What is wrong, starting in lower case, without a full stop.
+    place
+        The field of ``session.json`` that names the file; empty where there is none.
+    position, exposure
+        Their indices, where the finding is about one.
+    """
+
+    severity: Severity
+    path: str
+    reason: str
+    place: str = ""
+    position: int | None = None
+    exposure: int | None = None
+
+    def error(self) -> FileError:
+        """Return the error that tells this finding."""
+        return FileError(self.path, self.reason, self.place or None)
+
+    def to_json(self) -> dict[str, object]:
+        """Return the fields that are there."""
+        return {name: value for name, value in vars(self).items() if value not in (None, "")}
+
+
+def positions_lost(findings: tuple[Finding, ...]) -> frozenset[int]:
+    """Return the indices of the positions that are left out."""
+    return frozenset(f.position for f in findings if f.severity == "position" and f.position is not None)
+
+
+def exposures_lost(findings: tuple[Finding, ...], position: int) -> frozenset[int]:
+    """Return the indices of the exposures that are left out of a position."""
+    return frozenset(
+        f.exposure
+        for f in findings
+        if f.severity == "exposure" and f.position == position and f.exposure is not None
+    )
+
+
+def raise_fatal(findings: tuple[Finding, ...]) -> None:
+    """Raise the first fatal finding as :class:`FileError`."""
+    for finding in findings:
+        if finding.severity == "fatal":
+            raise finding.error()
