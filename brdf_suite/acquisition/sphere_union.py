@@ -1,0 +1,39 @@
+"""One picture of the sphere from several positions of the light, on which more of its outline is lit.
+
+The radiances are added, not their logarithms: a pixel that the outline cuts keeps the share of the sphere in it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+Picture = npt.NDArray[np.float32]
+Valid = npt.NDArray[np.bool_]
+
+
+class Union:
+    """The sum of merged photographs over positions of the light; add as many as are at hand, 6 to 40.
+
+    Attributes
+    ----------
+    picture
+        Mean of the three channels, summed over the positions (h, w), float32.
+    unknown
+        Pixels that were clipped, or left out, at some position (h, w).
+    positions
+        Indices of the positions in the sum.
+    """
+
+    def __init__(self, shape: tuple[int, int]) -> None:
+        self.picture: Picture = np.zeros(shape, np.float32)
+        self.unknown: Valid = np.zeros(shape, bool)
+        self.positions: tuple[int, ...] = ()
+
+    def add(self, k: int, radiance: npt.NDArray[np.floating], valid: Valid | None = None) -> None:
+        """Add the radiance (h, w, 3) or (h, w) of position ``k``; where it is not ``valid`` (h, w), it is unknown."""
+        value = radiance if radiance.ndim == 2 else radiance.mean(axis=-1)
+        known = np.isfinite(value) if valid is None else np.isfinite(value) & valid
+        self.picture += np.where(np.isfinite(value), value, 0.0).astype(np.float32)
+        self.unknown |= ~known
+        self.positions = (*self.positions, k)

@@ -1,0 +1,60 @@
+"""The irradiance from a photograph of a white whose reflectance is known, which sets the scale of all samples."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.acquisition.session import Session
+from brdf_suite.errors import AcquisitionError
+
+_LEAST_COSINE = 0.05
+
+
+def irradiance_from_white(session: Session, radiance: npt.ArrayLike) -> tuple[float, float, float]:
+    """Return what arrives at the turntable's axis on a surface that faces the lamp, each channel.
+
+    A Lambertian white of reflectance ρ sends back L = ρ E cosθ / π; at the axis there is (d_white/d_axis)² as much, and
+    the lamp's intensity along its axis over that towards the white.
+
+    Parameters
+    ----------
+    session
+        With :attr:`~.session.Session.white`, which says where the white stood and how it was turned.
+    radiance
+        (3,) mean over the white's region, the photographs' unit per second.
+
+    Raises
+    ------
+    AcquisitionError
+        There is no white reference, its radiance is not positive, or the lamp hardly reaches it.
+    """
+    white = session.white
+    if white is None:
+        raise AcquisitionError("The session names no white reference.")
+    seen = np.asarray(radiance, float)
+    if seen.shape != (3,) or not np.all(np.isfinite(seen) & (seen > 0.0)):
+        raise AcquisitionError(
+            f"The white reference ({white.photographs[0]} …) is dark where it should show the white: check its region."
+        )
+    lamp = np.array(session.light_m(float(white.angle_deg)))
+    way = lamp - np.array(white.centre_m)
+    distance = float(np.linalg.norm(way))
+    normal = np.array(white.normal) / np.linalg.norm(white.normal)
+    cosine = float(way @ normal) / distance
+    if cosine < _LEAST_COSINE:
+        raise AcquisitionError(
+            f"The lamp at {white.angle_deg:g}° does not light the white reference, which faces "
+            f"({normal[0]:.2f}, {normal[1]:.2f}, {normal[2]:.2f}): check white.angle_deg and white.normal."
+        )
+    axis = float(np.linalg.norm(lamp))
+    falling = 1.0
+    if session.light.profile:
+        angles, values = np.array(session.light.profile).T
+        off = math.degrees(math.acos(float(np.clip((way @ lamp) / (distance * axis), -1.0, 1.0))))
+        falling = float(values[0]) / float(np.interp(off, angles, values))
+    scale = math.pi / cosine * (distance / axis) ** 2 * falling
+    red, green, blue = seen / np.array(white.reflectance) * scale
+    return float(red), float(green), float(blue)
