@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
+
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QPen
 from PySide6.QtWidgets import QGraphicsItem
 
 _EDGE, _HOVER_EDGE = 2.0, 3.5
+_DECADE_ROOM, _NAMED_ROOM = 24.0, 90.0
+"""Pixels that a decade wants to be named, and to have ticks named within it."""
 
 
 class ReadingPoint(pg.TargetItem):
@@ -80,9 +84,41 @@ class TurnAxis(pg.AxisItem):
         return [f"{value % 360.0:g}" for value in values]
 
 
-def make_plot(name: str, *, turns: bool = False) -> pg.PlotWidget:
-    """Return an empty plot with named axes, on which only the points move; ``turns`` for hues."""
-    plot = pg.PlotWidget(axisItems={"left": TurnAxis("left")} if turns else None)
+class DecadeAxis(pg.AxisItem):
+    """A logarithmic axis that names its decades, and 2 and 5 within them where there is room; never all nine."""
+
+    def tickValues(self, low: float, high: float, size: float) -> list[tuple[float | None, list[float]]]:
+        """Return where the ticks are, as logarithms to base 10."""
+        first, last = math.floor(low), math.ceil(high)
+        room = size / max(high - low, 1e-9)
+        every = max(1, math.ceil(_DECADE_ROOM / max(room, 1e-9)))
+        decades = [float(k) for k in range(first, last + 1) if k % every == 0 and low <= k <= high]
+        within = [k + math.log10(m) for k in range(first, last + 1) for m in range(2, 10)]
+        within = [at for at in within if low <= at <= high]
+        named = [at for at in within if round(10.0 ** (at % 1.0)) in (2, 5)]
+        if every > 1 or room < _NAMED_ROOM:
+            return [(1.0, decades), (None, within if every == 1 else [])]
+        return [(1.0, decades), (0.5, named), (None, [at for at in within if at not in named])]
+
+    def tickStrings(self, values: list[float], _scale: float, spacing: float | None) -> list[str]:
+        """Return the number at each tick; those between have none."""
+        if spacing is None:
+            return [""] * len(values)
+        return [
+            f"{10.0**at:g}" if -4.0 <= at < 6.0 else f"1e{round(at)}" if at == round(at) else ""
+            for at in values
+        ]
+
+
+def make_plot(name: str, *, turns: bool = False, decades: tuple[str, ...] = ()) -> pg.PlotWidget:
+    """Return an empty plot with named axes, on which only the points move.
+
+    ``turns`` for hues; ``decades`` names the sides (``left``, ``bottom``) whose axis is logarithmic.
+    """
+    axes: dict[str, pg.AxisItem] = {side: DecadeAxis(side) for side in decades}
+    if turns:
+        axes["left"] = TurnAxis("left")
+    plot = pg.PlotWidget(axisItems=axes or None)
     plot.setAntialiasing(True)
     plot.setMenuEnabled(False)
     plot.hideButtons()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from brdf_designer.acquire.control import AcquireControl
 from brdf_designer.coat_control import CoatControl
 from brdf_designer.colour_commands import ColourCommands
 from brdf_designer.colour_offer import NearestOffer
@@ -28,6 +29,7 @@ PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (
     HandoverControl,
     InterpolationControl,
     MeasuredControl,
+    AcquireControl,
 )
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 

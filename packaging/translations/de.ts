@@ -204,8 +204,160 @@
         <translation>Flakes</translation>
     </message>
     <message>
+        <source>A few lobes stand for the whole table; points are measured, the line is the fit, dashed lines are its parts.</source>
+        <translation>Wenige Lappen stehen für die ganze Tabelle; Punkte sind gemessen, die Linie ist die Anpassung, gestrichelt sind ihre Teile.</translation>
+    </message>
+    <message>
+        <source>Measured reflectance and its fit</source>
+        <translation>Gemessene Reflexion und ihre Anpassung</translation>
+    </message>
+    <message>
+        <source>f_r (1/sr)</source>
+        <translation>f_r (1/sr)</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Parameters of the fit</source>
+        <translation>Parameter der Anpassung</translation>
+    </message>
+    <message>
+        <source>Weights kd and ks per channel, slope m of the facets, reflectance r at the normal; ± standard uncertainty</source>
+        <translation>Gewichte kd und ks je Kanal, Neigung m der Facetten, Reflexionsgrad r an der Normalen; ± Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>Cook-Torrance</source>
+        <translation>Cook-Torrance</translation>
+    </message>
+    <message>
+        <source>GGX lobes</source>
+        <translation>GGX-Lappen</translation>
+    </message>
+    <message>
+        <source>GGX lobes, clearcoat</source>
+        <translation>GGX-Lappen, Klarlack</translation>
+    </message>
+    <message>
         <source>Model</source>
         <translation>Modell</translation>
+    </message>
+    <message>
+        <source>The shape of the lobes; only Cook-Torrance becomes a paint</source>
+        <translation>Die Form der Lappen; nur aus Cook-Torrance wird ein Lack</translation>
+    </message>
+    <message>
+        <source>Lobes</source>
+        <translation>Lappen</translation>
+    </message>
+    <message>
+        <source>How many; the last one stands for the sharp peak</source>
+        <translation>Wie viele; der letzte steht für die scharfe Spitze</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>Fit the lobes to the table; some seconds</source>
+        <translation>Die Lappen an die Tabelle anpassen; einige Sekunden</translation>
+    </message>
+    <message>
+        <source>Fit the Lobes</source>
+        <translation>Lappen anpassen</translation>
+    </message>
+    <message>
+        <source>Luminance</source>
+        <translation>Leuchtdichte</translation>
+    </message>
+    <message>
+        <source>All three</source>
+        <translation>Alle drei</translation>
+    </message>
+    <message>
+        <source>θd</source>
+        <translation>θd</translation>
+    </message>
+    <message>
+        <source>Angle between light and half vector, along which the curves are drawn</source>
+        <translation>Winkel zwischen Licht und Halbvektor, bei dem die Kurven gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Linear Rec. 2020</source>
+        <translation>Lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>How well the fit stands for the table</source>
+        <translation>Wie gut die Anpassung für die Tabelle steht</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Open as New Paint</source>
+        <translation>Als neuen Lack öffnen</translation>
+    </message>
+    <message>
+        <source>Start a design in Designer from it, in a tab of its own; nothing is saved yet</source>
+        <translation>Daraus einen Entwurf in Designer beginnen, in einem eigenen Reiter; gespeichert ist noch nichts</translation>
+    </message>
+    <message>
+        <source>Save Paint…</source>
+        <translation>Lack speichern …</translation>
+    </message>
+    <message>
+        <source>Save the lobes themselves as a .brdfpaint that Viewer opens</source>
+        <translation>Die Lappen selbst als .brdfpaint speichern, die Viewer öffnet</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>There is no table yet: the reconstruction makes it.</source>
+        <translation>Es gibt noch keine Tabelle: Die Rekonstruktion macht sie.</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>angepasst</translation>
+    </message>
+    <message>
+        <source>diffuse</source>
+        <translation>diffus</translation>
+    </message>
+    <message>
+        <source>lobe {number}</source>
+        <translation>Lappen {number}</translation>
     </message>
     <message>
         <source>Paint</source>
@@ -1084,8 +1236,48 @@
         <translation>Den Lack für andere Programme ausgeben oder einen Bericht machen</translation>
     </message>
     <message>
+        <source>Session (session.json)</source>
+        <translation>Sitzung (session.json)</translation>
+    </message>
+    <message>
         <source>Nothing was written.</source>
         <translation>Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>The session that was open is unchanged.</source>
+        <translation>Die geöffnete Sitzung ist unverändert.</translation>
+    </message>
+    <message>
+        <source>{positions} × {exposures} photographs</source>
+        <translation>{positions} × {exposures} Fotos</translation>
+    </message>
+    <message>
+        <source>None of the photographs of this position can be read.</source>
+        <translation>Keines der Fotos dieser Stellung ist lesbar.</translation>
+    </message>
+    <message>
+        <source>session.json keeps what it had.</source>
+        <translation>session.json behält, was sie hatte.</translation>
+    </message>
+    <message>
+        <source>With dark frames</source>
+        <translation>Mit Dunkelbildern</translation>
+    </message>
+    <message>
+        <source>With a white reference</source>
+        <translation>Mit Weißreferenz</translation>
+    </message>
+    <message>
+        <source>With a flat field</source>
+        <translation>Mit Weißbild</translation>
+    </message>
+    <message>
+        <source>With {count} photographs of a board</source>
+        <translation>Mit {count} Fotos einer Kalibriertafel</translation>
+    </message>
+    <message>
+        <source>Reading {folder}</source>
+        <translation>{folder} wird gelesen</translation>
     </message>
     <message>
         <source>Exporting {name}</source>
@@ -1480,8 +1672,172 @@
         <translation>Nicht gemessen: Kein Wert liegt näher an der Spiegelrichtung als {angle:g}°.</translation>
     </message>
     <message>
+        <source>Sphere radius</source>
+        <translation>Kugelradius</translation>
+    </message>
+    <message>
+        <source>Camera distance</source>
+        <translation>Kameraabstand</translation>
+    </message>
+    <message>
+        <source>Camera height</source>
+        <translation>Kamerahöhe</translation>
+    </message>
+    <message>
+        <source>Camera tilt</source>
+        <translation>Kameraneigung</translation>
+    </message>
+    <message>
+        <source>Of the optical axis, positive upwards</source>
+        <translation>Der optischen Achse, nach oben positiv</translation>
+    </message>
+    <message>
+        <source>Lamp distance</source>
+        <translation>Lampenabstand</translation>
+    </message>
+    <message>
+        <source>Lamp height</source>
+        <translation>Lampenhöhe</translation>
+    </message>
+    <message>
+        <source>Angle offset</source>
+        <translation>Winkelversatz</translation>
+    </message>
+    <message>
+        <source>A known error of the turntable&apos;s zero, added to every stated angle</source>
+        <translation>Ein bekannter Fehler der Null des Drehtellers; kommt zu jedem angegebenen Winkel hinzu</translation>
+    </message>
+    <message>
+        <source>A folder with photographs of the painted sphere and a session.json that describes them.</source>
+        <translation>Ein Ordner mit Fotos der lackierten Kugel und einer session.json, die sie beschreibt.</translation>
+    </message>
+    <message>
+        <source>A photograph of the session</source>
+        <translation>Ein Foto der Sitzung</translation>
+    </message>
+    <message>
+        <source>Problems of the session</source>
+        <translation>Mängel der Sitzung</translation>
+    </message>
+    <message>
+        <source>Open Folder…</source>
+        <translation>Ordner öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a folder that has a session.json</source>
+        <translation>Einen Ordner mit einer session.json öffnen</translation>
+    </message>
+    <message>
+        <source>New Folder…</source>
+        <translation>Neuer Ordner …</translation>
+    </message>
+    <message>
+        <source>Make a folder with a session.json to fill in, for photographs to come</source>
+        <translation>Einen Ordner mit einer session.json zum Ausfüllen anlegen, für künftige Fotos</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Check Again</source>
+        <translation>Erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Look at every photograph of the folder once more</source>
+        <translation>Jedes Foto des Ordners noch einmal ansehen</translation>
+    </message>
+    <message>
+        <source>What is changed here is written to session.json at once; Ctrl+Z takes it back.</source>
+        <translation>Was hier geändert wird, steht sofort in session.json; Strg+Z nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Aufbau</translation>
+    </message>
+    <message>
+        <source>What the session holds</source>
+        <translation>Was die Sitzung enthält</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>No folder is open.</source>
+        <translation>Kein Ordner ist geöffnet.</translation>
+    </message>
+    <message>
+        <source>Open a folder of photographs, or make a new one: its session.json tells what to photograph.</source>
+        <translation>Öffnen Sie einen Ordner mit Fotos oder legen Sie einen neuen an: Seine session.json sagt, was zu fotografieren ist.</translation>
+    </message>
+    <message>
         <source>Name</source>
         <translation>Name</translation>
+    </message>
+    <message>
+        <source>As session.json has it</source>
+        <translation>Wie es in session.json steht</translation>
+    </message>
+    <message>
+        <source>{count}, {first:g} to {last:g}°</source>
+        <translation>{count}, {first:g} bis {last:g}°</translation>
+    </message>
+    <message>
+        <source>Angles of the lamp; 0° is in front of the camera</source>
+        <translation>Winkel der Lampe; 0° ist vor der Kamera</translation>
+    </message>
+    <message>
+        <source>Exposures</source>
+        <translation>Belichtungen</translation>
+    </message>
+    <message>
+        <source>{count}, {short:g} to {long:g} ms</source>
+        <translation>{count}, {short:g} bis {long:g} ms</translation>
+    </message>
+    <message>
+        <source>Of every position, shortest first</source>
+        <translation>Jeder Stellung, die kürzeste zuerst</translation>
+    </message>
+    <message>
+        <source>{bits} bits, response: {response}</source>
+        <translation>{bits} Bit, Kennlinie: {response}</translation>
+    </message>
+    <message>
+        <source>What the numbers of a pixel mean</source>
+        <translation>Was die Zahlen eines Pixels bedeuten</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Errors: {count}. What they name must be put right, or is left out.</source>
+        <translation>Fehler: {count}. Was sie nennen, ist zu berichtigen oder bleibt außen vor.</translation>
+    </message>
+    <message>
+        <source>No errors. To know: {count}.</source>
+        <translation>Keine Fehler. Zu wissen: {count}.</translation>
+    </message>
+    <message>
+        <source>{count} photographs looked at; nothing is wrong.</source>
+        <translation>{count} Fotos angesehen; nichts ist falsch.</translation>
+    </message>
+    <message>
+        <source>What a check found, the file it is about, and why</source>
+        <translation>Was eine Prüfung fand, welche Datei es betrifft und warum</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
     </message>
     <message>
         <source>Source</source>
@@ -1500,8 +1856,164 @@
         <translation>Woher die Messwerte kommen</translation>
     </message>
     <message>
+        <source>Bits</source>
+        <translation>Bit</translation>
+    </message>
+    <message>
+        <source>Of a code</source>
+        <translation>Eines Codes</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>The code without light, per channel</source>
+        <translation>Der Code ohne Licht, je Kanal</translation>
+    </message>
+    <message>
+        <source>Trusted</source>
+        <translation>Verlässlich</translation>
+    </message>
+    <message>
+        <source>codes {low} to {high}</source>
+        <translation>Codes {low} bis {high}</translation>
+    </message>
+    <message>
+        <source>Codes between which the response was measured in every channel</source>
+        <translation>Codes, zwischen denen die Kennlinie in jedem Kanal gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Read noise</source>
+        <translation>Ausleserauschen</translation>
+    </message>
+    <message>
+        <source>Standard deviation in the dark, of the full scale of a linear camera</source>
+        <translation>Standardabweichung im Dunkeln, bezogen auf den Vollausschlag einer linearen Kamera</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Zeiten</translation>
+    </message>
+    <message>
+        <source>within {worst:.2f} %</source>
+        <translation>auf {worst:.2f} %</translation>
+    </message>
+    <message>
+        <source>Largest difference between a stated exposure time and what the photographs say</source>
+        <translation>Größter Unterschied zwischen einer angegebenen Belichtungszeit und dem, was die Fotos sagen</translation>
+    </message>
+    <message>
+        <source>From linear</source>
+        <translation>Von linear</translation>
+    </message>
+    <message>
+        <source>RMS distance of the curve from a straight line, in the logarithm of the exposure</source>
+        <translation>Mittlerer quadratischer Abstand der Kurve von einer Geraden, im Logarithmus der Belichtung</translation>
+    </message>
+    <message>
+        <source>That took part</source>
+        <translation>Die mitgewirkt haben</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Durchläufe</translation>
+    </message>
+    <message>
+        <source>Until nothing changed any more</source>
+        <translation>Bis sich nichts mehr änderte</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>{rms:.3f} px RMS</source>
+        <translation>{rms:.3f} px quadr. Mittel</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the edge that was seen from the outline that was fitted</source>
+        <translation>Mittlerer quadratischer Abstand des gesehenen Randes vom angepassten Umriss</translation>
+    </message>
+    <message>
+        <source>Highlights</source>
+        <translation>Glanzlichter</translation>
+    </message>
+    <message>
+        <source>{px:.3f} px, {deg:.4f}° RMS</source>
+        <translation>{px:.3f} px, {deg:.4f}° quadr. Mittel</translation>
+    </message>
+    <message>
+        <source>What is left between found and expected highlights after the refinement</source>
+        <translation>Was zwischen gefundenen und erwarteten Glanzlichtern nach der Verfeinerung bleibt</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Davor</translation>
+    </message>
+    <message>
+        <source>The same with the numbers of session.json</source>
+        <translation>Dasselbe mit den Zahlen der session.json</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Verwendet</translation>
+    </message>
+    <message>
+        <source>{used} of {count} highlights</source>
+        <translation>{used} von {count} Glanzlichtern</translation>
+    </message>
+    <message>
+        <source>The others do not belong: a second reflection, or the arm</source>
+        <translation>Die anderen gehören nicht dazu: eine zweite Spiegelung oder der Arm</translation>
+    </message>
+    <message>
+        <source>Middle of its outline, column and row</source>
+        <translation>Mitte ihres Umrisses, Spalte und Zeile</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>{distance:.1f} mm</source>
+        <translation>{distance:.1f} mm</translation>
+    </message>
+    <message>
+        <source>From the camera to the centre of the sphere</source>
+        <translation>Von der Kamera zum Kugelmittelpunkt</translation>
+    </message>
+    <message>
+        <source>{value} ± {sigma}, stated {stated}</source>
+        <translation>{value} ± {sigma}, angegeben {stated}</translation>
+    </message>
+    <message>
+        <source>The highlights tell {share:.0f} % of it: {why}</source>
+        <translation>Die Glanzlichter sagen {share:.0f} % davon: {why}</translation>
+    </message>
+    <message>
+        <source>drawing the coverage</source>
+        <translation>Abdeckung wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>{share:.1f} %</source>
+        <translation>{share:.1f} %</translation>
+    </message>
+    <message>
+        <source>Of the bins with light and view up to 75° from the normal; the others are filled from neighbours</source>
+        <translation>Der Zellen mit Licht und Blick bis 75° von der Normalen; die übrigen sind aus Nachbarn gefüllt</translation>
+    </message>
+    <message>
         <source>Readings</source>
         <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>Pixels that went into the table</source>
+        <translation>Pixel, die in die Tabelle eingingen</translation>
+    </message>
+    <message>
+        <source>Of the lamp</source>
+        <translation>Der Lampe</translation>
     </message>
     <message>
         <source>Illuminant and observer of all L*a*b* values</source>
@@ -2198,6 +2710,914 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
     <message>
         <source>Section {title}</source>
         <translation>Abschnitt {title}</translation>
+    </message>
+    <message>
+        <source>Ac&amp;quire…</source>
+        <translation>Auf&amp;nehmen …</translation>
+    </message>
+    <message>
+        <source>From photographs of a painted sphere to a paint, step by step</source>
+        <translation>Von Fotos einer lackierten Kugel zum Lack, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>The table over the half vector: θh from the normal, θd between light and half vector. Hatched: filled from neighbours.</source>
+        <translation>Die Tabelle über dem Halbvektor: θh von der Normalen, θd zwischen Licht und Halbvektor. Schraffiert: aus Nachbarn gefüllt.</translation>
+    </message>
+    <message>
+        <source>Coverage of the table</source>
+        <translation>Abdeckung der Tabelle</translation>
+    </message>
+    <message>
+        <source>Share of the φd bins measured</source>
+        <translation>Anteil der gemessenen φd-Zellen</translation>
+    </message>
+    <message>
+        <source>Pixels in them</source>
+        <translation>Pixel darin</translation>
+    </message>
+    <message>
+        <source>Relative standard error</source>
+        <translation>Relativer Standardfehler</translation>
+    </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Was die Karte zeigt</translation>
+    </message>
+    <message>
+        <source>What the grey of a cell means</source>
+        <translation>Was das Grau einer Zelle bedeutet</translation>
+    </message>
+    <message>
+        <source>The cell under the cursor</source>
+        <translation>Die Zelle unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>The table</source>
+        <translation>Die Tabelle</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Save Table…</source>
+        <translation>Tabelle speichern …</translation>
+    </message>
+    <message>
+        <source>As .brdftable with its coverage, or as .binary in the MERL layout</source>
+        <translation>Als .brdftable mit ihrer Abdeckung oder als .binary in der MERL-Anordnung</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>There is no table yet: the step before makes it.</source>
+        <translation>Es gibt noch keine Tabelle: Der Schritt davor macht sie.</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>θh and θd under the cursor</source>
+        <translation>θh und θd unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Share of its φd bins</source>
+        <translation>Anteil ihrer φd-Zellen</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>That fell into it</source>
+        <translation>Die hineinfielen</translation>
+    </message>
+    <message>
+        <source>Relative standard error of the mean</source>
+        <translation>Relativer Standardfehler des Mittels</translation>
+    </message>
+    <message>
+        <source>φd bins measured (%)</source>
+        <translation>φd-Zellen gemessen (%)</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>relative standard error (%)</source>
+        <translation>relativer Standardfehler (%)</translation>
+    </message>
+    <message>
+        <source>θh (degrees)</source>
+        <translation>θh (Grad)</translation>
+    </message>
+    <message>
+        <source>θd (degrees)</source>
+        <translation>θd (Grad)</translation>
+    </message>
+    <message>
+        <source>Each position was photographed with several exposures: the highlight needs a short, the flank a long one.</source>
+        <translation>Jede Stellung wurde mehrfach belichtet: Das Glanzlicht braucht eine kurze, die Flanke eine lange Zeit.</translation>
+    </message>
+    <message>
+        <source>The photograph</source>
+        <translation>Das Foto</translation>
+    </message>
+    <message>
+        <source>Open a session first.</source>
+        <translation>Öffnen Sie zuerst eine Sitzung.</translation>
+    </message>
+    <message>
+        <source>Photographs of this position</source>
+        <translation>Fotos dieser Stellung</translation>
+    </message>
+    <message>
+        <source>Exposure time, and the share of clipped pixels, which are hatched; Left and Right choose</source>
+        <translation>Belichtungszeit und Anteil übersteuerter Pixel, die schraffiert sind; Links und Rechts wählen</translation>
+    </message>
+    <message>
+        <source>Histogram of the photograph</source>
+        <translation>Histogramm des Fotos</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Position of the lamp</source>
+        <translation>Stellung der Lampe</translation>
+    </message>
+    <message>
+        <source>Which position&apos;s photographs are shown</source>
+        <translation>Die Fotos welcher Stellung gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Stellung</translation>
+    </message>
+    <message>
+        <source>Of the picture on the screen alone, in stops</source>
+        <translation>Nur des Bildes auf dem Schirm, in Blenden</translation>
+    </message>
+    <message>
+        <source>The pixel under the cursor</source>
+        <translation>Das Pixel unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Exposure times and clipped pixels</source>
+        <translation>Belichtungszeiten und übersteuerte Pixel</translation>
+    </message>
+    <message>
+        <source>Time, ms</source>
+        <translation>Zeit, ms</translation>
+    </message>
+    <message>
+        <source>EXIF, ms</source>
+        <translation>EXIF, ms</translation>
+    </message>
+    <message>
+        <source>Clipped</source>
+        <translation>Übersteuert</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Stated in session.json; in the file (EXIF); share of pixels clipped in a channel; share within the noise</source>
+        <translation>In session.json angegeben; in der Datei (EXIF); Anteil der Pixel, die in einem Kanal übersteuert sind; Anteil im Rauschen</translation>
+    </message>
+    <message>
+        <source>Exposure Times</source>
+        <translation>Belichtungszeiten</translation>
+    </message>
+    <message>
+        <source>Under the Cursor</source>
+        <translation>Unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>No photograph of this position can be read; the session&apos;s page tells why.</source>
+        <translation>Kein Foto dieser Stellung ist lesbar; die Seite der Sitzung sagt, warum.</translation>
+    </message>
+    <message>
+        <source>{time:.4g} ms
+{clipped} clipped</source>
+        <translation>{time:.4g} ms
+{clipped} überst.</translation>
+    </message>
+    <message>
+        <source>The files hold no times of their own; the stated ones are taken.</source>
+        <translation>Die Dateien nennen keine eigenen Zeiten; die angegebenen gelten.</translation>
+    </message>
+    <message>
+        <source>{count} files tell another time than session.json.</source>
+        <translation>{count} Dateien nennen eine andere Zeit als session.json.</translation>
+    </message>
+    <message>
+        <source>The times in the files are the stated ones.</source>
+        <translation>Die Zeiten in den Dateien sind die angegebenen.</translation>
+    </message>
+    <message>
+        <source>Lamp at {angle:g}°, position {number} of {count}</source>
+        <translation>Lampe bei {angle:g}°, Stellung {number} von {count}</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>übersteuert</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rot</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>grün</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blau</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>grau</translation>
+    </message>
+    <message>
+        <source>Pixel</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Column and row under the cursor</source>
+        <translation>Spalte und Zeile unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Codes</source>
+        <translation>Codes</translation>
+    </message>
+    <message>
+        <source>Red, green and blue as the file has them</source>
+        <translation>Rot, Grün und Blau, wie sie in der Datei stehen</translation>
+    </message>
+    <message>
+        <source>Paint (*.brdfpaint)</source>
+        <translation>Lack (*.brdfpaint)</translation>
+    </message>
+    <message>
+        <source>Saved as {file}.</source>
+        <translation>Gespeichert als {file}.</translation>
+    </message>
+    <message>
+        <source>“{name}” is open in Designer, in a tab of its own; it is not saved yet.</source>
+        <translation>„{name}“ ist in Designer geöffnet, in einem eigenen Reiter; gespeichert ist er noch nicht.</translation>
+    </message>
+    <message>
+        <source>ΔE00 to the fitted lobes at angles that were not used: {mean:.1f} in the mean.</source>
+        <translation>ΔE00 zu den angepassten Lappen an nicht verwendeten Winkeln: im Mittel {mean:.1f}.</translation>
+    </message>
+    <message>
+        <source>RMS ln {error:.3f}</source>
+        <translation>quadr. Mittel ln {error:.3f}</translation>
+    </message>
+    <message>
+        <source>The sphere&apos;s outline gives its centre; where the highlights lie tells how far the lamp was off.</source>
+        <translation>Der Umriss der Kugel gibt ihren Mittelpunkt; wo die Glanzlichter liegen, sagt, wie weit die Lampe daneben war.</translation>
+    </message>
+    <message>
+        <source>Sphere and highlights</source>
+        <translation>Kugel und Glanzlichter</translation>
+    </message>
+    <message>
+        <source>Not found yet.</source>
+        <translation>Noch nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>What is left between found and expected highlights</source>
+        <translation>Was zwischen gefundenen und erwarteten Glanzlichtern bleibt</translation>
+    </message>
+    <message>
+        <source>Lamp angle (degrees)</source>
+        <translation>Lampenwinkel (Grad)</translation>
+    </message>
+    <message>
+        <source>Off (pixels)</source>
+        <translation>Abstand (Pixel)</translation>
+    </message>
+    <message>
+        <source>Find Sphere and Lamp</source>
+        <translation>Kugel und Lampe finden</translation>
+    </message>
+    <message>
+        <source>Find the outline, the highlights of many positions, and what fits them</source>
+        <translation>Den Umriss finden, die Glanzlichter vieler Stellungen und was zu ihnen passt</translation>
+    </message>
+    <message>
+        <source>Refine by the highlights</source>
+        <translation>Mit den Glanzlichtern verfeinern</translation>
+    </message>
+    <message>
+        <source>Correct the lamp&apos;s angle and height and the sphere&apos;s centre by where the highlights are</source>
+        <translation>Winkel und Höhe der Lampe und den Kugelmittelpunkt danach berichtigen, wo die Glanzlichter sind</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>What is left over</source>
+        <translation>Was übrig bleibt</translation>
+    </message>
+    <message>
+        <source>Left Over</source>
+        <translation>Was übrig bleibt</translation>
+    </message>
+    <message>
+        <source>What was refined</source>
+        <translation>Was verfeinert wurde</translation>
+    </message>
+    <message>
+        <source>Refinement</source>
+        <translation>Verfeinerung</translation>
+    </message>
+    <message>
+        <source>Magnified</source>
+        <translation>Vergrößert</translation>
+    </message>
+    <message>
+        <source>How many times as long the differences are drawn</source>
+        <translation>Wievielmal so lang die Unterschiede gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>highlights</source>
+        <translation>Glanzlichter</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>outline that was fitted</source>
+        <translation>angepasster Umriss</translation>
+    </message>
+    <message>
+        <source>highlight, expected</source>
+        <translation>Glanzlicht, erwartet</translation>
+    </message>
+    <message>
+        <source>highlight, found</source>
+        <translation>Glanzlicht, gefunden</translation>
+    </message>
+    <message>
+        <source>difference × {gain:g}</source>
+        <translation>Unterschied × {gain:g}</translation>
+    </message>
+    <message>
+        <source>edge that was left out</source>
+        <translation>ausgelassener Rand</translation>
+    </message>
+    <message>
+        <source>{share:.0f} % of the cells hold something</source>
+        <translation>{share:.0f} % der Zellen enthalten etwas</translation>
+    </message>
+    <message>
+        <source>The mask is kept here; the next stroke tries again.</source>
+        <translation>Die Maske bleibt hier erhalten; der nächste Strich versucht es erneut.</translation>
+    </message>
+    <message>
+        <source>Nothing is left out. What is painted is kept in the folder as {file}.</source>
+        <translation>Nichts ist ausgelassen. Was gemalt wird, kommt als {file} in den Ordner.</translation>
+    </message>
+    <message>
+        <source>Kept in the folder as {file}.</source>
+        <translation>Im Ordner als {file}.</translation>
+    </message>
+    <message>
+        <source>everything is used</source>
+        <translation>alles wird verwendet</translation>
+    </message>
+    <message>
+        <source>outline of the sphere</source>
+        <translation>Umriss der Kugel</translation>
+    </message>
+    <message>
+        <source>Paint over what is not the sphere&apos;s own light: the arm, its reflection, dust. The lower half is left out anyway.</source>
+        <translation>Übermalen Sie, was nicht das Licht der Kugel ist: den Arm, seine Spiegelung, Staub. Die untere Hälfte bleibt ohnehin außen vor.</translation>
+    </message>
+    <message>
+        <source>The mask over a photograph</source>
+        <translation>Die Maske über einem Foto</translation>
+    </message>
+    <message>
+        <source>Leave Out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Take In</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>The brush leaves pixels out of the measurement (X changes)</source>
+        <translation>Der Pinsel lässt Pixel aus der Messung aus (X wechselt)</translation>
+    </message>
+    <message>
+        <source>The brush takes pixels back into the measurement (X changes)</source>
+        <translation>Der Pinsel nimmt Pixel wieder in die Messung auf (X wechselt)</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Of the brush; [ and ] change it over the picture</source>
+        <translation>Des Pinsels; [ und ] ändern ihn über dem Bild</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Take the newest stroke back (Ctrl+Z)</source>
+        <translation>Den letzten Strich zurücknehmen (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wieder</translation>
+    </message>
+    <message>
+        <source>Paint again what was taken back (Ctrl+Shift+Z)</source>
+        <translation>Das Zurückgenommene wieder malen (Strg+Umschalt+Z)</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Take In Everything</source>
+        <translation>Alles aufnehmen</translation>
+    </message>
+    <message>
+        <source>Begin again with a mask that leaves nothing out</source>
+        <translation>Neu beginnen mit einer Maske, die nichts auslässt</translation>
+    </message>
+    <message>
+        <source>The mask</source>
+        <translation>Die Maske</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Which position&apos;s photograph lies below the mask</source>
+        <translation>Das Foto welcher Stellung unter der Maske liegt</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>Share of all pixels of the picture that the mask leaves out</source>
+        <translation>Anteil aller Pixel des Bildes, den die Maske auslässt</translation>
+    </message>
+    <message>
+        <source>Lamp at {angle:g}°</source>
+        <translation>Lampe bei {angle:g}°</translation>
+    </message>
+    <message>
+        <source>Drag to paint, with Ctrl the other way round; by keys: arrows move the brush, Space paints, [ and ] change its size, X what it does. Wheel zooms, Shift drag moves, F frames.</source>
+        <translation>Ziehen malt, mit Strg umgekehrt; mit Tasten: Pfeile bewegen den Pinsel, Leertaste malt, [ und ] ändern seine Größe, X was er tut. Rad zoomt, Ziehen mit Umschalt verschiebt, F rahmt ein.</translation>
+    </message>
+    <message>
+        <source>Wheel, + and − zoom; middle or Shift drag and the arrow keys move; F frames</source>
+        <translation>Rad, + und − zoomen; Ziehen mit der Mitte oder Umschalt und die Pfeiltasten verschieben; F rahmt ein</translation>
+    </message>
+    <message>
+        <source>Every photograph becomes measurements of the paint. What is done is kept: it can be stopped and resumed.</source>
+        <translation>Aus jedem Foto werden Messwerte des Lacks. Was getan ist, bleibt erhalten: Anhalten und Weitermachen geht jederzeit.</translation>
+    </message>
+    <message>
+        <source>Progress of the reconstruction</source>
+        <translation>Fortschritt der Rekonstruktion</translation>
+    </message>
+    <message>
+        <source>Covered so far</source>
+        <translation>Bisher abgedeckt</translation>
+    </message>
+    <message>
+        <source>Positions that could not be used</source>
+        <translation>Stellungen, die nicht zu verwenden waren</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Turn all photographs into a table of the reflectance</source>
+        <translation>Aus allen Fotos eine Tabelle der Reflexion machen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop; what is done is kept, and is gone on with later</source>
+        <translation>Anhalten; was getan ist, bleibt erhalten, und es geht später damit weiter</translation>
+    </message>
+    <message>
+        <source>Begin Again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Forget what is done, and start with the first position once more</source>
+        <translation>Vergessen, was getan ist, und wieder mit der ersten Stellung anfangen</translation>
+    </message>
+    <message>
+        <source>Grazing cut-off</source>
+        <translation>Streifgrenze</translation>
+    </message>
+    <message>
+        <source>Light or view farther from the normal than this is not measured</source>
+        <translation>Licht oder Blick weiter von der Normalen als dies wird nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Reconstruction</source>
+        <translation>Rekonstruktion</translation>
+    </message>
+    <message>
+        <source>What is done</source>
+        <translation>Was getan ist</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Getan</translation>
+    </message>
+    <message>
+        <source>Not started.</source>
+        <translation>Noch nicht begonnen.</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Stellungen</translation>
+    </message>
+    <message>
+        <source>{done} of {total}</source>
+        <translation>{done} von {total}</translation>
+    </message>
+    <message>
+        <source>Positions of the lamp that are in the table</source>
+        <translation>Stellungen der Lampe, die in der Tabelle sind</translation>
+    </message>
+    <message>
+        <source>Positions that could not be used; the list tells why</source>
+        <translation>Stellungen, die nicht zu verwenden waren; die Liste sagt, warum</translation>
+    </message>
+    <message>
+        <source>The map grows while positions are done.</source>
+        <translation>Die Karte wächst mit jeder Stellung.</translation>
+    </message>
+    <message>
+        <source>The same light with different exposures tells what each code means; the curve is found from all of them.</source>
+        <translation>Dasselbe Licht mit verschiedenen Belichtungen sagt, was jeder Code bedeutet; die Kurve wird aus allen gefunden.</translation>
+    </message>
+    <message>
+        <source>Response of the camera</source>
+        <translation>Kennlinie der Kamera</translation>
+    </message>
+    <message>
+        <source>Exposure (half at the middle code)</source>
+        <translation>Belichtung (½ beim mittleren Code)</translation>
+    </message>
+    <message>
+        <source>Stated exposure times against what the photographs say</source>
+        <translation>Angegebene Belichtungszeiten gegen das, was die Fotos sagen</translation>
+    </message>
+    <message>
+        <source>Stated time (ms)</source>
+        <translation>Angegebene Zeit (ms)</translation>
+    </message>
+    <message>
+        <source>Difference (%)</source>
+        <translation>Unterschied (%)</translation>
+    </message>
+    <message>
+        <source>As session.json says</source>
+        <translation>Wie session.json sagt</translation>
+    </message>
+    <message>
+        <source>Linear camera</source>
+        <translation>Lineare Kamera</translation>
+    </message>
+    <message>
+        <source>Kind of response</source>
+        <translation>Art der Kennlinie</translation>
+    </message>
+    <message>
+        <source>Recovered from the photographs where session.json names no curve; or taken as linear</source>
+        <translation>Aus den Fotos ermittelt, wo session.json keine Kurve nennt; oder als linear genommen</translation>
+    </message>
+    <message>
+        <source>Find the Response</source>
+        <translation>Kennlinie finden</translation>
+    </message>
+    <message>
+        <source>Find the curve from photographs of several positions</source>
+        <translation>Die Kurve aus Fotos mehrerer Stellungen finden</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Kennlinie</translation>
+    </message>
+    <message>
+        <source>How well the curve is known</source>
+        <translation>Wie gut die Kurve bekannt ist</translation>
+    </message>
+    <message>
+        <source>How Well It Is Known</source>
+        <translation>Wie gut sie bekannt ist</translation>
+    </message>
+    <message>
+        <source>The camera is linear.</source>
+        <translation>Die Kamera ist linear.</translation>
+    </message>
+    <message>
+        <source>Codes outside the thick lines are not trusted.</source>
+        <translation>Codes außerhalb der dicken Linien gelten nicht als verlässlich.</translation>
+    </message>
+    <message>
+        <source>found less stated</source>
+        <translation>gefunden weniger angegeben</translation>
+    </message>
+    <message>
+        <source>The other steps are as they were.</source>
+        <translation>Die anderen Schritte sind, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>What is done is kept; Resume goes on with it.</source>
+        <translation>Was getan ist, bleibt erhalten; Weiter macht damit weiter.</translation>
+    </message>
+    <message>
+        <source>The mask, the rig or a choice has changed since. Beginning again forgets what it had.</source>
+        <translation>Maske, Aufbau oder eine Wahl sind seither anders. Neu beginnen vergisst, was sie hatte.</translation>
+    </message>
+    <message>
+        <source>Table with coverage (*.brdftable)</source>
+        <translation>Tabelle mit Abdeckung (*.brdftable)</translation>
+    </message>
+    <message>
+        <source>MERL layout (*.binary)</source>
+        <translation>MERL-Anordnung (*.binary)</translation>
+    </message>
+    <message>
+        <source>An earlier reconstruction in this folder cannot be gone on with.</source>
+        <translation>Mit einer früheren Rekonstruktion in diesem Ordner geht es nicht weiter.</translation>
+    </message>
+    <message>
+        <source>Begin Again, at the reconstruction, makes a new one.</source>
+        <translation>Neu beginnen, bei der Rekonstruktion, macht eine neue.</translation>
+    </message>
+    <message>
+        <source>{done} positions are done from an earlier run.</source>
+        <translation>{done} Stellungen sind aus einem früheren Lauf getan.</translation>
+    </message>
+    <message>
+        <source>{done} of {total} done</source>
+        <translation>{done} von {total} getan</translation>
+    </message>
+    <message>
+        <source>The photographs are linear files; no curve is needed.</source>
+        <translation>Die Fotos sind lineare Dateien; eine Kurve ist unnötig.</translation>
+    </message>
+    <message>
+        <source>Taken from the earlier run; find it again to see it.</source>
+        <translation>Aus dem früheren Lauf übernommen; erneut finden zeigt sie.</translation>
+    </message>
+    <message>
+        <source>{rms:.2f} px RMS</source>
+        <translation>{rms:.2f} px quadr. Mittel</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Fertig.</translation>
+    </message>
+    <message>
+        <source>{done} of {total} positions</source>
+        <translation>{done} von {total} Stellungen</translation>
+    </message>
+    <message>
+        <source>{share} measured</source>
+        <translation>{share} gemessen</translation>
+    </message>
+    <message>
+        <source>Not saved yet; what it was made of is kept in {file}.</source>
+        <translation>Noch nicht gespeichert; woraus sie wurde, steht in {file}.</translation>
+    </message>
+    <message>
+        <source>{angle:g}°</source>
+        <translation>{angle:g}°</translation>
+    </message>
+    <message>
+        <source>Waiting…</source>
+        <translation>Wartet …</translation>
+    </message>
+    <message>
+        <source>Stopped; what is done is kept.</source>
+        <translation>Angehalten; was getan ist, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>recovered</source>
+        <translation>ermittelt</translation>
+    </message>
+    <message>
+        <source>as stated</source>
+        <translation>wie angegeben</translation>
+    </message>
+    <message>
+        <source>{count} times differ</source>
+        <translation>{count} Zeiten weichen ab</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <translation>zu tun</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>getan</translation>
+    </message>
+    <message>
+        <source>look at it</source>
+        <translation>ansehen</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>The steps; Alt+1 to Alt+8, Ctrl+PgUp and Ctrl+PgDown go between them</source>
+        <translation>Die Schritte; Alt+1 bis Alt+8, Strg+Bild auf und Strg+Bild ab wechseln zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>Alt+{number}</source>
+        <translation>Alt+{number}</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>The step before (Ctrl+PgUp)</source>
+        <translation>Der Schritt davor (Strg+Bild auf)</translation>
+    </message>
+    <message>
+        <source>The step after (Ctrl+PgDown)</source>
+        <translation>Der Schritt danach (Strg+Bild ab)</translation>
+    </message>
+    <message>
+        <source>Do All Steps</source>
+        <translation>Alle Schritte tun</translation>
+    </message>
+    <message>
+        <source>Response, geometry, reconstruction and fit, one after the other</source>
+        <translation>Kennlinie, Geometrie, Rekonstruktion und Anpassung, eins nach dem anderen</translation>
+    </message>
+    <message>
+        <source>Step {number}, {title}: {state}</source>
+        <translation>Schritt {number}, {title}: {state}</translation>
+    </message>
+    <message>
+        <source>Acquire: {name}</source>
+        <translation>Aufnehmen: {name}</translation>
+    </message>
+    <message>
+        <source>Acquire</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Mean |ln|</source>
+        <translation>Mittel |ln|</translation>
+    </message>
+    <message>
+        <source>Mean of |ln(fit/measured)| over every measured bin: the paper&apos;s energy over its number of terms</source>
+        <translation>Mittel von |ln(Anpassung/Messung)| über jede gemessene Zelle: die Energie des Aufsatzes durch die Zahl ihrer Glieder</translation>
+    </message>
+    <message>
+        <source>RMS ln</source>
+        <translation>quadr. Mittel ln</translation>
+    </message>
+    <message>
+        <source>Root mean square of ln(fit/measured) over every measured bin</source>
+        <translation>Quadratisches Mittel von ln(Anpassung/Messung) über jede gemessene Zelle</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Median relative difference over every measured bin</source>
+        <translation>Median des relativen Unterschieds über jede gemessene Zelle</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Equation 2 of Günther et al. 2005 over the samples of the solver</source>
+        <translation>Gleichung 2 von Günther et al. 2005 über die Stichprobe des Lösers</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Stichprobe</translation>
+    </message>
+    <message>
+        <source>That the solver looked at; the errors are over every measured bin</source>
+        <translation>Die der Löser ansah; die Fehler gehen über jede gemessene Zelle</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>{seconds:.1f} s</source>
+        <translation>{seconds:.1f} s</translation>
+    </message>
+    <message>
+        <source>That the fit took</source>
+        <translation>Die die Anpassung brauchte</translation>
+    </message>
+    <message>
+        <source>No session is open.</source>
+        <translation>Keine Sitzung ist geöffnet.</translation>
+    </message>
+    <message>
+        <source>Open a folder of photographs first.</source>
+        <translation>Öffnen Sie zuerst einen Ordner mit Fotos.</translation>
+    </message>
+</context>
+<context>
+    <name>_000</name>
+    <message>
+        <source>Radius of the painted sphere</source>
+        <translation>Radius der lackierten Kugel</translation>
+    </message>
+    <message>
+        <source>From the centre of projection to the axis of the turntable, level</source>
+        <translation>Vom Projektionszentrum zur Achse des Drehtellers, waagerecht</translation>
+    </message>
+    <message>
+        <source>From the lamp to the axis of the turntable, level</source>
+        <translation>Von der Lampe zur Achse des Drehtellers, waagerecht</translation>
+    </message>
+</context>
+<context>
+    <name>_000._000</name>
+    <message>
+        <source>Above the centre of the sphere</source>
+        <translation>Über dem Mittelpunkt der Kugel</translation>
     </message>
 </context>
 </TS>

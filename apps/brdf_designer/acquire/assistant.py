@@ -1,0 +1,85 @@
+"""The parts of the assistant, joined; and all steps one after the other."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject
+
+from brdf_designer.acquire.fit_control import FitControl
+from brdf_designer.acquire.mask_control import MaskControl
+from brdf_designer.acquire.road_control import RoadControl
+from brdf_designer.acquire.series_control import SeriesControl
+from brdf_designer.acquire.session_control import SessionControl
+from brdf_designer.acquire.window import AcquireWindow
+from brdf_designer.acquire.workbench import Workbench, no_session
+from brdf_designer.desk import Desk
+from brdf_designer.window import DesignerWindow
+
+CHAIN = ("response", "geometry", "table", "fit")
+
+
+class Assistant(QObject):
+    """The window, its state and its controls."""
+
+    def __init__(self, desk: Desk, host: DesignerWindow) -> None:
+        super().__init__(host)
+        dialogs = desk.documents.dialogs
+        self.window = AcquireWindow(host)
+        self.bench = Workbench(self.window, host.progress, self)
+        self.sessions = SessionControl(self.bench, self.window.session, dialogs)
+        self.series = SeriesControl(self.bench, self.window.exposures, self.sessions)
+        self.mask = MaskControl(self.bench, self.window.mask)
+        self.road = RoadControl(self.bench, dialogs)
+        self.fit = FitControl(self.bench, self.window.fit, desk, dialogs)
+        self._chain: list[str] = []
+        self.window.all_asked.connect(self.do_all)
+        self.window.undo_asked.connect(lambda: self._step(back=True))
+        self.window.redo_asked.connect(lambda: self._step(back=False))
+        self.window.hidden.connect(self.write_pending)
+        self.bench.ended.connect(self._ended)
+
+    def do_all(self) -> None:
+        """Do every step that is not done yet, and show the page of each."""
+        if self.bench.session is None:
+            self.bench.say(no_session())
+            return
+        self._chain = [key for key in CHAIN if key not in self.bench.have]
+        self._next()
+
+    def write_pending(self) -> None:
+        """Write what was typed or painted and is not yet written."""
+        self.sessions.write_pending()
+        self.mask.write_pending()
+
+    def close(self) -> None:
+        """Write what is not yet written, and end the threads."""
+        self.write_pending()
+        self._chain = []
+        self.bench.close()
+
+    def _next(self) -> None:
+        if not self._chain:
+            return
+        self.write_pending()
+        key = self._chain.pop(0)
+        pages = {"table": "reconstruction"}
+        self.window.show_page(pages.get(key, key))
+        {
+            "response": self.road.find_response,
+            "geometry": self.road.find_geometry,
+            "table": self.road.find_table,
+            "fit": self.fit.find,
+        }[key]()
+
+    def _ended(self, key: str, done: bool) -> None:
+        if key not in CHAIN:
+            return
+        if done:
+            self._next()
+        else:
+            self._chain = []
+
+    def _step(self, *, back: bool) -> None:
+        """Undo or redo what belongs to the page that is shown."""
+        owner = {"mask": self.mask, "session": self.sessions}.get(self.window.step)
+        if owner is not None:
+            (owner.undo if back else owner.redo)()

@@ -1,0 +1,51 @@
+"""File ▸ Acquire…: the window of the assistant and its parts, made when it is first asked for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from brdf_qt.translation import tr
+from PySide6.QtCore import QObject
+
+from brdf_designer.desk import Desk
+from brdf_designer.window import DesignerWindow
+
+if TYPE_CHECKING:
+    from brdf_designer.acquire.assistant import Assistant
+
+
+class AcquireControl(QObject):
+    """Opens the assistant; ``close`` ends what runs. What is done of a reconstruction is kept in its folder."""
+
+    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        self.assistant: Assistant | None = None
+        self.action = window.add_command(
+            "file",
+            tr("Ac&quire…"),
+            "Ctrl+Shift+A",
+            self.open,
+            "acquire",
+            tip=tr("From photographs of a painted sphere to a paint, step by step"),
+        )
+
+    def open(self) -> Assistant:
+        """Show the assistant."""
+        if self.assistant is None:
+            # The pages and their plots take a moment that no start has to pay.
+            from brdf_designer.acquire.assistant import Assistant
+
+            self.assistant = Assistant(self._desk, self._window)
+        self.assistant.window.bring()
+        return self.assistant
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether nothing runs that somebody waits for."""
+        return self.assistant is None or self.assistant.bench.is_quiet
+
+    def close(self) -> None:
+        """End the threads; what was painted or typed and is not yet written is written first."""
+        if self.assistant is not None:
+            self.assistant.close()

@@ -1,0 +1,43 @@
+"""The steps of the assistant, in their order."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from brdf_qt.translation import mark
+
+StepState = Literal["todo", "running", "done", "warning"]
+SIGNS: dict[StepState, str] = {
+    "todo": "circle",
+    "running": "hourglass",
+    "done": "check-circle",
+    "warning": "warning",
+}
+STATE_WORDS: dict[StepState, str] = {
+    "todo": mark("to do"),
+    "running": mark("running"),
+    "done": mark("done"),
+    "warning": mark("look at it"),
+}
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step by its key and title."""
+
+    key: str
+    title: str
+
+
+STEPS = (
+    Step("session", mark("Session")),
+    Step("exposures", mark("Exposures")),
+    Step("response", mark("Response")),
+    Step("geometry", mark("Geometry")),
+    Step("mask", mark("Mask")),
+    Step("reconstruction", mark("Reconstruction")),
+    Step("coverage", mark("Coverage")),
+    Step("fit", mark("Fit")),
+)
+KEYS = tuple(step.key for step in STEPS)

@@ -1,0 +1,221 @@
+"""The window of the assistant: the steps at the left, the page of one of them, messages and progress over it.
+
+Closing it only hides it: what runs goes on, what was found stays, and nothing is asked.
+"""
+
+from __future__ import annotations
+
+from brdf_qt.elided_label import ElidedLabel
+from brdf_qt.icons import icon
+from brdf_qt.message_bar import MessageBar
+from brdf_qt.progress_strip import ProgressStrip
+from brdf_qt.settings import settings
+from brdf_qt.translation import tr
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence, QShortcut
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QListWidget,
+    QListWidgetItem,
+    QPushButton,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from brdf_designer.acquire.coverage_page import CoveragePage
+from brdf_designer.acquire.exposures_page import ExposuresPage
+from brdf_designer.acquire.fit_page import FitPage
+from brdf_designer.acquire.geometry_page import GeometryPage
+from brdf_designer.acquire.mask_page import MaskPage
+from brdf_designer.acquire.page import AcquirePage
+from brdf_designer.acquire.reconstruction_page import ReconstructionPage
+from brdf_designer.acquire.response_page import ResponsePage
+from brdf_designer.acquire.session_page import SessionPage
+from brdf_designer.acquire.steps import KEYS, SIGNS, STATE_WORDS, STEPS, StepState
+
+_GEOMETRY = "acquire/geometry"
+_SIZE = QSize(1280, 820)
+_LEAST = QSize(860, 560)
+_RAIL = 172
+
+
+class AcquireWindow(QWidget):
+    """All pages, and the way between them.
+
+    Intents: ``step_shown(key)``, ``undo_asked()``, ``redo_asked()``, ``folder_dropped(str)``, ``all_asked()``,
+    ``hidden()``.
+    """
+
+    step_shown = Signal(str)
+    undo_asked = Signal()
+    redo_asked = Signal()
+    folder_dropped = Signal(str)
+    all_asked = Signal()
+    hidden = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent, Qt.WindowType.Window)
+        self.setObjectName("AcquireWindow")
+        self.setAcceptDrops(True)
+        self.setMinimumSize(_LEAST)
+        self.session, self.exposures, self.response = SessionPage(), ExposuresPage(), ResponsePage()
+        self.geometry_page, self.mask, self.reconstruction = GeometryPage(), MaskPage(), ReconstructionPage()
+        self.coverage, self.fit = CoveragePage(), FitPage()
+        self.pages: dict[str, AcquirePage] = {
+            page.key: page
+            for page in (
+                self.session,
+                self.exposures,
+                self.response,
+                self.geometry_page,
+                self.mask,
+                self.reconstruction,
+                self.coverage,
+                self.fit,
+            )
+        }
+        self.messages, self.progress = MessageBar(), ProgressStrip()
+        self.rail = QListWidget()
+        self.rail.setAccessibleName(tr("Steps"))
+        self.rail.setToolTip(tr("The steps; Alt+1 to Alt+8, Ctrl+PgUp and Ctrl+PgDown go between them"))
+        self.rail.setFixedWidth(_RAIL)
+        self.rail.setFrameShape(QFrame.Shape.NoFrame)
+        self.rail.setIconSize(QSize(18, 18))
+        self.rail.setSpacing(2)
+        self.rail.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.stack = QStackedWidget()
+        for number, step in enumerate(STEPS, 1):
+            item = QListWidgetItem()
+            item.setToolTip(tr("Alt+{number}").format(number=number))
+            self.rail.addItem(item)
+            self.stack.addWidget(self.pages[step.key])
+            self.show_step(step.key, "todo", "")
+        self.rail.currentRowChanged.connect(self._changed)
+        self._build()
+        self._shortcuts()
+        self.show_title("")
+        self.rail.setCurrentRow(0)
+        self.resize(_SIZE.boundedTo(self.screen().availableSize() * 0.9))
+        kept = settings().value(_GEOMETRY)
+        if kept is not None:
+            self.restoreGeometry(kept)
+
+    def _build(self) -> None:
+        self.back, self.next = QPushButton(tr("Back")), QPushButton(tr("Next"))
+        self.back.setIcon(icon("arrow-left"))
+        self.next.setIcon(icon("arrow-right"))
+        self.back.setToolTip(tr("The step before (Ctrl+PgUp)"))
+        self.next.setToolTip(tr("The step after (Ctrl+PgDown)"))
+        self.back.clicked.connect(lambda _=False: self.go(-1))
+        self.next.clicked.connect(lambda _=False: self.go(1))
+        self.all = QPushButton(tr("Do All Steps"))
+        self.all.setToolTip(tr("Response, geometry, reconstruction and fit, one after the other"))
+        self.all.clicked.connect(lambda _=False: self.all_asked.emit())
+        self.telling = ElidedLabel()
+        foot = QHBoxLayout()
+        foot.setContentsMargins(8, 8, 8, 8)
+        foot.setSpacing(8)
+        foot.addWidget(self.telling, 1)
+        foot.addWidget(self.all)
+        foot.addWidget(self.back)
+        foot.addWidget(self.next)
+        line = QFrame()
+        line.setFrameShape(QFrame.Shape.HLine)
+        line.setFrameShadow(QFrame.Shadow.Plain)
+        line.setForegroundRole(line.foregroundRole().Mid)
+        inside = QVBoxLayout()
+        inside.setContentsMargins(0, 0, 0, 0)
+        inside.setSpacing(0)
+        for widget in (self.messages, self.progress):
+            inside.addWidget(widget)
+        inside.addWidget(self.stack, 1)
+        inside.addWidget(line)
+        inside.addLayout(foot)
+        whole = QHBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addWidget(self.rail)
+        whole.addLayout(inside, 1)
+
+    def _shortcuts(self) -> None:
+        for keys, slot in (
+            ("Ctrl+Z", self.undo_asked.emit),
+            ("Ctrl+Shift+Z", self.redo_asked.emit),
+            ("Ctrl+Y", self.redo_asked.emit),
+            ("Ctrl+PgUp", lambda: self.go(-1)),
+            ("Ctrl+PgDown", lambda: self.go(1)),
+            ("Ctrl+W", self.close),
+            *((f"Alt+{n}", lambda n=n: self.show_page(KEYS[n - 1])) for n in range(1, len(KEYS) + 1)),
+        ):
+            QShortcut(QKeySequence(keys), self).activated.connect(slot)
+
+    # What is shown.
+
+    @property
+    def step(self) -> str:
+        """The key of the step that is shown."""
+        return KEYS[max(0, self.rail.currentRow())]
+
+    def show_page(self, key: str) -> None:
+        """Show the page of a step."""
+        self.rail.setCurrentRow(KEYS.index(key))
+
+    def go(self, by: int) -> None:
+        """Go ``by`` steps on, or back."""
+        self.rail.setCurrentRow(min(len(KEYS) - 1, max(0, self.rail.currentRow() + by)))
+
+    def show_step(self, key: str, state: StepState, text: str) -> None:
+        """Show the state of a step, and a few words of what came of it."""
+        number = KEYS.index(key)
+        item = self.rail.item(number)
+        title = tr(STEPS[number].title)
+        item.setIcon(icon(SIGNS[state]))
+        item.setText(f"{number + 1}  {title}\n{text or tr(STATE_WORDS[state])}")
+        item.setData(
+            Qt.ItemDataRole.AccessibleTextRole,
+            tr("Step {number}, {title}: {state}").format(
+                number=number + 1, title=title, state=f"{tr(STATE_WORDS[state])} {text}".strip()
+            ),
+        )
+
+    def show_title(self, name: str) -> None:
+        """Show whose photographs these are."""
+        self.setWindowTitle(tr("Acquire: {name}").format(name=name) if name else tr("Acquire"))
+
+    def show_telling(self, text: str) -> None:
+        """Say what is so at the moment, at the foot."""
+        self.telling.setText(text)
+
+    def _changed(self, row: int) -> None:
+        if row < 0:
+            return
+        self.stack.setCurrentIndex(row)
+        self.back.setEnabled(row > 0)
+        self.next.setEnabled(row < len(KEYS) - 1)
+        self.step_shown.emit(KEYS[row])
+
+    # Coming and going.
+
+    def bring(self) -> None:
+        """Show the window, in front."""
+        self.show()
+        self.setWindowState(self.windowState() & ~Qt.WindowState.WindowMinimized)
+        self.raise_()
+        self.activateWindow()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        store = settings()
+        store.setValue(_GEOMETRY, self.saveGeometry())
+        event.accept()
+        self.hidden.emit()
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        urls = event.mimeData().urls()
+        if len(urls) == 1 and urls[0].isLocalFile():
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        event.acceptProposedAction()
+        self.folder_dropped.emit(event.mimeData().urls()[0].toLocalFile())
