@@ -43,12 +43,14 @@ TITLES = {
     "surface": "Surface",
     "compare": "Second Paint or Picture",
     "normal_map": "Normal Map",
+    "tangent_map": "Tangent Map",
     "mask": "Mask",
 }
 ASKED: dict[str, tuple[str, ...]] = {
     **ENDINGS,
     "compare": (*ENDINGS["paint"], ".exr", ".png"),
     "normal_map": IMAGE_ENDINGS,
+    "tangent_map": IMAGE_ENDINGS,
     "mask": IMAGE_ENDINGS,
 }
 

@@ -65,7 +65,7 @@ class ReliefControl(QObject):
     def _browse(self, kind: str) -> None:
         path = self._ask(self._window, kind)
         if path:
-            self._change("relief" if kind == "normal_map" else "two_tone", kind, str(Path(path).absolute()))
+            self._change("relief" if kind.endswith("_map") else "two_tone", kind, str(Path(path).absolute()))
 
     def _browse_paint(self) -> None:
         path = self._ask(self._window, "paint")

@@ -18,7 +18,16 @@ from brdf_suite.errors import ValueRangeError
 from brdf_suite.pipeline.scene import default_view, environment_names, surface_names
 
 T = TypeVar("T")
-_FIELDS = ("environment", "surface", "tone_curve", "background", "environment_layout", "fresnel", "look_up")
+_FIELDS = (
+    "environment",
+    "surface",
+    "tone_curve",
+    "background",
+    "environment_layout",
+    "fresnel",
+    "look_up",
+    "lamp_shading",
+)
 
 
 _COMPARE = ("rate_hz", "scale_delta_e", "basis")

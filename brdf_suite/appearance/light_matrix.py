@@ -18,6 +18,7 @@ import numpy as np
 
 from brdf_suite.appearance.colorimetry import LUMINANCE, WHITE_D65_10, WORKING_TO_XYZ, adaptation
 from brdf_suite.appearance.spectra import white_xyz
+from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.geometry.directions import Floats
 
 ILLUMINANT_OF: dict[str, str] = {
@@ -47,3 +48,8 @@ def light_matrix(lamp: str, adapted: bool) -> Floats:
         matrix = matrix / (LUMINANCE @ matrix.sum(axis=1))
     matrix.flags.writeable = False  # one for all who ask
     return matrix
+
+
+def environment_matrix(colour: LightColour) -> Floats:
+    """Return the matrix (3, 3) on an environment's radiance for its colour and brightness in a view."""
+    return np.asarray(light_matrix(colour.illuminant, colour.adapted) * colour.brightness)

@@ -48,7 +48,7 @@ def _objects(value: object) -> list[dict[str, object]]:
 
 VERSIONS: dict[str, int] = {
     "brdfpaint": 3,
-    "brdfview": 3,
+    "brdfview": 4,
     "brdfstudio": 1,
     "brdfpalette": 2,
     "brdf-suite acquisition session": 1,
@@ -64,6 +64,8 @@ MIGRATIONS: dict[tuple[str, int], Migration] = {
     ("brdfview", 1): dict,
     # Version 3 gave Fresnel three modes instead of on and off, and added fields with defaults.
     ("brdfview", 2): _fresnel_mode,
+    # Version 4 added the brightness of the environment, the tangent map and how lamps are shaded, with defaults.
+    ("brdfview", 3): dict,
     # Version 2 has one list of entries in place of swatches before and in groups, and entries that are no paints.
     ("brdfpalette", 1): _one_list,
 }

@@ -35,6 +35,8 @@ LookUp = Literal["shifted", "paper"]
 LOOK_UPS: tuple[str, ...] = get_args(LookUp)
 ExposureMode = Literal["locked", "automatic"]
 EXPOSURE_MODES: tuple[str, ...] = get_args(ExposureMode)
+LampShading = Literal["each", "ball"]
+LAMP_SHADINGS: tuple[str, ...] = get_args(LampShading)
 
 ImageLayout = Literal[
     "latlong",
@@ -115,7 +117,8 @@ class View:
     ``look_up``: lobes looked up along the mirror direction as in the paper, or shifted towards the normal.
     ``exposure_ev`` counts from the automatic exposure where ``exposure_mode`` is ``automatic``. ``background_colour``
     is encoded sRGB. ``clipping_marks`` and ``gamut_marks`` mark what the screen cannot show, too bright
-    or too colourful, by ``zebra`` stripes or each in a ``colour``.
+    or too colourful, by ``zebra`` stripes or each in a ``colour``. ``lamp_shading``: lamps on factored paints one by
+    one at each place, or all at once by a picture of a ball in their light.
     """
 
     camera: Camera = field(default_factory=Camera)
@@ -141,6 +144,7 @@ class View:
     two_tone: TwoTone = field(default_factory=TwoTone)
     compare: Compare = field(default_factory=Compare)
     turntable_deg_s: float = 24.0
+    lamp_shading: LampShading = "each"
 
     def __post_init__(self) -> None:
         for name, kind in PARTS.items():
@@ -158,6 +162,7 @@ class View:
         check_choice(self.look_up, "look_up", LOOK_UPS)
         check_choice(self.mark_style, "mark_style", MARK_STYLES)
         check_choice(self.exposure_mode, "exposure_mode", EXPOSURE_MODES)
+        check_choice(self.lamp_shading, "lamp_shading", LAMP_SHADINGS)
         for name in ("clipping_marks", "gamut_marks"):
             if not isinstance(getattr(self, name), bool):
                 raise ValueRangeError(name, f"true or false is wanted, not {describe(getattr(self, name))}")

@@ -60,6 +60,9 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
             6500.0,
             "Of the lamp's light, on the locus of daylight",
         ),
+        "light_colour.brightness": Parameter(
+            "Brightness", "×", 0.0, 16.0, 1.0, "Factor on the environment's light; 0: the lamps alone"
+        ),
         "sparkle.light_count": Parameter(
             "Lights", "", 1.0, 16.0, 8.0, "The brightest lights of the environment, in which flakes glint"
         ),
@@ -97,15 +100,17 @@ class LightColour:
 
     ``environment`` leaves the light as it is; ``TL84`` is CIE F11, ``CWF`` F2, ``LED`` LED-B3. Not adapted, the
     light's tint is seen; adapted, white stays white, and a paint without a spectrum looks as it does under D65, for
-    it can show no metamerism.
+    it can show no metamerism. ``brightness`` is a factor on the environment's light: at 0 the lamps are alone.
     """
 
     illuminant: Illuminant = "environment"
     adapted: bool = True
+    brightness: float = 1.0
 
     def __post_init__(self) -> None:
         check_choice(self.illuminant, "illuminant", ILLUMINANTS)
         _check_flag(self.adapted, "adapted")
+        _check_numbers(self, "light_colour", ("brightness",))
 
 
 @dataclass(frozen=True)
@@ -188,9 +193,14 @@ class SurfaceLook:
 
 @dataclass(frozen=True)
 class Relief:
-    """Small shapes of the surface: a tiled normal map (an absolute path), and the coat's orange peel."""
+    """Small shapes of the surface: a tiled normal map (an absolute path), and the coat's orange peel.
+
+    ``tangent_map`` is an image of directions in the surface, tiled with the normal map: along it lies the grain of
+    anisotropic factored paints. Red and green are its parts along u and v, from -1 to 1.
+    """
 
     normal_map: str | None = None
+    tangent_map: str | None = None
     normal_strength: float = PARAMETERS["relief.normal_strength"].default
     normal_width_mm: float = PARAMETERS["relief.normal_width_mm"].default
     orange_peel: float = PARAMETERS["relief.orange_peel"].default
@@ -198,6 +208,7 @@ class Relief:
 
     def __post_init__(self) -> None:
         check_path(self.normal_map, "normal_map")
+        check_path(self.tangent_map, "tangent_map")
         numbers = ("normal_strength", "normal_width_mm", "orange_peel", "orange_peel_mm")
         _check_numbers(self, "relief", numbers)
 

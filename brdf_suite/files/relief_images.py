@@ -1,4 +1,6 @@
-"""Normal maps and masks from image files: PNG and what else pillow reads, or OpenEXR. Their numbers are not colours.
+"""Maps of normals and tangents, and masks, from image files: PNG and what else pillow reads, or OpenEXR.
+
+Their numbers are not colours.
 
 A normal map holds (n + 1)/2 in red, green and blue (signed in EXR files), x to the right, y up, z off the surface. What
 comes back are slopes, which can be averaged: the normal is (-dh/du, -dh/dv, 1) over its length.
@@ -47,6 +49,31 @@ def read_normal_map(path: str | os.PathLike[str]) -> NDArray[np.float32]:
     upright = np.maximum(normals[..., 2:], 1.0 / _STEEPEST)
     slopes = np.clip(-normals[..., :2] / upright, -_STEEPEST, _STEEPEST)
     return np.ascontiguousarray(_reduced(slopes)[::-1], np.float32)
+
+
+def read_tangent_map(path: str | os.PathLike[str]) -> NDArray[np.float32]:
+    """Return directions in the surface (h, w, 2) float32, unit vectors over u and v, the first row at v = 0.
+
+    Red and green hold (t + 1)/2, or t itself in EXR files with negative numbers (as glTF's anisotropy has it).
+
+    Raises
+    ------
+    FileError
+        The file cannot be read, has one channel, or holds no directions: most of them must be of about unit length.
+    """
+    pixels, signed = _read(path)
+    if pixels.shape[2] < 2:
+        raise FileError(path, "has one channel; a tangent map has two or more (directions along u and v)")
+    along = pixels[..., :2] if signed else 2.0 * pixels[..., :2] - 1.0
+    length = np.linalg.norm(along, axis=-1)
+    sound = np.abs(length - 1.0) < 0.25
+    if sound.mean() < 0.5:
+        share = 100.0 * float(sound.mean())
+        raise FileError(
+            path, f"is no tangent map: {share:.0f} % of its pixels are unit vectors in the surface"
+        )
+    unit = along / np.maximum(length, 1e-6)[..., None]
+    return np.ascontiguousarray(_reduced(unit)[::-1], np.float32)
 
 
 def read_mask(path: str | os.PathLike[str]) -> NDArray[np.float32]:

@@ -120,6 +120,7 @@ class SceneRenderer:
         """Lay a normal map, a mask and the second paint on the paint, or take them off, from the next frame on."""
         relief = self._renderer.relief
         relief.set_normal_map(images.normal_map)
+        relief.set_tangent_map(images.tangent_map)
         relief.set_mask(images.mask)
         if images.second_paint is not None:
             self.set_paint_fit(images.second_paint, SECOND_PAINT)

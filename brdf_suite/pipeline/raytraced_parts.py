@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.light_matrix import light_matrix
+from brdf_suite.appearance.light_matrix import environment_matrix
 from brdf_suite.documents.view import View
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
@@ -117,7 +117,7 @@ class Parts:
         made_of = (Same(environment), colour, wanted.quality.lights)
 
         def make() -> tuple[Sky, NDArray[np.float32]]:
-            tint = light_matrix(colour.illuminant, colour.adapted)
+            tint = environment_matrix(colour)
             radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
             return Sky.of(radiance, self._strata(wanted).without_suns(radiance)), radiance
 
@@ -148,7 +148,7 @@ class Parts:
 
         view, quality = wanted.view, wanted.quality
         colour = view.light_colour
-        tint = light_matrix(colour.illuminant, colour.adapted)
+        tint = environment_matrix(colour)
         made_of = (Same(wanted.environment), quality.lights)
 
         def make() -> LightArrays:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.light_matrix import light_matrix
+from brdf_suite.appearance.light_matrix import environment_matrix
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.lighting.environment import Environment
@@ -218,7 +218,7 @@ def build_reference(
     else:
         optics = optics_of(worn, dress, view, bounds)
     terms = {**_stock_terms(mesh, view, variant), _PAINT: optics.term}
-    tint = light_matrix(view.light_colour.illuminant, view.light_colour.adapted)
+    tint = environment_matrix(view.light_colour)
     radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
     ground = None
     if view.surface_look.ground and not variant.is_scalar:

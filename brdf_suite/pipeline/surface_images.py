@@ -1,4 +1,4 @@
-"""What a view lays on the paint: a normal map, a mask, and the second paint that the mask lets through."""
+"""What a view lays on the paint: maps of normals and tangents, a mask, and the second paint that it lets through."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Illuminant, LightColour
-from brdf_suite.files.relief_images import read_mask, read_normal_map
+from brdf_suite.files.relief_images import read_mask, read_normal_map, read_tangent_map
 from brdf_suite.progress import Progress, report
-from brdf_suite.realtime.relief_values import MaskImage, PeelTile, SlopeMap
+from brdf_suite.realtime.relief_values import MaskImage, PeelTile, SlopeMap, TangentMap
 from brdf_suite.surface.orange_peel import TILE_WAVES, peel_slopes
 
 if TYPE_CHECKING:
@@ -27,6 +27,7 @@ class ImageRequest:
     mask: str | None = None
     second_paint: str | None = None
     lamp: Illuminant = "D65"
+    tangent_map: str | None = None
 
     @staticmethod
     def of(view: View) -> ImageRequest:
@@ -38,6 +39,7 @@ class ImageRequest:
             two_tone.mask if whole else None,
             two_tone.paint if whole else None,
             view.light_colour.illuminant if whole else "D65",
+            view.relief.tangent_map,
         )
 
 
@@ -49,6 +51,7 @@ class SurfaceImages:
     normal_map: SlopeMap | None = None
     mask: MaskImage | None = None
     second_paint: AnyFit | None = None
+    tangent_map: TangentMap | None = None
 
 
 def load_surface_images(request: ImageRequest, progress: Progress | None = None) -> SurfaceImages:
@@ -64,6 +67,7 @@ def load_surface_images(request: ImageRequest, progress: Progress | None = None)
     report(progress, 0.0, "reading the images")
     normal_map = None if request.normal_map is None else SlopeMap(read_normal_map(request.normal_map))
     mask = None if request.mask is None else MaskImage(read_mask(request.mask))
+    tangents = None if request.tangent_map is None else TangentMap(read_tangent_map(request.tangent_map))
     second = None
     if request.second_paint is not None:
         # Measured data are much to import.
@@ -73,7 +77,7 @@ def load_surface_images(request: ImageRequest, progress: Progress | None = None)
         report(progress, 0.5, "fitting the second paint")
         second = refit_under(fit_any(request.second_paint, errors=False), LightColour(request.lamp))
     report(progress, 1.0, "images")
-    return SurfaceImages(request, normal_map, mask, second)
+    return SurfaceImages(request, normal_map, mask, second, tangents)
 
 
 def peel_tile() -> PeelTile:

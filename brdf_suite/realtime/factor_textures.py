@@ -73,6 +73,10 @@ class FactorTextures:
             return frozenset()
         return found.words | {"HAS_UV"} if has_uv and "FACTOR_FRAME" in found.words else found.words
 
+    def made(self, material: str) -> object:
+        """Return what stands for a material's factors: the same object until there are others."""
+        return self._materials.get(material)
+
     def use(self, material: str) -> dict[str, object]:
         """Bind a material's maps and return the uniforms of factors.glsl."""
         found = self._materials[material]

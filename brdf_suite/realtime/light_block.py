@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.appearance.colour_temperature import lamp_colour
-from brdf_suite.appearance.light_matrix import light_matrix
+from brdf_suite.appearance.light_matrix import environment_matrix
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.errors import ValueRangeError
@@ -70,10 +70,7 @@ def light_block(view: View, environment: DistantLights = NO_LIGHTS) -> bytes:
     rows = block[1:].reshape(MOST_LIGHTS, 2, 4)
     rows[:count, 0, :3] = environment.directions[:count] @ about_y.T
     rows[:count, 0, 3] = _OF_ENVIRONMENT
-    rows[:count, 1, :3] = (
-        environment.strengths[:count]
-        @ light_matrix(view.light_colour.illuminant, view.light_colour.adapted).T
-    )
+    rows[:count, 1, :3] = environment.strengths[:count] @ environment_matrix(view.light_colour).T
     rows[:count, 1, 3] = environment.spreads[:count]
     for row, lamp in zip(rows[count:], view.lamps, strict=False):
         row[0, :3], row[0, 3] = _place(lamp)

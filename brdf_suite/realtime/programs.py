@@ -58,6 +58,13 @@ CAPTURED, KEEPING, KEPT_LIGHT = "CAPTURED", "KEEPING", "KEPT_LIGHT"
 with look-ups that are made to be kept, and with those that were (:mod:`.kept_light`)."""
 
 
+BALL = "BALL"
+"""Feature of programs that draw a ball of a material instead of a mesh (:mod:`.reflectance_ball`)."""
+BALL_UNIT = 29
+BALL_SHARE = 0.98
+"""Of the picture of a ball, its own: past its edge a look-up between pixels still finds the edge."""
+
+
 @dataclass(frozen=True)
 class LookUps:
     """How many broad and sharp lobes a surface program looks up; 0 broad: as many as the material says, in a loop."""
@@ -102,7 +109,8 @@ class Programs:
         key = (look_ups, features)
         if key not in self._surfaces:
             words = _defines(features)
-            vertex = compose("screen.vert.glsl" if CAPTURED in features else "mesh.vert.glsl", words)
+            flat = features & {CAPTURED, BALL}
+            vertex = compose("screen.vert.glsl" if flat else "mesh.vert.glsl", words)
             self._surfaces[key] = self._shading(vertex, look_ups, words)
         return self._surfaces[key]
 
@@ -113,6 +121,7 @@ class Programs:
             "RAMP_ROWS": str(MAX_ROWS),
             "RAMP_NODES": str(RAMP_NODES),
             "LIGHT_LOBE_COLUMNS": str(COLUMNS),
+            "BALL_SHARE": str(BALL_SHARE),
         }
         fragment = compose(
             self._surface_shader.name,
@@ -125,7 +134,12 @@ class Programs:
             if isinstance(block, moderngl.UniformBlock):
                 block.binding = binding
         # At once: two kinds of samplers must never stand at one unit, not even while a program warms up.
-        own = {"light_lobes": LIGHT_LOBES_UNIT, "places": PLACES_UNIT, "kept_light": KEPT_UNIT}
+        own = {
+            "light_lobes": LIGHT_LOBES_UNIT,
+            "places": PLACES_UNIT,
+            "kept_light": KEPT_UNIT,
+            "lamp_ball": BALL_UNIT,
+        }
         assign(program, own | RELIEF_UNITS | _FACTOR_UNITS)
         return program
 
@@ -144,6 +158,14 @@ class Programs:
         key = (look_ups, features)
         if key not in self._captured:
             program = self.surface(look_ups, features | {CAPTURED})
+            self._captured[key] = (program, self._objects.vertex_array(program))
+        return self._captured[key]
+
+    def ball(self, look_ups: LookUps, features: Features) -> ScreenProgram:
+        """Return the program that draws a ball with :data:`BALL` among its features, and its vertex array."""
+        key = (look_ups, features)
+        if key not in self._captured:
+            program = self.surface(look_ups, features)
             self._captured[key] = (program, self._objects.vertex_array(program))
         return self._captured[key]
 

@@ -1,4 +1,4 @@
-"""Relief and mask on the GPU: a normal map, the tile of orange peel, and where the second paint is."""
+"""Relief and mask on the GPU: maps of normals and tangents, the tile of orange peel, where the second paint is."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.context import draws_in_software
 from brdf_suite.realtime.gpu_objects import GpuObjects
 from brdf_suite.realtime.programs import RELIEF_UNITS, Features
-from brdf_suite.realtime.relief_values import MaskImage, PeelTile, SlopeMap
+from brdf_suite.realtime.relief_values import MaskImage, PeelTile, SlopeMap, TangentMap
 
-NORMAL_UNIT, PEEL_UNIT, MASK_UNIT = (
-    RELIEF_UNITS[name] for name in ("normal_slopes", "peel_slopes", "paint_mask")
+NORMAL_UNIT, PEEL_UNIT, MASK_UNIT, TANGENT_UNIT = (
+    RELIEF_UNITS[name] for name in ("normal_slopes", "peel_slopes", "paint_mask", "tangent_turns")
 )
 
 _ANISOTROPY = 8.0
@@ -29,6 +29,7 @@ class ReliefTextures:
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects
         self._normal_map: tuple[moderngl.Texture, float] | None = None  # with height over width
+        self._tangents: tuple[moderngl.Texture, float] | None = None
         self._peel: tuple[moderngl.Texture, int] | None = None  # with waves along an edge
         self._mask: tuple[moderngl.Texture, float] | None = None
         self.make_peel: Callable[[], PeelTile] | None = None
@@ -41,6 +42,15 @@ class ReliefTextures:
         self._normal_map = None  # also where the graphics card refuses the new one
         if slopes is not None:
             self._normal_map = (self._slopes(slopes.slopes), slopes.aspect)
+
+    def set_tangent_map(self, tangents: TangentMap | None) -> None:
+        """Replace the map of tangents; None: they lie along u."""
+        self._give_back(self._tangents)
+        self._tangents = None
+        if tangents is not None:
+            pixels = np.zeros((*tangents.turns.shape[:2], 4), np.float16)
+            pixels[..., :2] = tangents.turns
+            self._tangents = (self._texture(pixels, "f2"), tangents.aspect)
 
     def set_peel(self, tile: PeelTile) -> None:
         """Take the tile that every orange peel is drawn with."""
@@ -68,6 +78,8 @@ class ReliefTextures:
         words = set()
         if self._normal_map is not None and view.relief.normal_map is not None:
             words.add("NORMAL_MAP")
+        if self._tangents is not None and view.relief.tangent_map is not None:
+            words.add("TANGENT_MAP")
         if view.relief.orange_peel > 0.0 or self._own_peels:
             if self._peel is None and self.make_peel is not None:
                 self.set_peel(self.make_peel())
@@ -88,6 +100,11 @@ class ReliefTextures:
             width = view.relief.normal_width_mm
             values["normal_tiles"] = (1.0 / width, 1.0 / (width * aspect))
             values["normal_strength"] = view.relief.normal_strength
+        if self._tangents is not None:
+            texture, aspect = self._tangents
+            texture.use(TANGENT_UNIT)
+            width = view.relief.normal_width_mm
+            values["tangent_tiles"] = (1.0 / width, 1.0 / (width * aspect))
         if self._peel is not None:
             self._peel[0].use(PEEL_UNIT)
         if self._mask is not None:
@@ -112,9 +129,9 @@ class ReliefTextures:
 
     def release(self) -> None:
         """Give the textures back."""
-        for held in (self._normal_map, self._peel, self._mask):
+        for held in (self._normal_map, self._tangents, self._peel, self._mask):
             self._give_back(held)
-        self._normal_map = self._peel = self._mask = None
+        self._normal_map = self._tangents = self._peel = self._mask = None
 
     def _slopes(self, slopes: NDArray[np.float32]) -> moderngl.Texture:
         pixels = np.zeros((*slopes.shape[:2], 4), np.float16)

@@ -29,6 +29,24 @@ class SlopeMap:
 
 
 @dataclass(frozen=True, eq=False)
+class TangentMap:
+    """Where the tangent lies: ``turns`` (h, w, 2), cosine and sine of the angle from the way of u towards that of v.
+
+    Rows go along v from its lower edge; it repeats. Where directions are mixed it is shorter than 1.
+    """
+
+    turns: NDArray[Any]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "turns", _image(self.turns, 2, "turns"))
+
+    @property
+    def aspect(self) -> float:
+        """Height over width."""
+        return float(self.turns.shape[0] / self.turns.shape[1])
+
+
+@dataclass(frozen=True, eq=False)
 class PeelTile:
     """A tile of orange peel: ``slopes`` (n, n, 2) with a mean square of 1 in all; ``waves`` along an edge."""
 

@@ -21,7 +21,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.light_matrix import light_matrix
+from brdf_suite.appearance.light_matrix import environment_matrix
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError
@@ -59,6 +59,7 @@ from brdf_suite.realtime.programs import (
     Programs,
     assign,
 )
+from brdf_suite.realtime.reflectance_ball import ReflectanceBalls
 from brdf_suite.realtime.relief_textures import ReliefTextures
 from brdf_suite.realtime.single_lights import SingleLights
 from brdf_suite.realtime.target import LightTarget, PictureTarget
@@ -98,6 +99,7 @@ class Renderer(OffscreenPictures):
             self._single_lights,
             self._finish,
         )
+        self._balls = ReflectanceBalls(self._drawing, self._factors)
         self._warm: tuple[int, int, Features] | None = None
 
     @property
@@ -278,6 +280,7 @@ class Renderer(OffscreenPictures):
         # Graphics cards have powers of two of them.
         samples = 1 << (samples.bit_length() - 1) if samples > 1 else 0
         camera = matrices(view.camera, self.bounds, size)
+        self._balls.draw(view, camera, (materials.get(n, n) for n in (PAINT, SECOND_PAINT)))
         framebuffer, light = target.prepare(tile, samples, dtype)
         framebuffer.use()
         self.context.viewport = (0, 0, *tile)
@@ -287,7 +290,7 @@ class Renderer(OffscreenPictures):
         self._environment.bind()
         features = surface_features(view, knows_light=self._mesh.knows_light, smooth=samples > 1)
         features |= self._single_lights.features(view)
-        if self._environment.is_dark:
+        if self._environment.is_dark or view.light_colour.brightness == 0.0:
             features |= {"DARK"}
         self._warm_up(samples, features)
         framebuffer.clear(depth=1.0)
@@ -325,7 +328,9 @@ class Renderer(OffscreenPictures):
             blend_over(self.context, "SECOND_PAINT" in words)
             name = materials.get(name, name)
             if view.lamps:
-                words |= self._factors.features(name, has_uv=self._mesh.has_uv[part])
+                words |= self._balls.words(view, name) or self._factors.features(
+                    name, has_uv=self._mesh.has_uv[part]
+                )
             material = self._materials.find(name, modes, self._environment.ladder)
             program = self._programs.surface(material.look_ups, words)
             if (material.look_ups, words) not in ready:
@@ -334,8 +339,7 @@ class Renderer(OffscreenPictures):
             assign(program, self._environment.use_sharp(material.sharp))
             if "COAT_RELIEF" in words:
                 assign(program, self._relief.peel_uniforms(view, name))
-            if "FACTORS" in words:
-                assign(program, self._factors.use(name))
+            assign(program, self._balls.uniforms(name, words, camera))
             if lit:
                 assign(program, self._single_lights.uniforms(name, view, has_uv=self._mesh.has_uv[part]))
             material.ramp.use(RAMP_UNIT)
@@ -365,7 +369,7 @@ class Renderer(OffscreenPictures):
             self._ground.draw(
                 columns(cropping @ camera.world_to_clip),
                 float(np.radians(view.rotation_deg)),
-                light_matrix(view.light_colour.illuminant, view.light_colour.adapted),
+                environment_matrix(view.light_colour),
             )
 
     def _warm_up(self, samples: int, features: Features) -> None:

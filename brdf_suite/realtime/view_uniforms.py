@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.light_matrix import light_matrix
+from brdf_suite.appearance.light_matrix import environment_matrix
 from brdf_suite.documents.view import View
 
 
@@ -14,7 +14,7 @@ def view_uniforms(view: View) -> dict[str, object]:
     turn = np.radians(view.rotation_deg)
     return {
         "light_turn": (float(np.cos(turn)), float(np.sin(turn))),
-        "light_colour": columns(light_matrix(view.light_colour.illuminant, view.light_colour.adapted)),
+        "light_colour": columns(environment_matrix(view.light_colour)),
         "exposure": 2.0**view.exposure_ev,
     }
 

@@ -187,3 +187,17 @@ def test_the_tangent_is_where_u_grows(lit, wanted):
         lit(factored_maps(radial)), lit(factored_maps(radial), part=sheet(70.0)), rtol=1e-4
     )
     assert not factored_maps(radial).has_directions
+
+
+def test_a_reflectance_ball_stands_for_all_lamps_far_away(renderer, lit, scenes):
+    maps = factored_maps(Factored(waves(16, seed=1), waves(16, seed=2), 0.3))
+    far = [LAMPS[1], Lamp("point", position=(-900.0, 500.0, 700.0), strength=9e5)]
+    view = replace(NEAR, camera=Camera(20, 30, 4.0, (0.0, 0.0, 0.0), 1200.0))
+    ball = replace(view, lamp_shading="ball")
+    part = scenes.sphere(radius=0.04)
+    each, one = (lit(maps, far, part, seen) for seen in (view, ball))
+    assert each.max() > 3 * each[each > 0].mean()
+    assert np.abs(one - each).mean() < 0.03 * each.mean()
+    writes = renderer.counters.buffer_writes
+    np.testing.assert_array_equal(lit(maps, far, part, ball), one)
+    assert renderer.counters.buffer_writes == writes

@@ -64,7 +64,8 @@ class FileChoice(QWidget):
 class ReliefSection(Section):
     """Emits ``relief_edited(field, value)`` and ``two_tone_edited(field, value)``; setters are silent.
 
-    ``browse_wanted(kind)`` asks for a file: ``normal_map`` or ``mask``; ``paint_browse_wanted()`` for a second paint.
+    ``browse_wanted(kind)`` asks for a file: ``normal_map``, ``tangent_map`` or ``mask``; ``paint_browse_wanted()`` for a
+    second paint.
     """
 
     relief_edited = Signal(str, object)
@@ -80,6 +81,7 @@ class ReliefSection(Section):
         self._relief = Relief()
         self._own_peel: OrangePeel | None = None
         self.normal_map = self._file("normal_map", "a normal map", self.relief_edited)
+        self.tangent_map = self._file("tangent_map", "a tangent map", self.relief_edited)
         self.normal_strength = self._number("normal_strength", PARAMETERS["relief.normal_strength"], 0.1, 2)
         self.normal_width_mm = self._number("normal_width_mm", PARAMETERS["relief.normal_width_mm"], 10.0, 1)
         self.paint = SourceChooser("Open a second paint")
@@ -100,6 +102,11 @@ class ReliefSection(Section):
         form.add_row("Wavelength", self.orange_peel_mm, PARAMETERS["relief.orange_peel_mm"].meaning)
         form.add_wide(self.peel_facts)
         form.add_row("Normal map", self.normal_map, "An image of normals (PNG, EXR …), tiled over the paint")
+        form.add_row(
+            "Tangent map",
+            self.tangent_map,
+            "An image of the grain's direction in anisotropic factored paints",
+        )
         form.add_row("Strength", self.normal_strength, PARAMETERS["relief.normal_strength"].meaning)
         form.add_row("Tile width", self.normal_width_mm, PARAMETERS["relief.normal_width_mm"].meaning)
         form.add_row("Second paint", self.paint, "Stands where the mask is white")
@@ -114,6 +121,7 @@ class ReliefSection(Section):
         for name in ("orange_peel", "orange_peel_mm", "normal_strength", "normal_width_mm"):
             getattr(self, name).set_value(getattr(relief, name))
         self.normal_map.set_path(relief.normal_map)
+        self.tangent_map.set_path(relief.tangent_map)
         self._relief = relief
         self._show_peel()
 

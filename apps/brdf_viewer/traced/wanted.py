@@ -29,6 +29,7 @@ _SHOWN = (
     "mark_style",
     "compare",
     "turntable_deg_s",
+    "lamp_shading",
 )
 """Fields of a view that change how traced light is shown, or name what is handed over as it is."""
 _PLAIN = View()

@@ -1,6 +1,7 @@
 // Provides: vec3 lit_radiance(SurfacePoint p, vec3 radiance)
 // Needs:    surface_point.glsl, material.glsl; LAMPS where there are lamps, SPARKLE_GLINTS or SPARKLE_TEXTURE where
-//           flakes are drawn one by one; FACTORS where a factored material's lamps are shaded by its maps (factors.glsl)
+//           flakes are drawn one by one; FACTORS where a factored material's lamps are shaded by its maps
+//           (factors.glsl), FACTOR_BALL where by a ball (lamp_ball.glsl)
 //
 // `radiance`, what the surface reflects of the environment, with what single lights add. For a light of irradiance E on
 // what faces it, from a direction whose mirror direction is gamma away from the eye, the lobe sum is
@@ -14,6 +15,9 @@
 #ifdef FACTORS
 #include "tangent_frame.glsl"
 #include "factors.glsl"
+#endif
+#ifdef FACTOR_BALL
+#include "lamp_ball.glsl"
 #endif
 // A file is included once, so what both ways of sparkling share comes before the question which it is.
 #include "sparkle_hash.glsl"
@@ -41,7 +45,8 @@ float largest(vec3 c)
     return max(c.r, max(c.g, c.b));
 }
 
-#if defined(LAMPS) && (!defined(FACTORS) || defined(FACTORS_COATED))
+#if defined(LAMPS) && !defined(FACTOR_BALL) && (!defined(FACTORS) || defined(FACTORS_COATED))
+#define LOBES_LIT
 // What turns from pixel to pixel: the coat's highlight may be smaller than one, and is the mean of four places in it.
 struct Turns
 {
@@ -175,7 +180,10 @@ vec3 lit_radiance(SurfacePoint p, vec3 radiance)
 #ifdef FACTORS
     radiance += factored_radiance(p);
 #endif
-#if defined(LAMPS) && (!defined(FACTORS) || defined(FACTORS_COATED))
+#ifdef FACTOR_BALL
+    radiance += ball_radiance(p);
+#endif
+#ifdef LOBES_LIT
     radiance += lamp_radiance(p, base_gain, gloss_gain);
 #endif
 #ifdef SPARKLE

@@ -5,7 +5,8 @@
 // plain surface: an open place, and a coat that lies flat on the base.
 //
 // With CAPTURED the places come from captured.glsl instead of a mesh: a form's fragments, drawn once and shaded with many
-// paints. What derivatives they had is kept with them; ACROSS and DOWN take the one or the other.
+// paints. What derivatives they had is kept with them; ACROSS and DOWN take the one or the other. With BALL they are those of
+// a ball (ball_point.glsl).
 #include "facing.glsl"
 #include "relief.glsl"
 
@@ -16,11 +17,13 @@
 #define ACROSS(value, kept) dFdx(value)
 #define DOWN(value, kept) dFdy(value)
 
+#ifndef BALL
 in vec3 world_position;
 in vec3 world_normal;
 in vec2 surface_uv;
 #ifdef OCCLUSION
 in vec4 arriving_light;
+#endif
 #endif
 #endif
 
@@ -42,8 +45,10 @@ struct SurfacePoint
 #endif
 };
 
-#ifdef CAPTURED
+#if defined(CAPTURED)
 #include "captured.glsl"
+#elif defined(BALL)
+#include "ball_point.glsl"
 #else
 SurfacePoint surface_point(vec3 eye)
 {
