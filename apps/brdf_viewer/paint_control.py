@@ -13,6 +13,7 @@ from brdf_qt.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
@@ -212,7 +213,7 @@ class PaintControl(QObject):
         """Drop a fit that is still worked at."""
         self._fitter.close()
 
-    def _take(self, paint: Paint | CookTorrancePaint, key: str) -> None:
+    def _take(self, paint: Paint | CookTorrancePaint | FactoredPaint, key: str) -> None:
         """The edit path: fit and draw; no file, no texture, no import. Only designed paints are edited."""
         self._cancel(_KEY)
         fit: PaintFit | AnyFit
@@ -327,7 +328,7 @@ class PaintControl(QObject):
         commands.palette_close.setEnabled(self._palette is not None)
 
 
-def _fitted(paint: CookTorrancePaint) -> AnyFit:
+def _fitted(paint: CookTorrancePaint | FactoredPaint) -> AnyFit:
     # Not on the edit path nor at the start, so not imported with it.
     from brdf_suite.pipeline.any_fit import fit_reflectance
     from brdf_suite.reflectance.build import build_reflectance

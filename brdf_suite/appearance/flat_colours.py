@@ -33,6 +33,7 @@ from brdf_suite.appearance.colorimetry import (
 from brdf_suite.appearance.spaces import P3_PRIMARIES, adapt_xyz, lch_to_lab, xyz_to_working
 from brdf_suite.appearance.spectra import spectrum_to_lab
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import PARAMETERS, Lab, Paint, solid_paint
 from brdf_suite.geometry.directions import Floats
@@ -83,7 +84,9 @@ def flat_labs(colours: Sequence[FlatColour]) -> Floats:
     return found
 
 
-def paint_of(content: Paint | CookTorrancePaint | FlatColour) -> Paint | CookTorrancePaint:
+def paint_of(
+    content: Paint | CookTorrancePaint | FactoredPaint | FlatColour,
+) -> Paint | CookTorrancePaint | FactoredPaint:
     """Return a palette entry's content as a paint: a flat colour becomes solid, the same at all angles.
 
     Numbers beyond a paint's range are brought to its edge: nothing that can be painted lies there.

@@ -185,7 +185,12 @@ def _told(entry: Entry, shown: dict[str, object]) -> dict[str, object]:
     kind = "flat" if isinstance(content, FlatColour) else type(content).__name__
     told: dict[str, object] = {
         "name": entry.name,
-        "kind": {"flat": "flat", "Paint": "aspecular", "CookTorrancePaint": "cook_torrance"}[kind],
+        "kind": {
+            "flat": "flat",
+            "Paint": "aspecular",
+            "CookTorrancePaint": "cook_torrance",
+            "FactoredPaint": "factored",
+        }[kind],
         "group": list(entry.group),
         "code": entry.code,
         "tags": list(entry.tags),

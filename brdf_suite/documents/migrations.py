@@ -47,7 +47,7 @@ def _objects(value: object) -> list[dict[str, object]]:
 
 
 VERSIONS: dict[str, int] = {
-    "brdfpaint": 3,
+    "brdfpaint": 4,
     "brdfview": 4,
     "brdfstudio": 1,
     "brdfpalette": 2,
@@ -60,6 +60,8 @@ MIGRATIONS: dict[tuple[str, int], Migration] = {
     ("brdfpaint", 1): dict,
     # Version 3 added the orange peel of an aspecular paint, with a default.
     ("brdfpaint", 2): dict,
+    # Version 4 added the kind "factored".
+    ("brdfpaint", 3): dict,
     # Version 2 added how the image of the environment is laid out, with a default.
     ("brdfview", 1): dict,
     # Version 3 gave Fresnel three modes instead of on and off, and added fields with defaults.

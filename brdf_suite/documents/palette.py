@@ -15,6 +15,7 @@ from functools import cached_property
 from typing import Any, Literal, get_args
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.parameter import check_choice, check_text, describe
@@ -60,7 +61,7 @@ class Entry:
         ISO 8601, a day or a moment, or empty.
     """
 
-    content: Paint | CookTorrancePaint | FlatColour
+    content: Paint | CookTorrancePaint | FactoredPaint | FlatColour
     id: str = ""
     group: GroupPath = ()
     code: str = ""
@@ -71,7 +72,7 @@ class Entry:
     foreign: Foreign = ()
 
     def __post_init__(self) -> None:
-        if not isinstance(self.content, (Paint, CookTorrancePaint, FlatColour)):
+        if not isinstance(self.content, (Paint, CookTorrancePaint, FactoredPaint, FlatColour)):
             raise ValueRangeError(
                 "content", f"a paint or a flat colour is wanted, not {describe(self.content)}"
             )

@@ -9,10 +9,12 @@ from __future__ import annotations
 import dataclasses
 import os
 from collections.abc import Callable
+from pathlib import Path
 from typing import TypeVar
 
 from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.documents.cook_torrance import Clearcoat, CookTorranceLobe, CookTorrancePaint
+from brdf_suite.documents.factored import FactoredPaint, TextureFile
 from brdf_suite.documents.migrations import VERSIONS, open_envelope
 from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, Paint
 from brdf_suite.documents.reading import FieldReader, fill, read_json
@@ -23,9 +25,10 @@ from brdf_suite.errors import DocumentError
 PAINT_ENDING = ".brdfpaint"
 VIEW_ENDING = ".brdfview"
 
-AnyPaint = Paint | CookTorrancePaint
+AnyPaint = Paint | CookTorrancePaint | FactoredPaint
 """Every kind of paint; the field ``kind`` of a file tells them apart."""
 
+_KINDS: dict[type, str] = {Paint: "aspecular", CookTorrancePaint: "cook_torrance", FactoredPaint: "factored"}
 _Path = str | os.PathLike[str]
 _T = TypeVar("_T")
 
@@ -49,7 +52,15 @@ def load_any_paint(path: _Path) -> AnyPaint:
 
 
 def save_paint(paint: AnyPaint, path: _Path) -> None:
-    """Write a ``.brdfpaint`` file, whole or not at all; raise :class:`FileError` where that fails."""
+    """Write a ``.brdfpaint`` file, whole or not at all; raise :class:`FileError` where that fails.
+
+    The textures of a factored paint are copied beside it, unless they lie there.
+    """
+    if isinstance(paint, FactoredPaint):
+        # Only such a paint needs what reads EXR files.
+        from brdf_suite.documents.factor_textures import save_beside
+
+        paint = dataclasses.replace(paint, textures=save_beside(paint.textures, path))
     write_atomically(path, encode(paint_to_json(paint)))
 
 
@@ -65,7 +76,7 @@ def save_view(view: View, path: _Path) -> None:
 
 def paint_to_json(paint: AnyPaint) -> dict[str, object]:
     """Return the JSON object of a paint; :func:`any_paint_from_json` is its inverse."""
-    kind = "cook_torrance" if isinstance(paint, CookTorrancePaint) else "aspecular"
+    kind = _KINDS[type(paint)]
     fields = {name: _plain(getattr(paint, name)) for name in paint.__dataclass_fields__}
     return {"format": "brdfpaint", "version": VERSIONS["brdfpaint"], "kind": kind, **fields}
 
@@ -90,18 +101,21 @@ def any_paint_from_json(value: object, path: _Path = "the message") -> AnyPaint:
     kind = reader.take("kind")
     if kind == "aspecular":
         return _aspecular(reader)
-    if kind != "cook_torrance":
-        reader.fail('the kinds known to this version are "aspecular" and "cook_torrance"', "kind")
-    return _cook_torrance(reader)
+    if kind == "cook_torrance":
+        return _cook_torrance(reader)
+    if kind != "factored":
+        reader.fail('the kinds known to this version are "aspecular", "cook_torrance" and "factored"', "kind")
+    return _factored(reader, path)
 
 
 def paint_from_json(value: object, path: _Path = "the message") -> Paint:
     """Return the aspecular paint in a JSON value; errors as :func:`any_paint_from_json`, other kinds too."""
     paint = any_paint_from_json(value, path)
-    if isinstance(paint, CookTorrancePaint):
+    if not isinstance(paint, Paint):
+        what = "a Cook-Torrance paint" if isinstance(paint, CookTorrancePaint) else "a factored paint"
         raise DocumentError(
             path,
-            "holds a Cook-Torrance paint; here a paint of aspecular readings is wanted, which can be edited "
+            f"holds {what}; here a paint of aspecular readings is wanted, which can be edited "
             "(brdf-suite render and fit take every kind)",
             "kind",
         )
@@ -131,6 +145,19 @@ def _cook_torrance(reader: FieldReader) -> CookTorrancePaint:
         CookTorrancePaint,
         taken={"name": name, "kd": kd, "lobes": lobes, "clearcoat": clearcoat, "flakes": flakes},
     )
+
+
+def _factored(reader: FieldReader, path: _Path) -> FactoredPaint:
+    textures = fill(reader.take_object("textures"), TextureFile, required=("path", "sha256"))
+    # The document names it from its own folder; whoever holds the paint has no folder.
+    absolute = str(Path(path).absolute().parent / textures.path)
+    parts = {
+        "clearcoat": _optional(reader, "clearcoat", Clearcoat),
+        "flakes": _optional(reader, "flakes", Flakes),
+        "textures": TextureFile(absolute, textures.sha256),
+    }
+    names = {name: reader.take(name) for name in ("name", "factors", "alpha")}
+    return fill(reader, FactoredPaint, taken={**names, **parts})
 
 
 def _optional(reader: FieldReader, name: str, kind: Callable[..., _T]) -> _T | None:

@@ -14,6 +14,7 @@ from typing import Literal, TypeAlias, get_args
 
 from brdf_suite.appearance.flat_colours import paint_of
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import PARAMETERS, Paint
 from brdf_suite.documents.parameter import check_choice
@@ -32,7 +33,7 @@ MOST_ANGLES = 16
 GROUND = (0.46, 0.46, 0.46)
 """The mid grey against which paint is judged, L* 50, encoded sRGB."""
 
-Content: TypeAlias = Paint | CookTorrancePaint | FlatColour
+Content: TypeAlias = Paint | CookTorrancePaint | FactoredPaint | FlatColour
 
 _DRAWING_VERSION = 1
 """To be raised where the fit, the ramp or the flat forms give other pictures; shaders are marked by themselves."""

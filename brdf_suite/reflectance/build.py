@@ -18,6 +18,7 @@ import numpy as np
 from brdf_suite.appearance.colorimetry import lab_to_working, working_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.appearance.gloss import LOWEST_ROUGHNESS, USUAL_IOR, nearest_coat
+from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import Gloss, Paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
@@ -34,6 +35,7 @@ from brdf_suite.reflectance.several_lights import BorrowedRule, SeveralLights
 
 if TYPE_CHECKING:
     from brdf_suite.documents.store import AnyPaint
+    from brdf_suite.reflectance.factored import Factored
     from brdf_suite.reflectance.models.coated import Coated
     from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 
@@ -128,16 +130,17 @@ def build_paint(paint: Paint) -> PaintReflectance:
     return PaintReflectance(base, coat, told + notices + _albedo_notice(base))
 
 
-def build_reflectance(paint: AnyPaint) -> PaintReflectance | CookTorrance | Coated:
-    """Return the reflectance of a paint of any kind; errors as :func:`build_paint`."""
+def build_reflectance(paint: AnyPaint) -> PaintReflectance | CookTorrance | Factored | Coated:
+    """Return the reflectance of a paint of any kind; errors as :func:`build_paint`, and those of reading textures."""
     if isinstance(paint, Paint):
         return build_paint(paint)
     # Not on the edit path of a designed paint, so not imported with it.
+    from brdf_suite.reflectance.factored_build import factored_paint_reflectance
     from brdf_suite.reflectance.models.coated import Coated
     from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 
-    lobes = CookTorrance(paint)
-    return lobes if paint.clearcoat is None else Coated(lobes, paint.clearcoat.ior, paint.clearcoat.roughness)
+    base = CookTorrance(paint) if isinstance(paint, CookTorrancePaint) else factored_paint_reflectance(paint)
+    return base if paint.clearcoat is None else Coated(base, paint.clearcoat.ior, paint.clearcoat.roughness)
 
 
 def _collect(paint: Paint) -> tuple[_Readings, ...]:

@@ -1,4 +1,4 @@
-"""``brdf-suite factorize``: a file that every other command opens, and errors that name what is wrong."""
+"""``brdf-suite factorize``: files that every other command opens, and errors that name what is wrong."""
 
 from __future__ import annotations
 
@@ -9,37 +9,68 @@ import numpy as np
 import pytest
 
 from brdf_suite.cli.main import FAILED, main
+from brdf_suite.documents.factored import FactoredPaint
+from brdf_suite.documents.store import load_any_paint
 from brdf_suite.files.measured import read_measured
 from brdf_suite.fitting.homomorphic.samples import even_directions
 from brdf_suite.pipeline.measuring import load_measurable
 from brdf_suite.reflectance.factored import Factored
 
 
-def test_a_matte_paint_is_written_and_opened_again(tmp_path: Path, capsys) -> None:
-    out = tmp_path / "matte.brdftable"
-    arguments = ["factorize", "matte_grey", "-o", str(out), "--resolution", "16", "--pairs", "6000", "--json"]
-    assert main(arguments) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert told["samples"] == 6000
-    assert told["compression"] == pytest.approx(6000 / (2 * 16 * 16))
-    value = read_measured(out)
-    assert isinstance(value, Factored)
-    assert max(value.p.max(), value.q.max()) == pytest.approx(1.0)
+def pairs(count: int = 500) -> tuple[np.ndarray, np.ndarray]:
     rng = np.random.default_rng(3)
-    wi, wo = even_directions(500, rng), even_directions(500, rng)
-    truth = load_measurable("matte_grey").reflectance.eval(wi, wo)
-    assert np.median(np.abs(value.eval(wi, wo) / truth - 1.0)) < 0.25
+    return even_directions(count, rng), even_directions(count, rng)
+
+
+def near(value: object, name: str) -> float:
+    """The median relative distance from a paint."""
+    wi, wo = pairs()
+    truth = load_measurable(name).reflectance.eval(wi, wo)
+    return float(np.median(np.abs(value.eval(wi, wo) / truth - 1.0)))
+
+
+def test_a_paint_is_written_with_its_textures_and_opened_again(tmp_path: Path, capsys) -> None:
+    out = tmp_path / "matte.brdfpaint"
+    assert main(["factorize", "matte_grey", "-o", str(out), "--pairs", "5000", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["factors"] == "p:|wo| q:sqrt|h| p:|wi| d:w.h"
+    assert told["peak"] == "s:sqrt|h| f:w.h"
+    assert told["texels"] == {"p": [32], "q": [32], "d": [16], "s": [64], "f": [32]}
+    paint = load_any_paint(out)
+    assert isinstance(paint, FactoredPaint)
+    assert near(load_measurable(out).reflectance, "matte_grey") < 0.3
     assert main(["measure", str(out), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)
+    assert len(json.loads(capsys.readouterr().out)["readings"]) > 0
+    assert sorted(path.suffix for path in tmp_path.iterdir()) == [".brdfpaint", ".exr"]
+
+
+def test_maps_of_two_axes_are_found_to_be_round_and_kept_as_their_radius(tmp_path: Path, capsys) -> None:
+    out = tmp_path / "matte.brdftable"
+    arguments = ["factorize", "matte_grey", "-o", str(out), "--pairs", "6000", "--factors", "p:wo q:h p:wi"]
+    arguments += ["--resolution", "16", "--peak", "off", "--smoothness", "3"]
+    assert main([*arguments, "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["peak"] is None
+    assert told["compression"] == pytest.approx(6000 / (2 * 16 * 16))
+    assert told["asymmetry"]["p"] < 0.1
+    whole = read_measured(out)
+    assert isinstance(whole, Factored)
+    assert whole.p.shape == whole.q.shape == (16, 16, 3)
+    assert max(whole.p.max(), whole.q.max()) == pytest.approx(1.0)
+    assert near(whole, "matte_grey") < 0.3
 
 
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
         (["nothing_of_that_name", "-o", "{}/a.brdftable"], "nothing_of_that_name"),
-        (["blue", "-o", "{}/a.exr"], ".brdftable"),
+        (["blue", "-o", "{}/a.exr"], ".brdfpaint"),
         (["blue", "-o", "{}/a.brdftable", "--resolution", "1"], "resolution"),
         (["blue", "-o", "{}/a.brdftable", "--pairs", "0"], "pairs"),
+        (["blue", "-o", "{}/a.brdfpaint", "--factors", "p:somewhere"], "map:projection"),
+        (["blue", "-o", "{}/a.brdfpaint", "--factors", "s:|wo| s:|wi|", "--pairs", "900"], "the peak's"),
+        (["blue", "-o", "{}/a.brdfpaint", "--smoothness", "-1", "--pairs", "900"], "smoothness"),
+        (["blue", "-o", "{}/none/a.brdfpaint", "--pairs", "900"], "none"),
     ],
 )
 def test_what_is_wrong_is_named_and_nothing_is_written(

@@ -46,7 +46,7 @@ def refused(tmp_path: Path, content: bytes | str) -> DocumentError:
     ("keys", "value", "place", "words"),
     [
         (("format",), "brdfview", "format", '"brdfpaint" is wanted'),
-        (("version",), 4, "version", "newer than this program"),
+        (("version",), 5, "version", "newer than this program"),
         (("version",), 0, "version", "whole number"),
         (("version",), 1.0, "version", "whole number"),
         (("version",), True, "version", "whole number"),

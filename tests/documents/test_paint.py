@@ -105,7 +105,7 @@ def test_a_paint_of_version_2_has_no_orange_peel() -> None:
     del old["orange_peel"]
     paint = paint_from_json(old)
     assert paint.orange_peel is None
-    assert paint_to_json(paint)["version"] == 3
+    assert paint_to_json(paint)["version"] == 4
 
 
 def test_the_slope_of_orange_peel_is_that_of_its_height() -> None:

@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.brdftable import FORMAT, read_brdftable, write_brdftable
 from brdf_suite.geometry.directions import spherical
+from brdf_suite.reflectance.factor_map import MapFactor
 from brdf_suite.reflectance.factored import Factored
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
 from brdf_suite.reflectance.tabulated.coverage import Coverage
@@ -44,6 +45,15 @@ def anisotropic() -> AnisotropicTable:
     return AnisotropicTable(RNG.random((3, 4, 2, 4, 3)), [0.0, 0.5, 1.0], [0.2, 1.4], "brushed", FACTS)
 
 
+def product() -> Factored:
+    rng = np.random.default_rng(5)
+    p, q, s, f = (rng.random((n, 3)).astype(np.float32) + 0.1 for n in (6, 8, 12, 4))
+    whole = rng.random((5, 5, 3)).astype(np.float32)
+    more = (MapFactor("h", whole, False, "g"),)
+    peak = (MapFactor("sqrt|h|", s, True, "s"), MapFactor("w.h", f, True, "f"))
+    return Factored(p, q, (0.5, 1.0, 2.0), "a product", FACTS, more=more, peak=peak, logarithmic=True)
+
+
 def scattered(spectral: bool = True) -> ScatteredSamples:
     wi, wo = (
         spherical(RNG.uniform(0, 1.5, 20), RNG.uniform(0, 6, 20)),
@@ -66,10 +76,20 @@ def factored() -> Factored:
         covered,
         anisotropic,
         factored,
+        product,
         scattered,
         lambda: scattered(False),
     ],
-    ids=["isotropic", "whole turn", "with coverage", "anisotropic", "factored", "spectral", "colours"],
+    ids=[
+        "isotropic",
+        "whole turn",
+        "with coverage",
+        "anisotropic",
+        "factored",
+        "product",
+        "spectral",
+        "colours",
+    ],
 )
 def test_every_kind_comes_back_to_the_last_bit(make: Callable[[], Any], tmp_path: Path) -> None:
     value, path = make(), tmp_path / "a.brdftable"
@@ -84,6 +104,14 @@ def test_every_kind_comes_back_to_the_last_bit(make: Callable[[], Any], tmp_path
         elif isinstance(before, Coverage):
             assert np.array_equal(before.samples, after.samples)
             assert np.array_equal(before.deviation, after.deviation)
+        elif name in ("more", "peak"):
+            for one, other in zip(before, after, strict=True):
+                assert (one.projection, one.logarithmic, one.name) == (
+                    other.projection,
+                    other.logarithmic,
+                    other.name,
+                )
+                assert np.array_equal(one.values, other.values)
         else:
             assert before == after
     data = path.read_bytes()

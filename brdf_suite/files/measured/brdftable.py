@@ -8,6 +8,8 @@ The header is ``{"format": "brdftable", "version": 1, "kind", "source", "facts",
 - ``anisotropic``: ``values`` <f4 (θi, φi, θo, φo, 3), ``theta_i`` and ``theta_o`` <f8, radians.
 - ``factored``: ``p`` <f4 (n, n, 3) and ``q`` <f4 (m, m, 3), parabolic maps, and ``alpha`` <f8 (3,):
   f_r = alpha p(wo) q(h) p(wi).
+- ``product``: the same with maps of any kind (n, 3) or (n, n, 3); header ``maps`` with ``logarithmic`` (of p and q),
+  and ``more`` and ``peak``, lists of [name, projection, logarithmic] for the arrays ``more0`` …, ``peak0`` … <f4.
 - ``scattered``: ``wi`` and ``wo`` <f8 (n, 3), ``values`` <f8 (n, 3), and where there are spectra
   ``spectra`` <f8 (n, k) and ``wavelengths_nm`` <f8 (k,); header ``isotropic``.
 
@@ -23,6 +25,13 @@ import numpy as np
 
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.measured.array_container import MAGIC, Array, read_container, write_container
+from brdf_suite.files.measured.brdftable_product import (
+    NEEDED,
+    OPTIONAL,
+    is_plain,
+    product_parts,
+    product_value,
+)
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
 from brdf_suite.files.measured.tabulation import tabulation_notes
 from brdf_suite.reflectance.factored import Factored
@@ -41,6 +50,7 @@ _KINDS: dict[str, tuple[set[str], dict[str, type], set[str]]] = {
     "isotropic": ({"values", "holes"}, {"reciprocal": bool}, {"samples", "deviation"}),
     "anisotropic": ({"values", "theta_i", "theta_o"}, {}, set()),
     "factored": ({"p", "q", "alpha"}, {}, set()),
+    "product": (NEEDED, {"maps": dict}, OPTIONAL),
     "scattered": ({"wi", "wo", "values"}, {"isotropic": bool}, {"spectra", "wavelengths_nm"}),
 }
 
@@ -131,6 +141,8 @@ def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, Array]]:
         }
         return "anisotropic", {}, arrays
     if isinstance(table, Factored):
+        if not is_plain(table):
+            return ("product", *product_parts(table))
         return "factored", {}, {"p": table.p, "q": table.q, "alpha": np.asarray(table.alpha, np.float64)}
     arrays = {"wi": table.wi, "wo": table.wo, "values": table.values}
     if table.spectra is not None and table.wavelengths_nm is not None:
@@ -141,7 +153,7 @@ def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, Array]]:
 def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table:
     for name, array in arrays.items():
         singles = {"values"} if kind != "scattered" else set()
-        single = name in {"p", "q", "samples", "deviation", *singles}
+        single = name in {"p", "q", *OPTIONAL, "samples", "deviation", *singles}
         wanted = "|u1" if name == "holes" else "<f4" if single else "<f8"
         if array.dtype.str != wanted:
             raise ValueRangeError(name, f"holds {array.dtype.str}; {wanted} is wanted")
@@ -154,6 +166,8 @@ def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table
         )
     if kind == "anisotropic":
         return AnisotropicTable(arrays["values"], arrays["theta_i"], arrays["theta_o"], **header)
+    if kind == "product":
+        return product_value(header, arrays)
     if kind == "factored":
         return Factored(arrays["p"], arrays["q"], arrays["alpha"], **header)
     return ScatteredSamples(

@@ -18,6 +18,7 @@ from brdf_suite.appearance.colorimetry import (
 from brdf_suite.appearance.flat_colours import WHITES, encoded_rgb, flat_labs, is_of_other_space
 from brdf_suite.appearance.spaces import adapt_xyz, working_to_xyz
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Lab, Paint
 from brdf_suite.documents.palette import Entry
@@ -28,11 +29,11 @@ FACE_DEG = 45.0
 """The aspecular angle of the one colour that stands for a paint."""
 
 
-def face_lab(paint: Paint | CookTorrancePaint) -> Lab:
+def face_lab(paint: Paint | CookTorrancePaint | FactoredPaint) -> Lab:
     """Return a paint's L*a*b* (D65, 10°) at 45° from the mirror direction, under the light of most of its readings.
 
-    Between two readings it lies on the line between them; beyond the last it is the last. A Cook-Torrance paint is
-    read by the virtual instrument.
+    Between two readings it lies on the line between them; beyond the last it is the last. A paint of another
+    kind is read by the virtual instrument.
     """
     read = as_readings(paint)
     light = read.main_light_deg
@@ -42,7 +43,7 @@ def face_lab(paint: Paint | CookTorrancePaint) -> Lab:
     return lightness, a, b
 
 
-def as_readings(paint: Paint | CookTorrancePaint) -> Paint:
+def as_readings(paint: Paint | CookTorrancePaint | FactoredPaint) -> Paint:
     """Return a paint as readings; one of another kind is read by the virtual instruments at six angles.
 
     Raises
@@ -54,7 +55,7 @@ def as_readings(paint: Paint | CookTorrancePaint) -> Paint:
 
 
 @lru_cache(maxsize=4096)
-def _measured(paint: CookTorrancePaint) -> Paint:
+def _measured(paint: CookTorrancePaint | FactoredPaint) -> Paint:
     # The instruments load the whole of reflectance, which palettes of flat colours never need.
     from brdf_suite.documents.paint import PARAMETERS, Gloss, Measurement
     from brdf_suite.reflectance.build import build_reflectance

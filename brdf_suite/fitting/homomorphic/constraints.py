@@ -94,3 +94,26 @@ def smoothness(layout: Layout) -> sparse.csr_array:
             one = sparse.csr_array(sparse.eye_array(size))
             blocks.append(sparse.csr_array(sparse.kron(line, one) + sparse.kron(one, line)))
     return sparse.csr_array(sparse.block_diag(blocks, format="csr").astype(np.float32))
+
+
+FLATNESS = 0.5
+"""Of the differences beside the Laplacian: a slope at the rim of the samples is carried on for 1/FLATNESS texels."""
+
+
+def regularization(layout: Layout) -> sparse.csr_array:
+    """Return what keeps the maps smooth (rows, unknowns), float32: the Laplacian, and less of it the first differences.
+
+    The Laplacian alone carries the slope at the rim of the samples on and on: where a gap is ten texels wide, a trend
+    of the last two is exponentiated ten times over. With the differences a gap ends flat.
+    """
+    blocks: list[sparse.csr_array] = []
+    for shape in layout.shapes.values():
+        size = shape[0]
+        step = sparse.csr_array(sparse.eye_array(size - 1, size, k=1) - sparse.eye_array(size - 1, size))
+        if len(shape) == 1:
+            blocks.append(step)
+        else:
+            one = sparse.csr_array(sparse.eye_array(size))
+            blocks.append(sparse.csr_array(sparse.vstack((sparse.kron(step, one), sparse.kron(one, step)))))
+    differences = FLATNESS * sparse.csr_array(sparse.block_diag(blocks, format="csr"))
+    return sparse.csr_array(sparse.vstack((smoothness(layout), differences)).astype(np.float32))

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.errors import FittingError, ValueRangeError
-from brdf_suite.fitting.homomorphic.constraints import Layout, constraints, smoothness
+from brdf_suite.fitting.homomorphic.constraints import Layout, constraints, regularization
 from brdf_suite.fitting.homomorphic.factorization import Factorization, normalized
 from brdf_suite.fitting.homomorphic.projected import averaged, enlarged
 from brdf_suite.fitting.homomorphic.solve import Solver, solve, way_for
@@ -119,7 +119,7 @@ def factorize(
             start = averaged(matrix, layout, wanted)
         else:
             start = layout.unknowns({name: enlarged(log, layout.shapes[name]) for name, log in logs.items()})
-        found = solve(matrix, smoothness(layout), smooth, wanted, samples.weights, start, way, step)
+        found = solve(matrix, regularization(layout), smooth, wanted, samples.weights, start, way, step)
         if not np.isfinite(found).all():
             raise FittingError("The factorization has no finite answer; more smoothness may help.")
         logs = layout.maps(found)
@@ -127,7 +127,7 @@ def factorize(
     correction = np.ones(3)
     if keep_mean:
         report(progress, 0.95, "mean")
-        product, correction = _with_mean(product, samples)
+        product, correction = corrected_mean(product, samples.wi, samples.wo, samples.values, samples.weights)
     return Factorized(product, correction, len(samples.values), samples.left_out, samples.raised, way)
 
 
@@ -173,13 +173,20 @@ def _sizes(resolution: int) -> list[int]:
     return sizes
 
 
-def _with_mean(product: Factorization, samples: _Samples) -> tuple[Factorization, Floats]:
-    approximate = product.eval(samples.wi, samples.wo)
-    # With both cosines: a reflectance may be without bounds at grazing angles, where it sends little.
-    share = samples.wi[:, 2] * samples.wo[:, 2]
-    if samples.weights is not None:
-        share = share * samples.weights**2
-    wanted, found = (np.average(array, axis=0, weights=share) for array in (samples.values, approximate))
+def corrected_mean(
+    product: Factorization, wi: Floats, wo: Floats, values: Floats, weights: Floats | None = None
+) -> tuple[Factorization, Floats]:
+    """Return ``product`` with α such that it sends back as much over samples as their ``values``, and by what factor.
+
+    What is compared is the mean of f_r cosθi cosθo, in each channel: with both cosines, since a reflectance may be
+    without bounds at grazing angles, where it sends little. Samples that are not finite do not count.
+    """
+    keep = np.isfinite(values).all(axis=1) & (wi[:, 2] > 0.0) & (wo[:, 2] > 0.0)
+    share = wi[keep, 2] * wo[keep, 2]
+    if weights is not None:
+        share = share * weights[keep] ** 2
+    approximate = product.eval(wi[keep], wo[keep])
+    wanted, found = (np.average(array, axis=0, weights=share) for array in (values[keep], approximate))
     correction = np.where(found > 0.0, wanted / np.where(found > 0.0, found, 1.0), 1.0)
     correction = np.where(correction > 0.0, correction, 1.0)
     return Factorization(product.factors, product.logs, product.alpha * correction), correction

@@ -50,6 +50,8 @@ INDEX = 1.5
 _LEAST_COSINE = 0.1
 """Of ω·h in F, which has no bound at grazing; 84°."""
 _ROUNDS = 3
+_TRUSTED = 0.7
+"""Of the logarithm, how far below the body a sample may lie and keep half its weight."""
 _MOST_IN_ROUNDS = 20_000
 _FIRST_QUANTILE = 0.9
 _STANDS_OUT = 2.0
@@ -129,15 +131,22 @@ def factorize_with_peak(
     clamped = _clamped(few.values, float(np.quantile(_grey(few.values), _FIRST_QUANTILE)))
     rough = body.fit(few, clamped, few_share).product
     for number in range(_ROUNDS - 1):
-        clamped = _clamped(few.values, cut * _grey(rough.eval(few.wi, few.wo)))
-        rough = body.fit(few, clamped, few_share, part(progress, 0.1 * number, 0.1 * (number + 1))).product
+        held = _grey(rough.eval(few.wi, few.wo))
+        clamped = _clamped(few.values, cut * held)
+        rough = body.fit(
+            few,
+            clamped,
+            few_share * _trust(few, held, bias),
+            part(progress, 0.1 * number, 0.1 * (number + 1)),
+        ).product
     s = _peak_factor(form, resolution)
     first = _peak(few, few_share, rough, s, cut, fresnel_maps(), part(progress, 0.2, 0.3))
-    clamped = _clamped(kept.values, cut * _grey(rough.eval(kept.wi, kept.wo)))
+    held = _grey(rough.eval(kept.wi, kept.wo))
+    clamped = _clamped(kept.values, cut * held)
     left = clamped
     if first is not None:
         left = np.clip(kept.values - first.product.eval(kept.wi, kept.wo), _LEAST_LEFT * clamped, clamped)
-    found = body.fit(kept, left, share, part(progress, 0.3, 0.8))
+    found = body.fit(kept, left, share * _trust(kept, held, bias), part(progress, 0.3, 0.8))
     peak = None
     if first is not None:
         last = _peak(kept, share, found.product, s, cut, (first.formula,), part(progress, 0.8, 1.0))
@@ -149,7 +158,7 @@ def factorize_with_peak(
 
 @dataclass(frozen=True, eq=False)
 class _Peak:
-    """A peak, the formula (n, 3) that its F started from, and its mean squared distance from the rest, as logarithms."""
+    """A peak, the formula (n, 3) of its F, and its mean squared distance from the rest, of logarithms."""
 
     product: Factorization
     formula: Floats
@@ -191,6 +200,17 @@ def _usable(samples: Samples) -> npt.NDArray[np.bool_]:
 
 def _grey(values: Floats) -> Floats:
     return np.asarray(values @ LUMINANCE)
+
+
+def _trust(samples: Samples, held: Floats, bias: float) -> Floats:
+    """Return weights (n,) of samples beside a product of luminance ``held`` (n,): less of what lies far below it.
+
+    An instrument that misses the surface at grazing reads 0, or a tenth of what it should. A few of those bend a map
+    over the angle of incidence by orders of magnitude, and with it all that it gives beyond the last sample.
+    """
+    floor = bias * float(held.mean()) + 1e-300
+    below = np.minimum(np.log((_grey(samples.values) + floor) / (held + floor)), 0.0)
+    return np.asarray(1.0 / (1.0 + (below / _TRUSTED) ** 2))
 
 
 def _clamped(values: Floats, limit: npt.ArrayLike) -> Floats:

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -38,6 +39,12 @@ class Samples:
         """Return some of them: a mask (n,) or indices."""
         at = np.asarray(keep)
         return Samples(self.wi[at], self.wo[at], self.values[at], self.even)
+
+    def and_those(self, others: Samples) -> Samples:
+        """Return these and ``others`` after them; no longer even."""
+        pairs = ((self.wi, others.wi), (self.wo, others.wo), (self.values, others.values))
+        wi, wo, values = (np.concatenate(pair) for pair in pairs)
+        return Samples(wi, wo, values)
 
     def held_out(self, share: float, seed: int = DEFAULT_SEED) -> tuple[Samples, Samples]:
         """Return those to fit and those held out, drawn without order: ``share`` of all, 0 to 1."""
@@ -73,6 +80,21 @@ def samples_of(reflectance: Reflectance, pairs: int = DEFAULT_PAIRS, seed: int =
         raise ValueRangeError("pairs", f"1 to {MOST_PAIRS:,} are wanted, not {pairs}")
     wi, wo = even_directions(pairs, rng), even_directions(pairs, rng)
     return Samples(wi, wo, np.asarray(reflectance.eval(wi, wo)), even=True)
+
+
+def samples_near_peak(reflectance: Reflectance, pairs: int, seed: int = DEFAULT_SEED) -> Samples:
+    """Return pairs whose half vectors lie about the normal, even in the root of their parabolic radius.
+
+    Of pairs that are even over both hemispheres hardly one falls into the peak of a clearcoat.
+    """
+    rng = np.random.default_rng(seed + 1)
+    root, turn, height, azimuth = rng.random((4, max(pairs, 1)))
+    h = spherical(2.0 * np.arctan(root**2), 2.0 * np.pi * turn)
+    wi = spherical(np.arccos(height), 2.0 * np.pi * azimuth)
+    wo = warps.mirrored_at(wi, h)
+    above = wo[:, 2] > 0.0
+    wi, wo = wi[above], wo[above]
+    return Samples(wi, wo, np.asarray(reflectance.eval(wi, wo)))
 
 
 def turned(samples: Samples, rng: np.random.Generator) -> Samples:

@@ -58,7 +58,7 @@ def solve(
     Parameters
     ----------
     matrix, smoothing
-        A (samples, n) and L (n, n); ``smooth`` is λ of equation 17, at least 0.
+        A (samples, n) and L (rows, n); ``smooth`` is λ of equation 17, at least 0.
     wanted
         The logarithms (samples, channels), ``weights`` (samples,) of the rows (equation 19) or None.
     start
@@ -122,12 +122,13 @@ def _iterative(
         single = y.astype(np.float32).ravel()
         return np.asarray(transposed @ single[:rows] + below.T @ single[rows:], np.float64)
 
-    system = LinearOperator((rows + count, count), matvec=forwards, rmatvec=back, dtype=np.float64)
+    more = smoothing.shape[0]
+    system = LinearOperator((rows + more, count), matvec=forwards, rmatvec=back, dtype=np.float64)
     found = np.empty_like(start)
     for channel in range(start.shape[1]):
         step = part(progress, channel / start.shape[1], (channel + 1) / start.shape[1])
         report(step, 0.0, "least squares by iteration")
-        right = np.concatenate((wanted[:, channel], np.zeros(count)))
+        right = np.concatenate((wanted[:, channel], np.zeros(more)))
         guess = start[:, channel]
         answer = lsmr(
             system, right, atol=_TOLERANCE, btol=_TOLERANCE, conlim=0.0, maxiter=MOST_ITERATIONS, x0=guess

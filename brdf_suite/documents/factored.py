@@ -1,0 +1,90 @@
+"""A paint as a product of textures: what a homomorphic factorization gives (McCool, Ang and Ahmad 2001).
+
+The document names the maps and how each is read; the maps themselves are parts of one EXR file beside it, known by its
+content's hash (``documents.factor_textures``). Values only; the reflectance room evaluates them. A bad value raises
+:class:`ValueRangeError` whose ``place`` names the field.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from brdf_suite.documents.cook_torrance import Clearcoat, Rgb, checked_rgb
+from brdf_suite.documents.paint import Flakes
+from brdf_suite.documents.parameter import Parameter, check_text, describe
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry.factor_words import Factor, parse_factors
+
+_HASH = re.compile(r"[0-9a-f]{64}")
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {"alpha": Parameter("Scale", "1/sr", 0.0, 1e6, 1.0, "What the product of the maps is multiplied by")}
+)
+
+
+@dataclass(frozen=True)
+class TextureFile:
+    """The EXR that holds the maps: its ``path``, absolute once it is read, and the SHA-256 of its bytes, in hex."""
+
+    path: str
+    sha256: str
+
+    def __post_init__(self) -> None:
+        check_text(self.path, "path", longest=4096, lines=False, empty=False)
+        if not isinstance(self.sha256, str) or _HASH.fullmatch(self.sha256) is None:
+            raise ValueRangeError("sha256", f"64 hexadecimal digits are wanted, not {describe(self.sha256)}")
+
+
+@dataclass(frozen=True)
+class FactoredPaint:
+    """f_r = ``alpha`` Π ``factors`` + Π ``peak``, in 1/sr, with a clearcoat over it where ``clearcoat`` is given.
+
+    ``factors`` and ``peak`` are words ``map:projection``, ``p:wo q:h p:wi``; each map is the part of that name in
+    ``textures``. ``peak`` may be empty: nothing is added. With ``logarithmic`` the maps are interpolated as logarithms.
+    ``largest``: the largest sample that was factored, 1/sr; 0 where it is not known.
+    """
+
+    name: str
+    textures: TextureFile
+    factors: str
+    alpha: Rgb
+    peak: str = ""
+    logarithmic: bool = True
+    largest: float = 0.0
+    clearcoat: Clearcoat | None = None
+    flakes: Flakes | None = None
+    notes: str = ""
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        check_text(self.name, "name", longest=200, lines=False, empty=False)
+        if not isinstance(self.textures, TextureFile):
+            raise ValueRangeError("textures", f"a texture file is wanted, not {describe(self.textures)}")
+        words = (("factors", self.factors), *((("peak", self.peak),) if self.peak != "" else ()))
+        for place, text in words:
+            check_text(text, place, longest=1000, lines=False, empty=False)
+            try:
+                parse_factors(text)
+            except ValueRangeError as error:
+                raise ValueRangeError(place, error.reason) from error
+        object.__setattr__(self, "alpha", checked_rgb(self.alpha, "alpha", PARAMETERS["alpha"]))
+        if not isinstance(self.logarithmic, bool):
+            raise ValueRangeError("logarithmic", f"true or false is wanted, not {describe(self.logarithmic)}")
+        largest = Parameter("Largest", "1/sr", 0.0, 1e12, 0.0, "").check(self.largest, "largest")
+        object.__setattr__(self, "largest", largest)
+        if self.clearcoat is not None and not isinstance(self.clearcoat, Clearcoat):
+            raise ValueRangeError(
+                "clearcoat", f"a clearcoat or nothing is wanted, not {describe(self.clearcoat)}"
+            )
+        if self.flakes is not None and not isinstance(self.flakes, Flakes):
+            raise ValueRangeError("flakes", f"flakes or nothing are wanted, not {describe(self.flakes)}")
+        check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
+        check_text(self.source, "source", longest=10_000, lines=True, empty=True)
+
+    @property
+    def terms(self) -> tuple[tuple[Factor, ...], tuple[Factor, ...]]:
+        """The factors of the product, and those of the peak."""
+        return parse_factors(self.factors), parse_factors(self.peak) if self.peak else ()
