@@ -1,0 +1,263 @@
+"""The whole fit: many starts on few samples, the best on all, other Fresnel reflectances, fewer lobes where they do.
+
+The energy has valleys. Those over the slopes are met by the starts. Those over the Fresnel reflectance are met by
+jumps: F/r falls and then rises towards grazing, so r = .9 and r = .5 look alike up to 60° and a search from one side
+ends at a wrong bottom. So from the best answer each lobe in turn is set to other reflectances and searched again.
+
+At last each lobe is taken away, and the rest searched again. Where the answer is as good but for what chance gives
+(Schwarz' criterion, for errors of Laplace's distribution, whose likelihood |log(fit/measured)| is), it stays away,
+with a weight of 0: two lobes where one is enough have no determined parameters.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Iterator, Mapping
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.errors import FittingError
+from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
+from brdf_suite.fitting.cook_torrance.result import LobeFit
+from brdf_suite.fitting.cook_torrance.samples import LobeSamples, checked_samples
+from brdf_suite.fitting.cook_torrance.settings import Settings
+from brdf_suite.fitting.cook_torrance.shapes import inverse_index_of
+from brdf_suite.fitting.cook_torrance.solve import COARSE, FINE, Problem, final_cost, search
+from brdf_suite.fitting.cook_torrance.starts import starts
+from brdf_suite.fitting.cook_torrance.uncertainty import standard_errors
+from brdf_suite.progress import Progress, report
+
+VERSION = 1
+"""Of the search; kept starts of another one are of no use."""
+COARSE_SAMPLES = 1500
+_STEPS, _FINE_STEPS, _JUMP_STEPS = 60, 80, 30
+_REFINED = 2
+_JUMPS = (0.05, 0.25, 0.6, 0.93)
+_ROUNDS = 3
+# What a change must win to be worth keeping, and below which a difference is rounding of the data.
+_GAIN, _ROUNDING = 1e-3, 2e-6
+_WORTH_A_LOOK = 1.03
+
+
+class KeptStarts(Protocol):
+    """Where the ends of the starts are kept, so that a fit that was broken off goes on where it was."""
+
+    def load(self, key: str) -> Mapping[int, list[float]]:
+        """Return the ends kept for the fit of this key, by the number of the start; none where it is another's."""
+        ...
+
+    def save(self, key: str, ends: Mapping[int, list[float]]) -> None:
+        """Keep the ends of the fit of this key."""
+        ...
+
+
+def fit_lobes(
+    wi: npt.ArrayLike,
+    wo: npt.ArrayLike,
+    values: npt.ArrayLike,
+    weights: npt.ArrayLike | None = None,
+    settings: Settings | None = None,
+    *,
+    kept: KeptStarts | None = None,
+    progress: Progress | None = None,
+) -> LobeFit:
+    """Fit lobes to samples of a reflectance: equations 1 to 3 of Günther et al. 2005.
+
+    Parameters
+    ----------
+    wi, wo
+        (n, 3) unit directions, local frame, z along the normal.
+    values
+        (n, 3) f_r in 1/sr, working space, without the cosine. Those of 0 or less, and not finite ones, are left out.
+    weights
+        (n,) how much each counts, at least 0; all alike if left out.
+    settings
+        What is fitted and how; :class:`Settings` if left out.
+    kept
+        Where the ends of the starts are kept and looked for.
+
+    Raises
+    ------
+    FittingError
+        The arrays do not fit together, or hold fewer values than there are parameters; the message says which.
+    Cancelled
+        The progress callback asked for it.
+
+    >>> from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+    >>> from brdf_suite.reflectance.models.table_1 import TABLE_1
+    >>> rng = np.random.default_rng(0)
+    >>> wi, wo = (rng.normal(size=(900, 3)) + [0, 0, 2] for _ in range(2))
+    >>> wi, wo = (np.abs(w) / np.linalg.norm(w, axis=1)[:, None] for w in (wi, wo))
+    >>> values = CookTorrance(TABLE_1["table1_polaris_silver"]).eval(wi, wo)
+    >>> fit_lobes(wi, wo, values, settings=Settings(lobes=2, starts=2)).kd.round(2).tolist()
+    [0.06, 0.06, 0.07]
+    """
+    settings = settings or Settings()
+    samples = checked_samples(wi, wo, values, weights, settings.grazing_deg)
+    return fit_checked(samples, settings, kept=kept, progress=progress)
+
+
+def fit_checked(
+    samples: LobeSamples,
+    settings: Settings,
+    *,
+    kept: KeptStarts | None = None,
+    progress: Progress | None = None,
+) -> LobeFit:
+    """Fit lobes to samples that are checked already; otherwise as :func:`fit_lobes`."""
+    model = LobeModel(settings.model, settings.lobes)
+    if model.coat and settings.lobes < 2:
+        raise FittingError(
+            "A clearcoat counts as one of the lobes; with fewer than two there is nothing below it."
+        )
+    used = samples.fewer(settings.samples, settings.seed)
+    count = int(used.known.sum())
+    if count < model.size:
+        raise FittingError(
+            f"{count} values cannot determine the {model.size} parameters of {settings.lobes} lobes; measure more "
+            "directions, or fit fewer lobes."
+        )
+    whole = Problem.of(model, used)
+    few = Problem.of(model, used.fewer(COARSE_SAMPLES, settings.seed + 1))
+    ends = _search_from_starts(few, settings, kept, progress)
+    ends.sort(key=few.energy)
+    steps = _Steps(progress, 0.6)
+    answers = [search(whole, x, settings.loss, FINE, _FINE_STEPS, steps.tick) for x in _apart(ends, few)]
+    best = min(answers, key=lambda x: _objective(whole, x, settings))
+    best = _other_reflectances(whole, few, best, settings, steps)
+    best, dropped = _fewer_lobes(whole, few, best, settings, steps)
+    best = model.sorted(best)
+    report(progress, 0.97, "uncertainties")
+    cost = final_cost(whole, best, settings.loss)
+    errors = standard_errors(whole, best, cost)
+    return LobeFit(model, best, settings, errors, whole, dropped)
+
+
+def key_of(samples: LobeSamples, settings: Settings) -> str:
+    """Return a name of the fit of these samples with these settings, for what is kept of it."""
+    digest = hashlib.sha256(repr((VERSION, settings)).encode())
+    for array in (samples.wi, samples.wo, samples.logs, samples.known, samples.weights):
+        digest.update(np.ascontiguousarray(array).tobytes())
+    return digest.hexdigest()
+
+
+def _search_from_starts(
+    few: Problem, settings: Settings, kept: KeptStarts | None, progress: Progress | None
+) -> list[Vector]:
+    report(progress, 0.0, "starts")
+    key = key_of(few.samples, settings) if kept is not None else ""
+    ends: dict[int, list[float]] = {}
+    if kept is not None:
+        found = kept.load(key)
+        low, high = few.model.bounds()
+        for number, values in found.items():
+            x = np.array(values)
+            if 0 <= number < settings.starts and x.shape == low.shape and np.all((x >= low) & (x <= high)):
+                ends[number] = values
+    if len(ends) < settings.starts:
+        places = starts(few.model, few.samples, few.terms, settings.starts, settings.seed)
+        for number, x in enumerate(places):
+            if number in ends:
+                continue
+            share = 0.6 * number / settings.starts
+            text = f"start {number + 1} of {settings.starts}"
+            report(progress, share, text)
+
+            def tick(share: float = share, text: str = text) -> None:
+                report(progress, share, text)
+
+            ends[number] = search(few, x, settings.loss, COARSE, _STEPS, tick).tolist()
+            if kept is not None:
+                kept.save(key, ends)
+    return [np.array(ends[number]) for number in sorted(ends)]
+
+
+class _Steps:
+    """Progress of work of unknown length: each step takes a share of what is left."""
+
+    def __init__(self, progress: Progress | None, start: float) -> None:
+        self._progress, self._left = progress, 0.97 - start
+
+    def tick(self) -> None:
+        self._left *= 0.995
+        report(self._progress, 0.97 - self._left, "refining")
+
+
+def _apart(ends: list[Vector], few: Problem) -> Iterator[Vector]:
+    """The best ends, but none that is another again."""
+    chosen: list[float] = []
+    for x in ends:
+        energy = few.energy(x)
+        if all(abs(energy - other) > _GAIN * other for other in chosen):
+            chosen.append(energy)
+            yield x
+        if len(chosen) == _REFINED:
+            return
+
+
+def _objective(problem: Problem, x: Vector, settings: Settings) -> float:
+    """What is compared: the energy of equation 2, or the mean square."""
+    if settings.loss == "l2":
+        return float(np.sqrt(2.0 * problem.objective(x, final_cost(problem, x, "l2"))))
+    return problem.energy(x)
+
+
+def _other_reflectances(
+    whole: Problem, few: Problem, best: Vector, settings: Settings, steps: _Steps
+) -> Vector:
+    """Set each lobe to other reflectances in turn, with its height kept, while that leads to something better."""
+    model = whole.model
+    value = _objective(whole, best, settings)
+    for _ in range(_ROUNDS):
+        trials = []
+        for lobe in range(model.lobes - (1 if model.coat else 0)):
+            if model.dead(best, lobe):
+                continue
+            place = model.m_at(lobe) + 1
+            for r in _JUMPS:
+                if abs(inverse_index_of(r) - best[place]) < 0.05:
+                    continue
+                x = best.copy()
+                x[place] = inverse_index_of(r)
+                trials.append(search(few, x, settings.loss, (0.1,), _JUMP_STEPS, steps.tick))
+        if not trials or value <= _ROUNDING:
+            break
+        nearest = min(trials, key=lambda x: _objective(few, x, settings))
+        found = search(whole, nearest, settings.loss, FINE, _FINE_STEPS, steps.tick)
+        reached = _objective(whole, found, settings)
+        if not reached < value * (1.0 - 1e-5):
+            break
+        best, value = found, reached
+    return best
+
+
+def _fewer_lobes(
+    whole: Problem, few: Problem, best: Vector, settings: Settings, steps: _Steps
+) -> tuple[Vector, tuple[int, ...]]:
+    """Take away lobes that the samples do not ask for; return which (numbers after sorting are the first ones)."""
+    model = whole.model
+    value = _objective(whole, best, settings)
+    # Schwarz: 2n log(E'/E) against the number of parameters times log n.
+    chance = 5.0 * math.log(max(whole.counted, 2.0)) / (2.0 * whole.counted)
+    for _ in range(model.lobes):
+        trials = []
+        for lobe in range(model.lobes - (1 if model.coat else 0)):
+            if model.dead(best, lobe):
+                continue
+            x = search(few, model.without(best, lobe), settings.loss, (0.1,), _JUMP_STEPS, steps.tick)
+            # Most lobes are missed at the first sight.
+            if _objective(few, x, settings) > max(_WORTH_A_LOOK * _objective(few, best, settings), 1e-4):
+                continue
+            x = search(whole, x, settings.loss, FINE, _FINE_STEPS, steps.tick)
+            trials.append((_objective(whole, x, settings), x))
+        if not trials:
+            break
+        reached, x = min(trials, key=lambda trial: trial[0])
+        if reached > max(value * math.exp(chance), _ROUNDING):
+            break
+        best, value = x, reached
+    best = model.sorted(best)
+    return best, tuple(lobe for lobe in range(model.lobes) if model.dead(best, lobe))

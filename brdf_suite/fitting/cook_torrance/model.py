@@ -1,0 +1,222 @@
+"""Lobes as a vector of parameters: the logarithm of f_r and its Jacobian.
+
+The vector is log kd (3), then for each lobe log a (3), log m and e = 1/n. The weight is held as a = ks r, the height
+at normal incidence: ks and r themselves are told apart only by the rise towards grazing, so that their product is
+known well where neither is; with a the Jacobian's columns stay apart. A coat has log m and e alone: it is colourless,
+and its facets are a whole surface (ks = ¼).
+
+    f = kd/π + Σ a (F(c; e)/r) S(m) / π,     d f/d log a = term,  d f/d log m = term · d log S,
+    d f/d e = term · (F'/F - r'/r),          r'/r = -4/(1 - e²).
+
+Below a coat everything is multiplied by T(θi) T(θo), T = 1 - F.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.fitting.cook_torrance.settings import ModelName
+from brdf_suite.fitting.cook_torrance.shapes import (
+    Shape,
+    Terms,
+    beckmann,
+    fresnel,
+    ggx,
+    inverse_index_of,
+    reflectance_of,
+)
+from brdf_suite.geometry.directions import Floats
+
+LEAST_WEIGHT = 1e-9
+"""kd, or a, below which a fit cannot be told from one without; it becomes 0."""
+MOST_KD, MOST_HEIGHT = 10.0, 10.0
+LEAST_M, MOST_M = 1e-3, 1.0
+LEAST_R = 4e-3
+LEAST_COAT_INDEX, MOST_COAT_INDEX = 1.05, 3.0
+# What no value can fall below: the logarithm of a black model stays finite.
+_FLOOR = 1e-30
+# The solver starts a little inside of its bounds.
+_NEARLY_NONE = 1.5
+
+Vector = Floats
+Places = npt.NDArray[np.intp]
+
+
+@dataclass(frozen=True)
+class LobeModel:
+    """``lobes`` of one kind over a matt part; with ``coat`` the last of them is a clearcoat."""
+
+    name: ModelName
+    lobes: int
+
+    @property
+    def coat(self) -> bool:
+        """Whether the last lobe is a colourless coat over all the rest."""
+        return self.name == "ggx-clearcoat"
+
+    @property
+    def shape(self) -> Shape:
+        """The facets of every lobe."""
+        return beckmann if self.name == "cook-torrance" else ggx
+
+    @property
+    def size(self) -> int:
+        """The number of parameters."""
+        return 3 + 5 * self.lobes - (3 if self.coat else 0)
+
+    def weights_at(self, lobe: int) -> slice:
+        """Return where log a (3) of a lobe stands; empty for a coat."""
+        start = 3 + 5 * lobe
+        return slice(start, start if self._is_coat(lobe) else start + 3)
+
+    def m_at(self, lobe: int) -> int:
+        """Return where log m of a lobe stands; e follows it."""
+        return int(self.weights_at(lobe).stop)
+
+    def _is_coat(self, lobe: int) -> bool:
+        return self.coat and lobe == self.lobes - 1
+
+    def bounds(self) -> tuple[Vector, Vector]:
+        """Return the plausible range (p,), (p,): m and r within (0, 1], weights positive."""
+        low, high = np.empty(self.size), np.empty(self.size)
+        low[:3], high[:3] = math.log(LEAST_WEIGHT), math.log(MOST_KD)
+        for lobe in range(self.lobes):
+            at, m = self.weights_at(lobe), self.m_at(lobe)
+            low[at], high[at] = math.log(LEAST_WEIGHT), math.log(MOST_HEIGHT)
+            low[m], high[m] = math.log(LEAST_M), math.log(MOST_M)
+            if self._is_coat(lobe):
+                low[m + 1], high[m + 1] = 1.0 / MOST_COAT_INDEX, 1.0 / LEAST_COAT_INDEX
+            else:
+                low[m + 1], high[m + 1] = 0.0, inverse_index_of(LEAST_R)
+        return low, high
+
+    def vector(self, kd: npt.ArrayLike, ks: npt.ArrayLike, m: npt.ArrayLike, r: npt.ArrayLike) -> Vector:
+        """Return the vector of kd (3,), ks (N, 3), m (N,) and r (N,), within the bounds."""
+        weights, slopes, reflected = np.asarray(ks, float), np.asarray(m, float), np.asarray(r, float)
+        x = np.empty(self.size)
+        x[:3] = np.log(np.maximum(np.asarray(kd, float), LEAST_WEIGHT))
+        for lobe in range(self.lobes):
+            place = self.m_at(lobe)
+            if not self._is_coat(lobe):
+                x[self.weights_at(lobe)] = np.log(np.maximum(weights[lobe] * reflected[lobe], LEAST_WEIGHT))
+            x[place] = math.log(slopes[lobe])
+            x[place + 1] = inverse_index_of(float(reflected[lobe]))
+        return np.clip(x, *self.bounds())
+
+    def values(self, x: Vector) -> tuple[Floats, Floats, Floats, Floats]:
+        """Return kd (3,), ks (N, 3), m (N,) and r (N,) of a vector; what stands at the least weight is 0."""
+        kd = _weight(x[:3])
+        ks, m, r = np.empty((self.lobes, 3)), np.empty(self.lobes), np.empty(self.lobes)
+        for lobe in range(self.lobes):
+            place = self.m_at(lobe)
+            m[lobe], r[lobe] = math.exp(x[place]), reflectance_of(float(x[place + 1]))
+            ks[lobe] = 0.25 if self._is_coat(lobe) else _weight(x[self.weights_at(lobe)]) / r[lobe]
+        return kd, ks, m, r
+
+    def sorted(self, x: Vector) -> Vector:
+        """Return the vector with its lobes by falling m: the sharp one last.
+
+        Lobes without weight stand first, and a coat stays last.
+        """
+        count = self.lobes - (1 if self.coat else 0)
+        order = np.argsort(
+            [-x[self.m_at(lobe)] - (100.0 if self.dead(x, lobe) else 0.0) for lobe in range(count)],
+            kind="stable",
+        )
+        y = x.copy()
+        for new, old in enumerate(order.tolist()):
+            y[3 + 5 * new : 8 + 5 * new] = x[3 + 5 * old : 8 + 5 * old]
+        return y
+
+    def dead(self, x: Vector, lobe: int) -> bool:
+        """Whether a lobe has no weight in any channel."""
+        return not self._is_coat(lobe) and not _weight(x[self.weights_at(lobe)]).any()
+
+    def without(self, x: Vector, lobe: int) -> Vector:
+        """Return the vector with a lobe's weights at their bound, where no step brings them back, and m and r 1."""
+        y = x.copy()
+        y[self.weights_at(lobe)] = math.log(LEAST_WEIGHT)
+        y[self.m_at(lobe) : self.m_at(lobe) + 2] = 0.0
+        return y
+
+    def searched(self, x: Vector) -> Places:
+        """Return the parameters that a search may move: not those of a lobe without weight, nor weights at 0."""
+        moved = np.ones(self.size, np.bool_)
+        moved[:3] = _weight(x[:3]) > 0.0
+        for lobe in range(self.lobes):
+            if self.dead(x, lobe):
+                moved[self.m_at(lobe) : self.m_at(lobe) + 2] = False
+            moved[self.weights_at(lobe)] = _weight(x[self.weights_at(lobe)]) > 0.0
+        return np.flatnonzero(moved)
+
+    def parts(self, x: Vector, terms: Terms) -> Floats:
+        """Return (1 + N, 3, n) f_r in 1/sr of the matt part and of each lobe."""
+        return self._evaluate(x, terms, None)
+
+    def columns(self, channel: int) -> Places:
+        """Return which parameters (q,) a channel hangs on, in the order of the slopes of :meth:`logs`."""
+        own = [channel]
+        for lobe in range(self.lobes):
+            place = self.m_at(lobe)
+            weights = self.weights_at(lobe)
+            own += [place, place + 1] if self._is_coat(lobe) else [weights.start + channel, place, place + 1]
+        return np.array(own)
+
+    def logs(self, x: Vector, terms: Terms, slopes: bool = True) -> tuple[Floats, Floats | None]:
+        """Return log f_r (3, n), and its derivatives (3, q, n) by each channel's :meth:`columns`, where asked for."""
+        found = (
+            np.empty((3, 1 + 3 * self.lobes - (1 if self.coat else 0), len(terms.cos_d))) if slopes else None
+        )
+        total = np.maximum(self._evaluate(x, terms, found).sum(axis=0), _FLOOR)
+        if found is not None:
+            found /= total[:, None, :]
+        return np.log(total), found
+
+    def _evaluate(self, x: Vector, terms: Terms, slopes: Floats | None) -> Floats:
+        """Return the parts; fill in the derivatives of their sum."""
+        parts = np.empty((1 + self.lobes, 3, len(terms.cos_d)))
+        parts[0] = (np.exp(x[:3]) / math.pi)[:, None]
+        for lobe in range(self.lobes):
+            place = self.m_at(lobe)
+            e = float(x[place + 1])
+            shape, by_m = self.shape(terms, float(x[place]))
+            share, by_e = fresnel(terms.cos_d, e)
+            share = np.maximum(share, 1e-30)
+            by_e = by_e / share
+            if self._is_coat(lobe):
+                parts[1 + lobe] = 0.25 / math.pi * share * np.exp(shape)
+            else:
+                by_e += 4.0 / (1.0 - e * e)
+                heights = np.exp(x[self.weights_at(lobe)]) / (math.pi * reflectance_of(e))
+                parts[1 + lobe] = heights[:, None] * (share * np.exp(shape))
+            if slopes is not None:
+                at = 1 + 3 * lobe
+                if not self._is_coat(lobe):
+                    slopes[:, at] = parts[1 + lobe]
+                    at += 1
+                np.multiply(parts[1 + lobe], by_m, out=slopes[:, at])
+                np.multiply(parts[1 + lobe], by_e, out=slopes[:, at + 1])
+        if slopes is not None:
+            slopes[:, 0] = parts[0]
+        if self.coat:
+            through, by_e = self._through(float(x[-1]), terms)
+            if slopes is not None:
+                slopes[:, :-2] *= through
+                slopes[:, -1] += parts[:-1].sum(axis=0) * by_e
+            parts[:-1] *= through
+        return parts
+
+    def _through(self, e: float, terms: Terms) -> tuple[Floats, Floats]:
+        """T(θi) T(θo) (n,) of the coat, and its derivative by e."""
+        f_i, d_i = fresnel(terms.cos_i, e)
+        f_o, d_o = fresnel(terms.cos_o, e)
+        return (1.0 - f_i) * (1.0 - f_o), -d_i * (1.0 - f_o) - d_o * (1.0 - f_i)
+
+
+def _weight(logs: Floats) -> Floats:
+    """Weights of their logarithms; 0 where they stand at the bound."""
+    return np.asarray(np.where(logs <= math.log(_NEARLY_NONE * LEAST_WEIGHT), 0.0, np.exp(logs)))
