@@ -169,20 +169,30 @@ def refine(
     prior = priors(start, outline)
     every = np.ones(len(series.positions), bool)
     fit = _solve(series, prior, every, progress)
+    kept = ~_stray(fit.off, series.sigma)
+    if not kept.all() and np.count_nonzero(kept) >= _LEAST_HIGHLIGHTS:
+        fit = _solve(series, prior, kept, progress)
     movements = find_movements(
-        series.positions, fit.off, fit.slopes, series.sigma, np.linalg.inv(np.linalg.cholesky(prior))
+        series.positions[kept],
+        fit.off[kept],
+        fit.slopes[kept],
+        series.sigma[kept],
+        np.linalg.inv(np.linalg.cholesky(prior)),
     )
-    kept = every
     if movements:
         # The outline of a sum of photographs is then one of two spheres: it is trusted less by as much.
-        kept = _longest(series.positions, movements)
+        kept &= _longest(series.positions, movements)
         shift = sum(row.distance_px for row in movements) * start.centre_m[2] / start.lens.fx
         prior[:3, :3] += shift**2 * np.diag((1.0, 1.0, (start.centre_m[2] / start.radius_m) ** 2))
         if np.count_nonzero(kept) >= _LEAST_HIGHLIGHTS:
             fit = _solve(series, prior, kept, progress)
+    outliers = _outliers(fit.off, series.sigma, kept)
+    if np.any(outliers & kept) and np.count_nonzero(kept & ~outliers) >= _LEAST_HIGHLIGHTS:
+        # Huber's weights leave a stray highlight some pull; without it the fit is what the others say.
+        kept &= ~outliers
+        fit = _solve(series, prior, kept, progress)
+        outliers = _outliers(fit.off, series.sigma, kept)
     length = np.linalg.norm(fit.off, axis=-1)
-    middle = _SPREAD * float(np.median(length[kept]))
-    outliers = length > np.maximum(_OUTLIER * np.maximum(middle, series.sigma), _OUTLIER_PX)
     found = apply(start, fit.x)
     degrees = _degrees(found, series.angles, series.seen)
     before = series.residuals(np.zeros(len(PARAMETERS)))
@@ -300,6 +310,28 @@ def _weights(off: Floats, sigma: Floats, kept: Valid) -> Floats:
     spread = max(_SPREAD * float(np.median(length[kept])), 1.0)
     weight: Floats = np.sqrt(np.minimum(1.0, _HUBER * spread / np.maximum(length, 1e-12)))
     return weight * kept / (sigma * spread)
+
+
+def _stray(off: Floats, sigma: Floats) -> Valid:
+    """Return the highlights (n,) that are far from where both of their neighbours in the series say.
+
+    Where the sphere has moved a highlight still agrees with one of them.
+    """
+    step = np.linalg.norm(np.diff(off, axis=0), axis=-1)
+    usual = _SPREAD * float(np.median(step))
+    # The first and the last are compared with the two next to them.
+    before = np.concatenate((np.linalg.norm(off[:1] - off[2:3], axis=-1), step))
+    after = np.concatenate((step, np.linalg.norm(off[-1:] - off[-3:-2], axis=-1)))
+    stray: Valid = np.minimum(before, after) > np.maximum(_OUTLIER * np.maximum(usual, sigma), _OUTLIER_PX)
+    return stray
+
+
+def _outliers(off: Floats, sigma: Floats, kept: Valid) -> Valid:
+    """Return the highlights (n,) that are off by far more than those ``kept`` usually are."""
+    length = np.linalg.norm(off, axis=-1)
+    middle = _SPREAD * float(np.median(length[kept]))
+    far: Valid = length > np.maximum(_OUTLIER * np.maximum(middle, sigma), _OUTLIER_PX)
+    return far
 
 
 def _longest(positions: npt.NDArray[np.intp], movements: Sequence[Movement]) -> Valid:

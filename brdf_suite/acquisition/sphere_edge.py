@@ -25,11 +25,15 @@ from brdf_suite.acquisition.sphere_geometry import Geometry, unit
 from brdf_suite.acquisition.sphere_union import Union
 from brdf_suite.geometry.directions import Floats
 
-_INSIDE, _OUTSIDE = 12.0, 5.0
-_ARC = 12.0
+_OUTSIDE = 5.0
+_INSIDE = 0.06  # of the radius
+_LEAST_INSIDE, _MOST_INSIDE = 5.0, 14.0
+_ARC = 5.0
 _BLURS = (0.3, 0.42, 0.6, 0.85, 1.2, 1.7)
 LEAST_LIT = 0.12
 _REACH = 2.5
+_MOST_SIGMA = 0.3
+_BLUR_SECTORS = 12
 _LEAST_PIXELS = 40
 
 
@@ -71,26 +75,28 @@ def lit_share(geometry: Geometry, union: Union, azimuths: Floats) -> Floats:
 def find_edge(union: Union, geometry: Geometry, mask: npt.NDArray[np.bool_] | None = None) -> Edge:
     """Return points of the outline near that of ``geometry``, one for each sector in which it can be seen."""
     radius = math.tan(geometry.outline_angle) * geometry.lens.fx
-    count = int(np.clip(2.0 * math.pi * radius / _ARC, 36, 240))
+    count = int(np.clip(2.0 * math.pi * radius / _ARC, 48, 240))
     azimuths = circle(count)
     sectors = _sectors(union, geometry, mask, count)
     lit = lit_share(geometry, union, azimuths) > LEAST_LIT
-    best: tuple[float, list[tuple[int, float, float]], float] | None = None
-    chosen = [(k, *sectors[k]) for k in np.flatnonzero(lit) if len(sectors[k][0]) >= _LEAST_PIXELS]
-    for blur in _BLURS:
-        found = [(int(k), *_offset(s, value, blur)) for k, s, value in chosen]
-        if not found:
-            break
-        misfit = float(np.median([row[3] for row in found]))
-        if best is None or misfit < best[0]:
-            best = misfit, [(k, delta, sigma) for k, delta, sigma, _ in found], blur
-    if best is None:
-        return Edge(np.empty((0, 2)), np.empty(0), _BLURS[0])
-    kept = [row for row in best[1] if abs(row[1]) < _REACH and row[2] < 0.3]
+    chosen = [(int(k), *sectors[k]) for k in np.flatnonzero(lit) if len(sectors[k][0]) >= _LEAST_PIXELS]
+    blur = _blur(chosen[:: max(1, len(chosen) // _BLUR_SECTORS)])
+    found = [(k, *_offset(s, value, blur)[:2]) for k, s, value in chosen]
+    kept = [row for row in found if abs(row[1]) < _REACH and row[2] < _MOST_SIGMA]
+    if not kept:
+        return Edge(np.empty((0, 2)), np.empty(0), blur)
     at = azimuths[[row[0] for row in kept]]
     inward = _inward(geometry, at)
     pixels = geometry.outline(at) + np.array([row[1] for row in kept])[:, None] * inward
-    return Edge(pixels, np.array([row[2] for row in kept]), best[2])
+    return Edge(pixels, np.array([row[2] for row in kept]), blur)
+
+
+def _blur(sectors: list[tuple[int, Floats, Floats]]) -> float:
+    """Return the blur with which sectors fit best, in the median."""
+    misfits = [
+        float(np.median([_offset(s, value, blur)[2] for _, s, value in sectors] or [0.0])) for blur in _BLURS
+    ]
+    return _BLURS[int(np.argmin(misfits))]
 
 
 def _outline_normals(geometry: Geometry, azimuths: Floats) -> Floats:
@@ -114,16 +120,17 @@ def _sectors(
     """Return (distance to the outline inward, radiance) of the pixels of each sector."""
     picture = union.picture
     outline = geometry.outline(np.linspace(0.0, 2.0 * math.pi, 1440, endpoint=False))
+    radii = np.linalg.norm(outline - outline.mean(axis=0), axis=-1)
     low = np.maximum(np.floor(outline.min(axis=0) - _OUTSIDE - 2.0), 0).astype(int)
     high = np.ceil(outline.max(axis=0) + _OUTSIDE + 3.0).astype(int)
+    inside = float(np.clip(_INSIDE * radii.mean(), _LEAST_INSIDE, _MOST_INSIDE))
     rows = np.arange(low[1], min(int(high[1]), picture.shape[0]))
     columns = np.arange(low[0], min(int(high[0]), picture.shape[1]))
     if not len(rows) or not len(columns):
         return [(np.empty(0), np.empty(0))] * count
     pixels = np.stack(np.meshgrid(columns, rows), axis=-1).reshape(-1, 2)
-    radii = np.linalg.norm(outline - outline.mean(axis=0), axis=-1)
     away = np.linalg.norm(pixels - outline.mean(axis=0), axis=-1)
-    pixels = pixels[(away > radii.min() - _INSIDE - 2.0) & (away < radii.max() + _OUTSIDE + 2.0)]
+    pixels = pixels[(away > radii.min() - inside - 2.0) & (away < radii.max() + _OUTSIDE + 2.0)]
     rays = geometry.lens.rays(pixels)
     axis = unit(geometry.centre)
     right = unit(np.cross((0.0, 1.0, 0.0), axis))
@@ -134,7 +141,7 @@ def _sectors(
     known = ~union.unknown[pixels[:, 1], pixels[:, 0]]
     if mask is not None:
         known &= mask[pixels[:, 1], pixels[:, 0]]
-    known &= (distance > -_OUTSIDE) & (distance < _INSIDE)
+    known &= (distance > -_OUTSIDE) & (distance < inside)
     sector = np.minimum((azimuth / (2.0 * math.pi) * count).astype(int), count - 1)
     order = np.argsort(sector[known], kind="stable")
     cuts = np.searchsorted(sector[known][order], np.arange(1, count))

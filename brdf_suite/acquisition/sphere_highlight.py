@@ -91,7 +91,7 @@ def find_highlight(
     for levels in _LEVELS:
         lower = [window.centre(peak, level) for level in levels]
         if lower[0] is None:
-            break
+            continue
         places = lower
         if lower[0][2] >= _ENOUGH_PIXELS:
             break
@@ -161,12 +161,15 @@ class _Window:
         return cls(pixels.astype(float), normals, cos_o, usable, strength)
 
     def peak(self) -> tuple[int, int]:
-        """Return row and column of the largest mean of nine pixels."""
+        """Return row and column of the brightest pixel where nine together are brightest."""
         from scipy.ndimage import uniform_filter  # takes 0.1 s to import, which starting need not
 
         smooth = uniform_filter(self.strength, 3, mode="constant")
         row, column = np.unravel_index(int(np.argmax(smooth)), smooth.shape)
-        return int(row), int(column)
+        top, left = max(int(row) - 1, 0), max(int(column) - 1, 0)
+        near = self.strength[top : int(row) + 2, left : int(column) + 2]
+        row, column = np.unravel_index(int(np.argmax(near)), near.shape)
+        return top + int(row), left + int(column)
 
     def at_border(self, place: tuple[int, int]) -> bool:
         """Return whether a place lies in the window's outer tenth."""

@@ -1,0 +1,210 @@
+"""Sphere and light from photographs of a simulated rig that is out of line."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from brdf_suite.acquisition.refinement import Refinement, calibrate_geometry, moved_sphere, refine
+from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
+from brdf_suite.acquisition.sphere_geometry import Geometry, unit
+from brdf_suite.acquisition.sphere_highlight import Highlight, find_highlight
+from brdf_suite.acquisition.sphere_outline import Outline, find_outline
+from brdf_suite.acquisition.sphere_session import geometry_of_session
+from brdf_suite.acquisition.sphere_union import Union
+from brdf_suite.errors import AcquisitionError
+from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+from brdf_suite.reflectance.models.table_1 import TABLE_1
+
+_SIDE = 144
+_ANGLES = tuple(float(angle) for angle in range(0, 176, 12))
+_PAINT = CookTorrance(TABLE_1["table1_polaris_silver"])
+
+
+class Rig:
+    """A simulated rig with its photographs; the lamp's zero is off by 0.5°, the sphere by 2 pixels and -1."""
+
+    def __init__(self, moved: tuple[int, float, float] | None = None) -> None:
+        settings = SimulatorSettings(
+            size=(_SIDE, _SIDE),
+            angles_deg=_ANGLES,
+            board=False,
+            white=False,
+            light_offset_deg=0.5,
+            centre_offset_px=(2.0, -1.0),
+            light_height_m=0.07,
+            moved=moved,
+        )
+        self.simulator = Simulator(_PAINT, settings)
+        self.stated = geometry_of_session(self.simulator.session, (_SIDE, _SIDE))
+        self.radiance = [self.simulator.radiance(k) for k in range(len(_ANGLES))]
+        self.union = Union((_SIDE, _SIDE))
+        for k, angle in enumerate(_ANGLES):
+            if 40.0 <= angle <= 150.0:
+                self.union.add(k, self.radiance[k])
+
+    def in_camera(self, place: object) -> np.ndarray:
+        x, y, z = np.array(place)
+        return np.array((x, -y, self.stated.centre_m[2] - z))
+
+    @property
+    def centre(self) -> np.ndarray:
+        return self.in_camera(self.simulator.truth["sphere_centres_m"][0])
+
+    @property
+    def pixel_m(self) -> float:
+        """How far the sphere moves for one pixel."""
+        return self.stated.centre_m[2] / self.stated.lens.fx
+
+    def find(self, geometry: Geometry) -> list[Highlight]:
+        found = (find_highlight(picture, geometry, k) for k, picture in enumerate(self.radiance))
+        return [highlight for highlight in found if highlight is not None]
+
+
+@pytest.fixture(scope="module")
+def rig() -> Rig:
+    return Rig()
+
+
+@pytest.fixture(scope="module")
+def outline(rig: Rig) -> Outline:
+    return find_outline(rig.union, rig.stated)
+
+
+@pytest.fixture(scope="module")
+def refinement(rig: Rig, outline: Outline) -> Refinement:
+    return calibrate_geometry(outline, rig.find)
+
+
+def test_the_outline_gives_the_centre_to_a_fraction_of_a_pixel(rig: Rig, outline: Outline) -> None:
+    off = (np.array(outline.centre_m) - rig.centre) / rig.pixel_m
+    assert np.linalg.norm(off[:2]) < 0.15
+    # The distance is that of the sphere's size in the picture: a tenth of a pixel of 61 in radius.
+    assert abs(outline.distance_m / np.linalg.norm(rig.centre) - 1.0) < 0.003
+    assert outline.rms_px < 0.1
+    assert np.count_nonzero(outline.used) > 12
+
+
+def test_an_unknown_lens_takes_its_focal_length_from_the_outline(rig: Rig) -> None:
+    lens = replace(rig.stated.lens, fx=rig.stated.lens.fx * 1.4, fy=rig.stated.lens.fy * 1.4)
+    outline = find_outline(rig.union, replace(rig.stated, lens=lens, lens_known=False))
+    assert outline.geometry.lens.fx == pytest.approx(rig.stated.lens.fx, rel=0.004)
+
+
+def test_arm_and_stand_in_the_picture_do_not_move_the_outline(rig: Rig, outline: Outline) -> None:
+    union = Union((_SIDE, _SIDE))
+    for k in rig.union.positions:
+        picture = rig.radiance[k].copy()
+        bright = float(np.median(picture[picture > 0.0]))
+        picture[118:, 55:92] = bright  # the stand below
+        picture[96:106, 100:] = 0.6 * bright  # an arm from the right
+        union.add(k, picture)
+    found = find_outline(union, rig.stated)
+    shift = (np.array(found.centre_m) - outline.centre_m) / rig.pixel_m
+    assert np.linalg.norm(shift[:2]) < 0.15
+    masked = np.ones((_SIDE, _SIDE), bool)
+    masked[90:] = False
+    assert np.all(find_outline(rig.union, rig.stated, masked).points[:, 1] < 90.0)
+
+
+def test_no_sphere_is_told(rig: Rig) -> None:
+    empty = Union((_SIDE, _SIDE))
+    empty.add(5, np.zeros((_SIDE, _SIDE, 3)))
+    with pytest.raises(AcquisitionError, match="No sphere"):
+        find_outline(empty, rig.stated)
+    noise = Union((_SIDE, _SIDE))
+    noise.add(5, np.random.default_rng(0).uniform(0.0, 1.0, (_SIDE, _SIDE, 3)))
+    with pytest.raises(AcquisitionError, match="sphere"):
+        find_outline(noise, rig.stated)
+
+
+def test_highlights_are_found_to_a_tenth_of_a_pixel(rig: Rig, outline: Outline) -> None:
+    true = replace(
+        rig.stated,
+        centre_m=tuple(rig.centre),
+        axis_offset_m=tuple(np.array(rig.simulator.truth["sphere_centres_m"][0])[[0, 2]]),
+        angle_offset_deg=0.5,
+        # The sphere stands a pixel higher than the axis point that the light's height counts from.
+        light_height_m=0.07 - rig.pixel_m,
+    )
+    found = rig.find(outline.geometry)
+    assert len(found) >= 9
+    expected = true.highlights([_ANGLES[row.position] for row in found])
+    off = np.linalg.norm(np.array([row.pixel for row in found]) - expected, axis=-1)
+    assert np.median(off) < 0.1
+    assert off.max() < 0.3
+    assert all(0.0 < row.sigma_px < 1.0 for row in found)
+
+
+def test_the_refined_light_stands_where_it_does(rig: Rig, refinement: Refinement) -> None:
+    geometry = refinement.geometry
+    assert np.linalg.norm((geometry.centre - rig.centre)[:2]) / rig.pixel_m < 0.15
+    lights = np.array([rig.in_camera(rig.simulator.lamp(k).place) for k in range(len(_ANGLES))])
+    ways = unit(geometry.light(_ANGLES) - geometry.centre)
+    off = np.degrees(np.linalg.norm(ways - unit(lights - rig.centre), axis=-1))
+    assert off.max() < 0.2
+    assert refinement.rms_px < 0.1 < 0.2 < refinement.before_px
+    assert refinement.rms_deg < 0.2 < 0.4 < refinement.before_deg
+    assert refinement.movements == ()
+    assert moved_sphere(refinement, []) == ""
+
+
+def test_each_number_says_how_far_it_was_observed(refinement: Refinement) -> None:
+    told = {row.name: row for row in refinement.parameters}
+    assert told["turntable's zero"].observed > 0.9
+    assert told["light's height"].observed > 0.9
+    # Parallax between points of the sphere is all that tells the distance.
+    assert told["light's distance"].observed < 0.5
+    assert all(0.0 <= row.observed <= 1.0 and row.sigma <= row.stated_sigma * 1.0001 for row in told.values())
+    assert all(row.why for row in told.values())
+
+
+def test_a_refinement_comes_back_from_json_exactly(refinement: Refinement) -> None:
+    text = json.dumps(refinement.to_json())
+    again = Refinement.from_json(json.loads(text))
+    assert again.geometry == refinement.geometry
+    assert again.parameters == refinement.parameters
+    assert json.dumps(again.to_json()) == text
+
+
+def test_a_masked_or_missing_highlight_is_none(rig: Rig, outline: Outline) -> None:
+    hidden = np.zeros((_SIDE, _SIDE), bool)
+    assert find_highlight(rig.radiance[4], outline.geometry, 4, hidden) is None
+    assert find_highlight(np.zeros((_SIDE, _SIDE, 3)), outline.geometry, 4) is None
+    with pytest.raises(AcquisitionError, match="4 are wanted"):
+        refine(outline.geometry, outline, rig.find(outline.geometry)[:3])
+
+
+def test_a_highlight_in_a_wrong_place_is_named_and_left_out(
+    rig: Rig, outline: Outline, refinement: Refinement
+) -> None:
+    rows = rig.find(outline.geometry)
+    x, y = rows[4].pixel
+    rows[4] = replace(rows[4], pixel=(x + 3.0, y - 2.0))
+    found = refine(outline.geometry, outline, rows)
+    assert found.positions[found.outliers].tolist() == [rows[4].position]
+    shift = np.degrees(
+        np.linalg.norm(
+            unit(found.geometry.light(_ANGLES) - found.geometry.centre)
+            - unit(refinement.geometry.light(_ANGLES) - refinement.geometry.centre),
+            axis=-1,
+        )
+    )
+    assert shift.max() < 0.2
+
+
+def test_a_sphere_that_moves_is_named_with_its_position() -> None:
+    rig = Rig(moved=(6, 1.5, 0.5))
+    outline = find_outline(rig.union, rig.stated)
+    found = calibrate_geometry(outline, rig.find)
+    assert len(found.movements) == 1
+    movement = found.movements[0]
+    assert (movement.before, movement.after) == (5, 6)
+    np.testing.assert_allclose(movement.pixels, (1.5, 0.5), atol=0.5)
+    names = [f"p{k:03d}_00.png" for k in range(len(_ANGLES))]
+    sentence = moved_sphere(found, names)
+    assert "p005_00.png" in sentence
+    assert "p006_00.png" in sentence
+    kept = set(range(len(_ANGLES))) - set(found.moved_positions)
+    assert kept in (set(range(6)), set(range(6, len(_ANGLES))))
