@@ -17,6 +17,7 @@ from brdf_suite.errors import ValueRangeError
 Floats32 = npt.NDArray[np.float32]
 
 _HOT_DEVIATIONS = 30.0
+_CUT_OFF = 0.25
 _SPREAD_TO_DEVIATION = 1.4826
 
 
@@ -51,11 +52,13 @@ class Dark:
 def black_codes(stack: npt.NDArray[np.uint8] | npt.NDArray[np.uint16]) -> npt.NDArray[np.float64]:
     """Return (channels,) the code without light of dark photographs (n, h, w, channels), shortest exposure first.
 
-    It is the mean of the shortest, without the hundredth of pixels at either end.
+    It is the mean of the shortest, without the hundredth of pixels at either end; 0 where the noise is cut off at
+    code 0, as the mean of what is left lies above black.
     """
     codes = np.sort(np.asarray(stack[0]).reshape(-1, stack.shape[3]), axis=0)
     cut = len(codes) // 100
-    return np.asarray(codes[cut : len(codes) - cut].mean(axis=0), float)
+    mean = codes[cut : len(codes) - cut].mean(axis=0)
+    return np.where(np.mean(codes == 0, axis=0) > _CUT_OFF, 0.0, mean)
 
 
 def dark_model(

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.merge import DARK, GOOD, Merged
-from brdf_suite.errors import FittingError
+from brdf_suite.errors import AcquisitionError
 
 Floats32 = npt.NDArray[np.float32]
 
@@ -24,7 +24,7 @@ def flat_field(merged: Merged) -> Floats32:
 
     Raises
     ------
-    FittingError
+    AcquisitionError
         More than a hundredth of the picture is clipped or dark, or the screen is not even in the least.
     """
     from scipy.ndimage import gaussian_filter  # a sixth of a second to import
@@ -34,7 +34,7 @@ def flat_field(merged: Merged) -> Floats32:
     share = float(bad.mean())
     if share > 0.01:
         what = "dark" if np.mean(merged.state == DARK) > 0.5 * share else "clipped or dark"
-        raise FittingError(
+        raise AcquisitionError(
             f"The flat field is {what} in {100.0 * share:.0f} % of its pixels; the screen must fill the picture,"
             " with an exposure that is neither."
         )
@@ -56,7 +56,7 @@ def flat_field(merged: Merged) -> Floats32:
         columns = slice(*_middle(width))
         answer[..., c] /= answer[rows, columns, c].mean()
     if float(answer.min()) < _LEAST:
-        raise FittingError(
+        raise AcquisitionError(
             "The flat field falls to nothing within the picture; the screen does not fill it evenly."
         )
     return answer.astype(np.float32)

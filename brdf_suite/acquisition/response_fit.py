@@ -22,7 +22,7 @@ from brdf_suite.acquisition.response import (
 )
 from brdf_suite.acquisition.response_curve import CurveBasis, curve_basis, whole_table
 from brdf_suite.acquisition.response_samples import ResponseSamples
-from brdf_suite.errors import FittingError
+from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, part, report
 
 Floats = npt.NDArray[np.float64]
@@ -33,7 +33,7 @@ LINEAR_RMS = 0.01
 """A curve nearer to a straight line than this, RMS of the logarithm, is taken as the line."""
 
 _STEPS = 15
-_CLOSE = 1e-5
+_CLOSE = 5e-5
 _LONGEST = 0.7
 _TIMES_SIGNAL = 30.0
 _FEWEST = 300
@@ -110,7 +110,7 @@ def calibrate_response(
 
     Raises
     ------
-    FittingError
+    AcquisitionError
         Too few pixels have two usable exposures.
     """
     dark = (
@@ -122,7 +122,7 @@ def calibrate_response(
         step = part(progress, c / samples.channels, (c + 1) / samples.channels)
         codes = samples.codes(c)
         if len(codes) < _FEWEST:
-            raise FittingError(
+            raise AcquisitionError(
                 f"Channel {c} has only {len(codes)} pixels with two exposures that are neither black nor clipped;"
                 " the response of the camera cannot be recovered from them."
             )
@@ -292,7 +292,7 @@ def _noise(
     free = (exposure > 3.0 * np.sqrt(seen)) & (exposure + 4.0 * np.sqrt(seen) < curve[highest])
     exposure, seen = exposure[free], seen[free]
     if len(seen) < 3:
-        raise FittingError("Too few codes are covered by the photographs to measure their noise.")
+        raise AcquisitionError("Too few codes are covered by the photographs to measure their noise.")
     rounding = np.interp(exposure, curve, np.gradient(curve) ** 2 / 12.0)
     target = np.maximum(seen - rounding, 0.05 * seen)
     both, _ = nnls(np.stack((np.ones_like(exposure), exposure), axis=1) / seen[:, None], target / seen)

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.response import check_bit_depth, default_highest
-from brdf_suite.errors import FittingError, ValueRangeError
+from brdf_suite.errors import AcquisitionError, ValueRangeError
 
 PIXELS = 240_000
 """Kept for each channel; 120,000 gave the same curve to 0.001 in the logarithm of the exposure."""
@@ -79,7 +79,7 @@ class ResponseSamples:
     def black(self) -> npt.NDArray[np.float64]:
         """Return (channels,) the code without light: the median of the shortest exposure where the longest is dark.
 
-        Where no pixel is so dark it is the lowest code of the shortest exposure, at most.
+        Where no pixel is so dark it is 0.
         """
         found = np.zeros(self.channels)
         for c in range(self.channels):
@@ -109,7 +109,7 @@ class ResponseSamples:
             return
         largest = int(codes.max())
         if largest > full:
-            raise FittingError(
+            raise AcquisitionError(
                 f"A photograph holds the code {largest}, above the {full} of {self.bit_depth} bits."
             )
         self.largest[c] = max(self.largest[c], largest)
@@ -117,7 +117,7 @@ class ResponseSamples:
         dark = codes[-1] < _UNLIT_SHARE * full
         self._unlit[c] += np.bincount(codes[0, dark], minlength=full + 1)
         clipped = (codes > default_highest(self.bit_depth)).sum(axis=0)
-        lowest = max(2.0, _LOWEST_SHARE * full)
+        lowest = self.black()[c] + max(2.0, _LOWEST_SHARE * full)
         usable = ((codes >= lowest) & (codes <= default_highest(self.bit_depth))).sum(axis=0) >= 2
         self.seen[c] += int(np.count_nonzero(usable))
         most = max(1, PIXELS // len(self.times))

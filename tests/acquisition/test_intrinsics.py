@@ -1,0 +1,124 @@
+"""A camera's intrinsics come back from photographs of a board; where they cannot, the reason is told."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pytest
+
+from brdf_suite.acquisition.board_corners import find_corners
+from brdf_suite.acquisition.intrinsics import CameraCalibration, calibrate_intrinsics
+from brdf_suite.acquisition.lens import Lens
+from brdf_suite.errors import AcquisitionError, Cancelled, ValueRangeError
+
+cv2 = pytest.importorskip("cv2")
+
+COLUMNS, ROWS, SQUARE = 7, 5, 0.02
+WIDTH, HEIGHT = 320, 240
+TRUE = Lens(420.0, 418.0, 158.5, 121.0, -0.12, 0.0, 0.0, 0.0, 0.0)
+MIDDLE = np.array([0.003, -0.002, 0.3])
+POSES = [(0.0, 0.0), (0.5, 0.2), (-0.5, 0.3), (0.3, -0.6), (-0.2, 0.5), (0.6, 0.6)]
+
+
+def board_axes(tilt: float, turn: float) -> np.ndarray:
+    a, b = np.cos(tilt), np.sin(tilt)
+    c, d = np.cos(turn), np.sin(turn)
+    return np.array([[1, 0, 0], [0, a, -b], [0, b, a]]) @ np.array([[c, 0, d], [0, 1, 0], [-d, 0, c]])
+
+
+def photograph(tilt: float, turn: float, seed: int) -> np.ndarray:
+    """Return (h, w, 3) 12-bit codes of the board, drawn by its own ray casting, with noise and rounding."""
+    axes = board_axes(tilt, turn)
+    middle = MIDDLE
+    fine = 4
+    x, y = np.meshgrid(np.arange(WIDTH * fine), np.arange(HEIGHT * fine))
+    rays = TRUE.rays(np.stack(((x + 0.5) / fine - 0.5, (y + 0.5) / fine - 0.5), axis=-1))
+    reach = (middle @ axes[:, 2]) / (rays @ axes[:, 2])
+    place = (reach[..., None] * rays - middle) @ axes[:, :2] / SQUARE
+    u, v = place[..., 0] + 0.5 * (COLUMNS + 1), place[..., 1] + 0.5 * (ROWS + 1)
+    inside = (u > 0) & (u < COLUMNS + 1) & (v > 0) & (v < ROWS + 1)
+    dark = inside & ((np.floor(u) + np.floor(v)) % 2 == 0)
+    light = np.where(dark, 0.04, 0.7).reshape(HEIGHT, fine, WIDTH, fine).mean(axis=(1, 3))
+    noise = 0.004 * np.random.default_rng(seed).standard_normal((HEIGHT, WIDTH, 3))
+    return np.rint(4095 * np.clip(light[..., None] + noise, 0, 1)).astype(np.uint16)
+
+
+@pytest.fixture(scope="module")
+def board() -> list[tuple[str, np.ndarray]]:
+    return [(f"board/{i}.png", photograph(tilt, turn, i)) for i, (tilt, turn) in enumerate(POSES)]
+
+
+@pytest.fixture(scope="module")
+def found(board: list[tuple[str, np.ndarray]]) -> CameraCalibration:
+    return calibrate_intrinsics(board, COLUMNS, ROWS, SQUARE)
+
+
+def test_the_lens_comes_back(found: CameraCalibration) -> None:
+    lens = found.intrinsics
+    errors = dict(zip(("fx", "fy", "cx", "cy", "k1"), found.standard_errors, strict=False))
+    for name, error in errors.items():
+        assert abs(getattr(lens, name) - getattr(TRUE, name)) < max(
+            5.0 * error, 0.002 * abs(getattr(TRUE, name))
+        )
+    assert lens.fx == pytest.approx(TRUE.fx, rel=0.005)
+    assert found.rms_px < 0.1
+    assert found.size == (WIDTH, HEIGHT)
+    assert len(found.names) == len(POSES)
+    assert not found.left_out
+
+
+def test_coefficients_that_the_board_does_not_tell_are_held_at_0(found: CameraCalibration) -> None:
+    assert found.intrinsics.k1 != 0.0
+    assert found.intrinsics.k3 == 0.0
+
+
+def test_the_calibration_is_kept_as_json(found: CameraCalibration) -> None:
+    assert CameraCalibration.from_json(found.to_json()) == found
+    with pytest.raises(ValueRangeError, match="not a calibration"):
+        CameraCalibration.from_json({"rms_px": 0.1})
+
+
+def test_corners_are_found_to_a_tenth_of_a_pixel(board: list[tuple[str, np.ndarray]]) -> None:
+    corners = find_corners(board[5][1], COLUMNS, ROWS)
+    assert corners is not None
+    steps = np.stack(np.meshgrid(np.arange(COLUMNS), np.arange(ROWS)), axis=-1).reshape(-1, 2)
+    place = (steps - np.array([(COLUMNS - 1) / 2, (ROWS - 1) / 2])) * SQUARE
+    points = MIDDLE + place @ board_axes(*POSES[5])[:, :2].T
+    # Which corner comes first, a board that looks the same from two sides does not tell.
+    apart = np.linalg.norm(TRUE.pixels(points)[:, None] - corners, axis=-1).min(axis=0)
+    assert np.sqrt(np.mean(apart**2)) < 0.1
+
+
+def test_photographs_without_the_board_are_told(board: list[tuple[str, np.ndarray]]) -> None:
+    empty = ("board/wall.png", np.full((HEIGHT, WIDTH, 3), 900, np.uint16))
+    found = calibrate_intrinsics([*board[:4], empty], COLUMNS, ROWS, SQUARE)
+    assert [name for name, _ in found.left_out] == ["board/wall.png"]
+    with pytest.raises(AcquisitionError, match=r"in 2 photographs.*board/wall\.png: no board of 7 × 5"):
+        calibrate_intrinsics([*board[:2], empty], COLUMNS, ROWS, SQUARE)
+
+
+def test_photographs_of_different_sizes_are_refused(board: list[tuple[str, np.ndarray]]) -> None:
+    with pytest.raises(AcquisitionError, match=r"board/0\.png"):
+        calibrate_intrinsics([board[0], ("small.png", board[1][1][:200])], COLUMNS, ROWS, SQUARE)
+
+
+def test_no_photographs_at_all() -> None:
+    with pytest.raises(AcquisitionError, match="no photographs"):
+        calibrate_intrinsics([], COLUMNS, ROWS, SQUARE)
+
+
+def test_the_search_can_be_cancelled(board: list[tuple[str, np.ndarray]]) -> None:
+    def stop(fraction: float, what: str) -> None:
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        calibrate_intrinsics(board, COLUMNS, ROWS, SQUARE, stop)
+
+
+def test_without_opencv_the_way_to_install_it_is_told(
+    board: list[tuple[str, np.ndarray]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "cv2", None)
+    with pytest.raises(AcquisitionError, match=r"pip install 'brdf-suite\[acquisition\]'"):
+        calibrate_intrinsics(board, COLUMNS, ROWS, SQUARE)
