@@ -109,3 +109,74 @@ def test_a_black_product_can_be_sampled() -> None:
 def test_what_is_no_map_is_refused_by_name(p, q, alpha, place: str) -> None:
     with pytest.raises(ValueRangeError, match=place):
         Factored(p, q, alpha)
+
+
+def _bumpy(size: int = 16) -> np.ndarray:
+    rng = np.random.default_rng(6)
+    return np.exp(rng.normal(0.0, 1.0, (size, size, 3))).astype(np.float32)
+
+
+_RING = np.exp(-((np.arange(12)[:, None] / 5.0) ** 2) * np.ones(3)).astype(np.float32)
+_FLAT = np.ones((2, 2, 3), np.float32)
+
+
+@pytest.mark.parametrize(
+    "model",
+    [
+        Factored(_FLAT, _bumpy()),
+        Factored(_bumpy(), _FLAT),
+        Factored(_RING, _RING),
+        Factored(_FLAT, _FLAT, 0.1, peak=(MapFactor("sqrt|h|", _RING),)),
+        Factored(_FLAT, _FLAT, 0.1, more=(MapFactor("w.h,h.n", _bumpy(8)),)),
+    ],
+    ids=["q of h", "p of wi", "radial", "peak", "two cosines"],
+)
+@pytest.mark.parametrize("theta", [0.3, 1.2])
+def test_samples_fall_as_the_density_says(model: Factored, theta: float) -> None:
+    """A χ² test over cells of the upper hemisphere and one more: what was lost below the horizon."""
+    from scipy.stats import chi2
+
+    count, rows, columns, fine = 20_000, 8, 16, 24
+    wo = spherical(theta, 0.4)
+    wi = model.sample(np.broadcast_to(wo, (count, 3)), np.random.default_rng(8).random((count, 3)))
+    up = wi[:, 2] > 0.0
+    turn = np.mod(np.arctan2(wi[up, 1], wi[up, 0]), 2.0 * np.pi)
+    seen, _, _ = np.histogram2d(wi[up, 2], turn, (rows, columns), ((0.0, 1.0), (0.0, 2.0 * np.pi)))
+    height = (np.arange(rows * fine) + 0.5) / (rows * fine)
+    around = 2.0 * np.pi * (np.arange(columns * fine) + 0.5) / (columns * fine)
+    where = spherical(*np.meshgrid(np.arccos(height), around, indexing="ij"))
+    cell = 2.0 * np.pi / (rows * columns * fine * fine)
+    density = model.pdf(where, np.broadcast_to(wo, where.shape)) * cell
+    wanted = count * density.reshape(rows, fine, columns, fine).sum(axis=(1, 3))
+    observed = np.append(seen.ravel(), count - up.sum())
+    expected = np.append(wanted.ravel(), max(count - wanted.sum(), 0.0))
+    # Cells of few samples are put together, as the test wants.
+    few = expected < 8.0
+    observed = np.append(observed[~few], observed[few].sum())
+    expected = np.append(expected[~few], expected[few].sum())
+    statistic = float(((observed - expected) ** 2 / np.maximum(expected, 8.0)).sum())
+    assert chi2.sf(statistic, len(expected) - 1) > 1e-4
+
+
+def test_a_map_that_stands_twice_is_one_array_and_maps_between_logarithms_hold_no_zero() -> None:
+    model = Factored(_bumpy(), _RING, logarithmic=True)
+    ((_, (first, second, third)),) = model.terms
+    assert first.values is second.values
+    assert (first.projection, second.projection, third.projection) == ("wi", "wo", "|h|")
+    middle = parabolic_direction(0.0, 0.0)[None]
+    around = model.p[7:9, 7:9].astype(float)
+    np.testing.assert_allclose(
+        first.at(middle, middle)[0], np.exp(np.log(around).mean(axis=(0, 1))), rtol=1e-6
+    )
+    with pytest.raises(ValueRangeError, match="p"):
+        Factored(np.zeros((4, 4, 3)), _RING, logarithmic=True)
+    with pytest.raises(ValueRangeError, match="projection"):
+        MapFactor("nowhere", _RING)
+    with pytest.raises(ValueRangeError, match="h"):
+        MapFactor("h", _RING)
+
+
+def test_a_factor_of_the_light_alone_is_not_reciprocal() -> None:
+    assert Factored(_bumpy(), _RING).reciprocal
+    assert not Factored(_bumpy(), _RING, more=(MapFactor("|wi|", _RING),)).reciprocal
+    assert Factored(_bumpy(), _RING, more=(MapFactor("|wi|", _RING), MapFactor("|wo|", _RING))).reciprocal
