@@ -63,6 +63,11 @@ class MeshBuffers:
                 self._arrays[program].append(self._objects.vertex_array(program, content, indices))
         return self._arrays[program]
 
+    def forget(self, program: moderngl.Program) -> None:
+        """Give back the vertex arrays of a program that goes."""
+        for array in self._arrays.pop(program, []):
+            self._objects.release(array)
+
     def release(self) -> None:
         """Give buffers and vertex arrays back."""
         for arrays in self._arrays.values():

@@ -9,12 +9,15 @@ import pytest
 
 from brdf_suite.appearance.colour_temperature import lamp_colour
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Lamp, Sparkle
+from brdf_suite.documents.view_settings import Lamp, Relief, Sparkle, TwoTone
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.factor_projections import PROJECTIONS
+from brdf_suite.pipeline.direct_lamps import half_angles_deg, lamp_radiance
 from brdf_suite.pipeline.factored_maps import factored_maps, maps_of
 from brdf_suite.realtime.display import LINEAR
 from brdf_suite.realtime.factored_values import FactoredMaps, FactorMap, FactorTerm, soft_clipped
+from brdf_suite.realtime.geometry_picture import geometry_picture
+from brdf_suite.realtime.relief_values import MaskImage, TangentMap
 from brdf_suite.realtime.values import MeshPart
 from brdf_suite.reflectance.factor_map import MapFactor
 from brdf_suite.reflectance.factored import Factored
@@ -201,3 +204,66 @@ def test_a_reflectance_ball_stands_for_all_lamps_far_away(renderer, lit, scenes)
     writes = renderer.counters.buffer_writes
     np.testing.assert_array_equal(lit(maps, far, part, ball), one)
     assert renderer.counters.buffer_writes == writes
+
+
+def test_on_a_round_surface_the_picture_is_the_one_of_the_reflectance_itself(renderer, lit, scenes):
+    peak = (MapFactor("sqrt|h|", waves(64, seed=3, low=0.01, high=8.0), True),)
+    value = Factored(waves(32, seed=1), waves(32, seed=2), 0.3, peak=peak, logarithmic=True)
+    drawn = lit(factored_maps(value), part=scenes.sphere(radius=0.03))
+    seen = geometry_picture(renderer, NEAR, SIZE)
+    truth = lamp_radiance(value, seen, LAMPS)
+    there = seen.parts == 0
+    assert 0.1 < there.mean() < 0.9
+    assert (truth[~there] == 0.0).all()
+    np.testing.assert_allclose(np.linalg.norm(seen.positions[there], axis=-1), 0.03, rtol=0.01)
+    # Maps are averaged over a pixel where they change within one; at the rim the middle may be another triangle's.
+    off = np.abs(drawn - truth)[there] / truth.mean()
+    assert np.median(off) < 0.02
+    assert off.mean() < 0.05
+    angle = half_angles_deg(seen, LAMPS[1:2])
+    assert angle[there].min() < 5.0
+    assert (angle[~there] == 90.0).all()
+    released = renderer.counters.live
+    geometry_picture(renderer, NEAR, SIZE)
+    assert renderer.counters.live == released
+
+
+def test_a_mask_blends_two_factored_materials(renderer, lit, scenes):
+    first, second = (
+        factored_maps(Factored(waves(16, 16, seed=s), waves(16, 16, seed=9), 0.3)) for s in (1, 5)
+    )
+    alone = [lit(maps) for maps in (first, second)]
+    renderer.set_material("paint_two", scenes.weights(0.3))
+    renderer.factors.set("paint_two", second)
+    renderer.relief.set_mask(MaskImage(np.full((4, 4), 51 / 255)))
+    try:
+        both = lit(first, view=replace(NEAR, two_tone=TwoTone("second", "/mask.png")))
+    finally:
+        renderer.relief.set_mask(None)
+    np.testing.assert_allclose(both, 0.8 * alone[0] + 0.2 * alone[1], rtol=2e-3, atol=2e-3)
+
+
+def test_a_tangent_map_turns_the_grain(renderer, lit):
+    maps = factored_maps(Factored(waves(16, 16, seed=1), waves(16, 16, seed=2), 0.3))
+    turn = np.radians(40.0)
+    renderer.relief.set_tangent_map(TangentMap(np.tile([np.cos(turn), np.sin(turn)], (4, 4, 1))))
+    try:
+        by_map = lit(maps, view=replace(NEAR, relief=Relief(tangent_map="/turns.png")))
+        without = lit(maps)
+    finally:
+        renderer.relief.set_tangent_map(None)
+    np.testing.assert_allclose(by_map, lit(maps, part=sheet(40.0)), rtol=5e-3, atol=1e-3)
+    assert np.abs(by_map - without).mean() > 0.1 * without.mean()
+
+
+def test_with_the_environment_dark_the_lamps_are_alone(renderer, lit, scenes):
+    maps = factored_maps(Factored(waves(16, seed=1), waves(16, seed=2), 0.3))
+    dark = lit(maps)
+    renderer.set_environment(scenes.constant(1.0))
+    lamps_alone = replace(NEAR.light_colour, brightness=0.0)
+    np.testing.assert_array_equal(lit(maps, view=replace(NEAR, light_colour=lamps_alone)), dark)
+    half, whole = (
+        lit(maps, view=replace(NEAR, light_colour=replace(lamps_alone, brightness=b))) for b in (0.5, 1.0)
+    )
+    np.testing.assert_allclose(half - dark, 0.5 * (whole - dark), rtol=1e-2, atol=1e-3)
+    assert (whole > dark).all()
