@@ -14,9 +14,9 @@ What a pixel covers
     A pixel is a mean over its footprint. Where f_r is smooth over it, its middle stands for it. Near the peak of a
     clearcoat it is not: at 900 pixels across the sphere one pixel covers 0.13° of θh, a dozen bins of a table at its
     finest. There (θh < ``peak_deg``) each pixel is read in ``parts``² parts. How its radiance is divided among them
-    follows a quadratic of its logarithm through the eight neighbours, sharpened by the pixel's own square (see
-    :func:`~.samples_kernel.lobe_through`), and keeps the pixel's mean: a Gaussian peak comes back exactly, noise does
-    not grow. Each part has its own directions. The lens's blur is not undone.
+    follows a Gaussian on a base through its neighbours, sharpened by the pixel's own square (see
+    :func:`~.samples_kernel.lobe_through`), and keeps the pixel's mean: noise does not grow. Each part has its own
+    directions. The lens's blur is not undone.
 
 Everything that does not change with the light is computed once, for the pixels that can be samples; then a position
 is one pass over these.
@@ -157,10 +157,10 @@ class Sampler:
         if len(self._places):
             top, left = self._places.min(axis=0)
             bottom, right = self._places.max(axis=0)
-            # One pixel more all round: the peak's shape is read off neighbours.
+            # Two pixels more all round: the peak's shape is read off neighbours.
             self.box = (
-                slice(max(int(top) - 1, 0), min(int(bottom) + 2, height)),
-                slice(max(int(left) - 1, 0), min(int(right) + 2, width)),
+                slice(max(int(top) - 2, 0), min(int(bottom) + 3, height)),
+                slice(max(int(left) - 2, 0), min(int(right) + 3, width)),
             )
         else:
             self.box = (slice(0, 0), slice(0, 0))

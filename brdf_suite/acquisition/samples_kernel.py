@@ -10,6 +10,9 @@ import math
 
 from brdf_suite.acquisition.compiled_decorator import Array, compiled
 
+_BASE = 0.95
+"""Of the darkest neighbour, where the neighbours differ most: a little of a lobe is left for its logarithm."""
+
 
 @compiled
 def intensity(cosine: float, angles: Array, values: Array) -> float:
@@ -184,33 +187,34 @@ def spread(normal: Array, tangent: Array, slope: Array, angles: Array) -> float:
 
 @compiled
 def lobe_through(radiance: Array, row: int, column: int, channel: int, lobe: Array) -> bool:
-    """Fill ``lobe`` (5,) with slopes and bends of ln radiance within a pixel; return whether its neighbours tell them.
+    """Fill ``lobe`` (6,) with the shape of the radiance within a pixel; return whether its neighbours tell it.
 
-    From the pixel and its eight neighbours, each a mean over its square. A Gaussian of covariance Σ has one of
-    Σ + 1/12 in such means, so the bends C of the logarithm of means become C (1 + C/12)⁻¹, its slopes g
-    (1 + C/12)⁻¹ g; that undoes the mean over the pixel exactly where the highlight is a Gaussian.
+    Slopes, bends and base: radiance = base + exp(c + g·x + ½ x·C x), from the pixel and its neighbours, each a mean
+    over its square. The base, which a narrow peak stands on, is the darkest of 25 pixels, and less the more alike
+    they are. Of the rest, were it a Gaussian of covariance Σ, such means have the covariance Σ + 1/12: the bends C of
+    their logarithm become C (1 + C/12)⁻¹, its slopes g (1 + C/12)⁻¹ g, and that undoes the mean over the pixel.
     """
-    if row < 1 or column < 1 or row > radiance.shape[0] - 2 or column > radiance.shape[1] - 2:
+    if row < 2 or column < 2 or row > radiance.shape[0] - 3 or column > radiance.shape[1] - 3:
         return False
-    for y in range(-1, 2):
-        for x in range(-1, 2):
+    base, top = math.inf, 0.0
+    for y in range(-2, 3):
+        for x in range(-2, 3):
             near = radiance[row + y, column + x, channel]
             if not (near > 0.0 and math.isfinite(near)):
                 return False
-    here = math.log(radiance[row, column, channel])
-    east, west = (
-        math.log(radiance[row, column + 1, channel]),
-        math.log(radiance[row, column - 1, channel]),
-    )
-    south, north = (
-        math.log(radiance[row + 1, column, channel]),
-        math.log(radiance[row - 1, column, channel]),
-    )
+            base, top = min(base, near), max(top, near)
+    base *= _BASE * (1.0 - base / top)
+    lobe[5] = base
+    here = math.log(radiance[row, column, channel] - base)
+    east = math.log(radiance[row, column + 1, channel] - base)
+    west = math.log(radiance[row, column - 1, channel] - base)
+    south = math.log(radiance[row + 1, column, channel] - base)
+    north = math.log(radiance[row - 1, column, channel] - base)
     corners = (
-        math.log(radiance[row + 1, column + 1, channel])
-        + math.log(radiance[row - 1, column - 1, channel])
-        - math.log(radiance[row + 1, column - 1, channel])
-        - math.log(radiance[row - 1, column + 1, channel])
+        math.log(radiance[row + 1, column + 1, channel] - base)
+        + math.log(radiance[row - 1, column - 1, channel] - base)
+        - math.log(radiance[row + 1, column - 1, channel] - base)
+        - math.log(radiance[row - 1, column + 1, channel] - base)
     )
     gx, gy = 0.5 * (east - west), 0.5 * (south - north)
     cxx, cyy, cxy = east + west - 2.0 * here, south + north - 2.0 * here, 0.25 * corners
@@ -262,7 +266,7 @@ def read_parts(
     """
     with_noise, with_good = variance.shape[0] > 0, good.shape[0] > 0
     point, normal, tangent, view = scratch[9:12], scratch[12:15], scratch[15:18], scratch[18:21]
-    lobe = scratch[21:26]
+    lobe = scratch[21:27]
     share = scratch[32 : 32 + 3 * parts * parts].reshape((3, parts * parts))
     count = 0
     for m in range(len(chosen)):
@@ -270,8 +274,8 @@ def read_parts(
         row, column = places[k, 0], places[k, 1]
         known = True
         if with_good:
-            for y in range(max(row - 1, 0), min(row + 2, good.shape[0])):
-                for x in range(max(column - 1, 0), min(column + 2, good.shape[1])):
+            for y in range(max(row - 2, 0), min(row + 3, good.shape[0])):
+                for x in range(max(column - 2, 0), min(column + 3, good.shape[1])):
                     known = known and good[y, x]
         for c in range(3):
             known = known and lobe_through(radiance, row, column, c, lobe)
@@ -286,8 +290,9 @@ def read_parts(
                 )
                 share[c, part] = bright
                 total += bright
+            base = lobe[5] / radiance[row, column, c]
             for part in range(parts * parts):
-                share[c, part] *= parts * parts / total
+                share[c, part] = base + (1.0 - base) * share[c, part] * parts * parts / total
         if not known:
             continue
         for part in range(parts * parts):
