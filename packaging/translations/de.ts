@@ -336,6 +336,10 @@
         <translation>Ergebnis</translation>
     </message>
     <message>
+        <source>Not fitted yet.</source>
+        <translation>Noch nicht angepasst.</translation>
+    </message>
+    <message>
         <source>There is no table yet: the reconstruction makes it.</source>
         <translation>Es gibt noch keine Tabelle: Die Rekonstruktion macht sie.</translation>
     </message>
@@ -3452,6 +3456,10 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
     <message>
         <source>linear</source>
         <translation>linear</translation>
+    </message>
+    <message>
+        <source>from the earlier run</source>
+        <translation>aus dem früheren Lauf</translation>
     </message>
     <message>
         <source>recovered</source>

@@ -93,7 +93,7 @@ class FitControl(QObject):
         if fit is None:
             self._bench.window.show_step("fit", "todo", "")
         else:
-            words = tr("RMS ln {error:.3f}").format(error=fit.found.errors["log_rms"])
+            words = tr("RMS ln {error:.3f}").format(error=fit.found.errors.log_rms)
             self._bench.window.show_step("fit", "done", words)
 
     def _busy(self, key: str, busy: bool) -> None:

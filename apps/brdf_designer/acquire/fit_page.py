@@ -123,8 +123,12 @@ class FitPage(AcquirePage):
         self.open.setEnabled(there and state.has_paint)
         self.save.setEnabled(there and state.has_paint)
         if state is None:
-            self.note.setText("" if has_table else tr("There is no table yet: the reconstruction makes it."))
-            self.plot.show_curves(())
+            self.note.setText("")
+            self.plot.show_empty(
+                tr("Not fitted yet.")
+                if has_table
+                else tr("There is no table yet: the reconstruction makes it.")
+            )
             return
         self.note.setText("\n".join(state.notices))
         self.angle.blockSignals(True)

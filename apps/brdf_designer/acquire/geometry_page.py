@@ -85,8 +85,9 @@ class GeometryPage(AcquirePage):
         if state is None:
             self.note.setText(tr("Not found yet."))
             self.picture.show_empty(tr("Not found yet."))
-            self.residuals.show_curves(())
+            self.residuals.hide()
             return
+        self.residuals.show()
         self.note.setText("\n".join(problem.reason for problem in state.problems))
         self.note.setVisible(bool(state.problems))
         self.facts.show_rows(state.facts)

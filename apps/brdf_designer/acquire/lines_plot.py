@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QColor, QPalette, QPen
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 Kind = Literal["red", "green", "blue", "text", "faint"]
 Mark = Literal["line", "points", "fill"]
@@ -88,7 +88,15 @@ class LinesPlot(QWidget):
         self.setMinimumSize(160, 120)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
+        self._empty = QLabel()
+        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._empty.setWordWrap(True)
+        self._empty.setBackgroundRole(QPalette.ColorRole.Base)
+        self._empty.setAutoFillBackground(True)
+        self._empty.setMargin(24)
+        self._empty.hide()
         box.addWidget(self.plot)
+        box.addWidget(self._empty)
         self._take_palette()
 
     def sizeHint(self) -> QSize:
@@ -98,8 +106,18 @@ class LinesPlot(QWidget):
         """Put the legend into the upper left or the upper right corner."""
         self._legend.setOffset((8, 8) if left else (-8, 8))
 
+    def show_empty(self, text: str) -> None:
+        """Show no curves, and say why."""
+        self.show_curves(())
+        self._empty.setText(text)
+        self.setAccessibleDescription(text)
+        self.plot.hide()
+        self._empty.show()
+
     def show_curves(self, curves: Sequence[Curve], marks: Sequence[tuple[float, str]] = ()) -> None:
         """Draw these curves, and a line down at each of ``marks``, a place on x and its name."""
+        self._empty.hide()
+        self.plot.show()
         self.curves = tuple(curves)
         self._marks = tuple(marks)
         self._draw()
@@ -133,7 +151,7 @@ class LinesPlot(QWidget):
                     symbol="o",
                     symbolSize=4.0 + curve.width,
                     symbolPen=self._pen(curve, 1.2),
-                    symbolBrush=None,
+                    symbolBrush=QColor(0, 0, 0, 0),
                     **named,
                 )
             else:

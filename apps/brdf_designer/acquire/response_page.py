@@ -68,8 +68,8 @@ class ResponsePage(AcquirePage):
         self.known.setVisible(state is not None)
         if state is None:
             self.note.setText(tr("Not found yet."))
-            self.plot.show_curves(())
-            self.times.show_curves(())
+            self.plot.show_empty(tr("Not found yet."))
+            self.times.hide()
             return
         self.note.setText(
             tr("The camera is linear.")
@@ -104,8 +104,6 @@ class ResponsePage(AcquirePage):
                     ),
                 ]
             )
-        else:
-            self.times.show_curves(())
         self.times.setVisible(bool(state.times))
         self.plot.setAccessibleDescription("; ".join(f"{name}: {value}" for name, value, _ in state.facts))
 

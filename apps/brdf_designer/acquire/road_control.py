@@ -190,7 +190,9 @@ class RoadControl(QObject):
         elif key == "geometry":
             window.geometry_page.show_geometry(None if value is None else value.state)
             if value is not None and value.state is None:
-                window.geometry_page.note.setText(tr("Taken from the earlier run; find it again to see it."))
+                told = tr("Taken from the earlier run; find it again to see it.")
+                window.geometry_page.note.setText(told)
+                window.geometry_page.picture.show_empty(told)
             self._tell_geometry(value)
         elif key == "table":
             self._show_table(value)
@@ -274,4 +276,6 @@ class RoadControl(QObject):
 def _response_words(value: ResponseFound) -> str:
     if value.state is None or value.state.linear:
         return tr("linear")
+    if value.kept:
+        return tr("from the earlier run")
     return tr("recovered") if value.state.times else tr("as stated")

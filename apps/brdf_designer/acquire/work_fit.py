@@ -39,9 +39,8 @@ class FitFound:
 
 def find_fit(request: FitRequest, progress: Progress) -> FitFound:
     """Fit the lobes."""
-    from brdf_suite.pipeline.cook_torrance_fit import fit_reflectance_lobes
-
     from brdf_suite.fitting.cook_torrance.settings import Settings
+    from brdf_suite.pipeline.cook_torrance_fit import fit_reflectance_lobes
 
     settings = Settings(lobes=request.lobes, model=request.model)  # type: ignore[arg-type] # one of the page's
     found = fit_reflectance_lobes(request.name, request.table, settings, progress=progress)
@@ -54,19 +53,19 @@ def fit_state(found: Any) -> FitState:
     facts = [
         (
             tr("Mean |ln|"),
-            f"{errors['l1_mean']:.4f}",
+            f"{errors.l1_mean:.4f}",
             tr(
                 "Mean of |ln(fit/measured)| over every measured bin: the paper's energy over its number of terms"
             ),
         ),
         (
             tr("RMS ln"),
-            f"{errors['log_rms']:.4f}",
+            f"{errors.log_rms:.4f}",
             tr("Root mean square of ln(fit/measured) over every measured bin"),
         ),
         (
             tr("Median"),
-            f"{100.0 * errors['median_relative']:.1f} %",
+            f"{100.0 * errors.median_relative:.1f} %",
             tr("Median relative difference over every measured bin"),
         ),
         (

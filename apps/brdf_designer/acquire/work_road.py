@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -31,10 +31,14 @@ _OUTLINE_POINTS = 361
 
 @dataclass(frozen=True, eq=False)
 class ResponseFound:
-    """A response and what is shown of it; ``found`` is None for photographs that are linear files."""
+    """A response and what is shown of it; ``found`` is None for photographs that are linear files.
+
+    ``kept``: taken from a work file, with the figures of the run that found it.
+    """
 
     found: Any
     state: ResponseState | None
+    kept: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +103,7 @@ def find_kept(request: RoadRequest, _progress: Progress) -> KeptWork:
         road.take_calibration(calibration)
     except FileError as error:
         return KeptWork(reason=str(error))
-    return KeptWork(len(done), response_found(road), GeometryFound(calibration, None))
+    return KeptWork(len(done), replace(response_found(road), kept=True), GeometryFound(calibration, None))
 
 
 def find_response(request: RoadRequest, progress: Progress) -> ResponseFound:
@@ -172,8 +176,6 @@ class GeometryAnswer:
 
 def find_geometry(request: RoadRequest, progress: Progress) -> GeometryAnswer:
     """Find sphere and lamp; the response first, where it is not known."""
-    from dataclasses import replace
-
     road = road_of(replace(request, geometry=None))
     response = None
     start = 0.0
@@ -298,7 +300,7 @@ def find_table(request: TableRequest, progress: Progress) -> TableFound:
         kept = None if request.restart else kept_calibration(road, work)
         if kept is not None:
             road.take_calibration(kept)
-            response, geometry = response_found(road), GeometryFound(kept, None)
+            response, geometry = replace(response_found(road), kept=True), GeometryFound(kept, None)
         else:
             start = 0.25
             if request.road.response is None:
@@ -375,7 +377,7 @@ class SaveTable:
 
 def save_table(request: SaveTable, _progress: Progress) -> tuple[str, ...]:
     """Write the table; that the file may be overwritten was asked before."""
-    from brdf_suite.pipeline.acquiring_table import write_acquired
+    from brdf_suite.pipeline.acquiring_output import write_acquired
 
     return write_acquired(request.acquired, request.path, overwrite=True)
 
