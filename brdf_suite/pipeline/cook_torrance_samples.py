@@ -1,8 +1,8 @@
 """Samples for a fit of lobes from anything that reflects, and the errors of the fit over all of it.
 
 A table gives the bins that were measured, at their centres, and the better known ones count more; scattered samples are
-taken as they are; whatever can be asked anywhere (a material of RGL, a paint) is asked at pairs even over √θh, θd
-and φd.
+taken as they are, the rarer ones counting more; whatever can be asked anywhere (a material of RGL, a paint) is asked at
+pairs even over √θh, θd and φd.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brdf_suite.fitting.cook_torrance.samples import LobeSamples, checked_samples, spread
+from brdf_suite.fitting.cook_torrance.samples import Floor, LobeSamples, checked_samples, even_weights, spread
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates
 from brdf_suite.progress import Progress, report
@@ -32,8 +32,9 @@ _BLOCK = 200_000
 class FitErrors:
     """Errors of a fit over ``values`` single values (of one channel), of which ``compared`` have a logarithm.
 
-    ``l1_mean``: mean |ln(fit/measured)|; ``log_rms``: its RMS; ``median_relative``: median of |fit/measured - 1|;
-    ``relative_rms``: RMS of the differences over the RMS of the values.
+    ``l1_mean``: mean |ln(fit/measured)|, both with the floor of the fit where it has one; ``log_rms``: its RMS;
+    ``median_relative``: median of |fit/measured - 1|, likewise; ``relative_rms``: RMS of the differences over the RMS
+    of the values.
     """
 
     values: int
@@ -55,9 +56,9 @@ def samples_of(reflectance: Reflectance, settings: Settings) -> LobeSamples:
     if isinstance(reflectance, IsotropicTable):
         return _of_table(reflectance, settings)
     if isinstance(reflectance, ScatteredSamples):
-        found = checked_samples(
-            reflectance.wi, reflectance.wo, reflectance.values, None, settings.grazing_deg
-        )
+        wi, wo = reflectance.wi, reflectance.wo
+        weights = even_weights(wi, wo) if len(wi) <= settings.samples else None
+        found = checked_samples(wi, wo, reflectance.values, weights, settings.grazing_deg)
         return found.fewer(settings.samples, settings.seed)
     wi, wo = even_pairs(settings.samples, settings.seed, settings.grazing_deg)
     return checked_samples(wi, wo, reflectance.eval(wi, wo), None, settings.grazing_deg)
@@ -79,9 +80,14 @@ def even_pairs(count: int, seed: int, grazing_deg: float) -> tuple[Floats, Float
 
 
 def errors_of(
-    fit: Reflectance, reflectance: Reflectance, grazing_deg: float, progress: Progress | None = None
+    fit: Reflectance,
+    reflectance: Reflectance,
+    grazing_deg: float,
+    floor: Floor | None = None,
+    progress: Progress | None = None,
 ) -> FitErrors:
     """Return the errors over every measured bin or sample (or :data:`ASKED` pairs) not beyond ``grazing_deg``."""
+    floor = floor or Floor()
     values = compared = 0
     total = squares = missed = size = 0.0
     relative: list[Floats] = []
@@ -93,8 +99,9 @@ def errors_of(
         values += data.size
         missed += float(((found - data) ** 2).sum())
         size += float((data**2).sum())
-        both = (data > 0.0) & (found > 0.0)
-        ratio = found[both] / data[both]
+        more = floor.at(data)[:, None]
+        both = (data + more > 0.0) & (found + more > 0.0)
+        ratio = (found + more)[both] / (data + more)[both]
         logs = np.log(ratio)
         compared += logs.size
         total += float(np.abs(logs).sum())

@@ -37,10 +37,13 @@ MOST_KD, MOST_HEIGHT = 10.0, 10.0
 LEAST_M, MOST_M = 1e-3, 1.0
 LEAST_R = 4e-3
 LEAST_COAT_INDEX, MOST_COAT_INDEX = 1.05, 3.0
+MOST_COAT_M = 0.2
+"""A coat is smooth; rougher, it would take the part of a lobe."""
 # What no value can fall below: the logarithm of a black model stays finite.
 _FLOOR = 1e-30
 # The solver starts a little inside of its bounds.
 _NEARLY_NONE = 1.5
+_REVIVED = 1e-3
 
 Vector = Floats
 Places = npt.NDArray[np.intp]
@@ -89,6 +92,7 @@ class LobeModel:
             low[at], high[at] = math.log(LEAST_WEIGHT), math.log(MOST_HEIGHT)
             low[m], high[m] = math.log(LEAST_M), math.log(MOST_M)
             if self._is_coat(lobe):
+                high[m] = math.log(MOST_COAT_M)
                 low[m + 1], high[m + 1] = 1.0 / MOST_COAT_INDEX, 1.0 / LEAST_COAT_INDEX
             else:
                 low[m + 1], high[m + 1] = 0.0, inverse_index_of(LEAST_R)
@@ -143,15 +147,31 @@ class LobeModel:
         y[self.m_at(lobe) : self.m_at(lobe) + 2] = 0.0
         return y
 
-    def searched(self, x: Vector) -> Places:
-        """Return the parameters that a search may move: not those of a lobe without weight, nor weights at 0."""
+    def searched(self, x: Vector, channels: npt.ArrayLike) -> Places:
+        """Return the parameters that a search may move: not those of a lobe without weight, nor of unknown channels."""
+        known = np.asarray(channels, np.bool_)
         moved = np.ones(self.size, np.bool_)
-        moved[:3] = _weight(x[:3]) > 0.0
+        moved[:3] = known
         for lobe in range(self.lobes):
+            at, place = self.weights_at(lobe), self.m_at(lobe)
             if self.dead(x, lobe):
-                moved[self.m_at(lobe) : self.m_at(lobe) + 2] = False
-            moved[self.weights_at(lobe)] = _weight(x[self.weights_at(lobe)]) > 0.0
+                moved[at.start : place + 2] = False
+            elif not self._is_coat(lobe):
+                moved[at] = known
         return np.flatnonzero(moved)
+
+    def revived(self, x: Vector, channels: npt.ArrayLike) -> Vector:
+        """Return the vector with weights that fell to nothing raised again, from where a search feels their slope.
+
+        Lobes without any weight stay so; weights of unknown channels are nothing.
+        """
+        y = x.copy()
+        known = np.asarray(channels, np.bool_)
+        for at in (slice(0, 3), *(self.weights_at(k) for k in range(self.lobes) if not self.dead(x, k))):
+            if at.start < at.stop:
+                least = max(float(y[at].max()), math.log(_REVIVED)) + math.log(_REVIVED)
+                y[at] = np.where(known, np.maximum(y[at], least), math.log(LEAST_WEIGHT))
+        return y
 
     def parts(self, x: Vector, terms: Terms) -> Floats:
         """Return (1 + N, 3, n) f_r in 1/sr of the matt part and of each lobe."""
@@ -166,12 +186,14 @@ class LobeModel:
             own += [place, place + 1] if self._is_coat(lobe) else [weights.start + channel, place, place + 1]
         return np.array(own)
 
-    def logs(self, x: Vector, terms: Terms, slopes: bool = True) -> tuple[Floats, Floats | None]:
-        """Return log f_r (3, n), and its derivatives (3, q, n) by each channel's :meth:`columns`, where asked for."""
+    def logs(
+        self, x: Vector, terms: Terms, slopes: bool = True, added: Floats | float = 0.0
+    ) -> tuple[Floats, Floats | None]:
+        """Return log(f_r + added) (3, n), and where asked for its derivatives (3, q, n) by each channel's columns."""
         found = (
             np.empty((3, 1 + 3 * self.lobes - (1 if self.coat else 0), len(terms.cos_d))) if slopes else None
         )
-        total = np.maximum(self._evaluate(x, terms, found).sum(axis=0), _FLOOR)
+        total = np.maximum(self._evaluate(x, terms, found).sum(axis=0) + added, _FLOOR)
         if found is not None:
             found /= total[:, None, :]
         return np.log(total), found

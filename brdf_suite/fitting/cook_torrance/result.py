@@ -100,8 +100,15 @@ class LobeFit:
                 f"{used.left_out:,} samples are left out: black, not finite, not weighted, or seen at more than "
                 f"{self.settings.grazing_deg:g}° from the normal."
             )
-        if used.black:
+        if used.black and not used.floor.share:
             told.append(f"{used.black:,} values of 0 or less have no logarithm and are left out.")
+        elif used.black:
+            share = 100.0 * used.black / used.known.size
+            told.append(
+                f"{share:.0f} % of the values are 0 or less: colours outside of the working space, or noise. To all, "
+                f"and to the fit, {100.0 * used.floor.share:g} % of the sample's brightest channel and "
+                f"{used.floor.dark:.2g} /sr are added before the logarithm."
+            )
         for channel, name in enumerate(("red", "green", "blue")):
             if not used.channels[channel]:
                 told.append(f"There is nothing in the {name} channel; its weights are 0.")

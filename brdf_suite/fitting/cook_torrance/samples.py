@@ -3,6 +3,11 @@
 Most bins of a table, and most samples of a gonioreflectometer, lie far from the peak; and θd alone tells the lobes'
 Fresnel reflectance from their weight (section 4.2 of Günther et al. 2005 samples its table by θh for that reason).
 So where there are more than a fit needs, they are taken by turns from the cells of a grid over √θh and θd.
+
+Values of 0 or less have no logarithm. A few are left out. Many are no accident: the colour is outside of the working
+space, so that a channel was cut at 0 (of Cayman nine tenths of the red ones), or the reading drowned in noise. Left
+out, they would leave that channel to the few bright samples. So then a floor is added to the values and to the fit
+alike: a hundredth of the sample's brightest channel, and a fiftieth of what the brightest channel is in the median.
 """
 
 from __future__ import annotations
@@ -20,15 +25,42 @@ Places = npt.NDArray[np.intp]
 
 CELLS = (60, 30)
 """Cells along √θh and along θd."""
+FLOOR_SHARE, FLOOR_DARK = 0.01, 0.02
+"""Of the sample's brightest channel, and of its median over the samples."""
+_MANY = 1e-3
+
+
+@dataclass(frozen=True)
+class Floor:
+    """What is added to every value, and to the fit, before the logarithm.
+
+    ``share`` of a sample's brightest channel, and ``dark``, 1/sr.
+    """
+
+    share: float = 0.0
+    dark: float = 0.0
+
+    @classmethod
+    def of(cls, values: Floats) -> Floor:
+        """Return the floor that values (n, 3) need: none, unless more than a thousandth are 0 or less."""
+        seen = values[(values > 0.0).any(axis=1)]
+        if np.count_nonzero(seen <= 0.0) <= _MANY * seen.size:
+            return cls()
+        return cls(FLOOR_SHARE, FLOOR_DARK * float(np.median(seen.max(axis=1))))
+
+    def at(self, values: Floats) -> Floats:
+        """Return what is added (n,) to values (n, 3), 1/sr."""
+        return np.asarray(self.share * np.maximum(values.max(axis=1), 0.0) + self.dark)
 
 
 @dataclass(frozen=True, eq=False)
 class LobeSamples:
     """What a fit looks at.
 
-    ``wi``, ``wo`` (n, 3) unit directions; ``logs`` (3, n) natural logarithms of f_r in 1/sr, 0 where ``known`` (3, n)
-    is false; ``weights`` (n,) > 0 with mean 1; ``left_out``: how many were not finite, beyond the grazing angle, of no
-    weight or black in every channel; ``black``: how many values (of one channel) were not positive.
+    ``wi``, ``wo`` (n, 3) unit directions; ``logs`` (3, n) natural logarithms of f_r in 1/sr and what is added to it,
+    ``added`` (n,) by the ``floor``; 0 where ``known`` (3, n) is false; ``weights`` (n,) > 0 with mean 1.
+    ``left_out``: how many were not finite, beyond the grazing angle, of no weight or black; ``black``: how many values
+    (of one channel) of the others are not positive.
     """
 
     wi: Floats
@@ -36,6 +68,8 @@ class LobeSamples:
     logs: Floats
     known: Bools
     weights: Floats
+    added: Floats
+    floor: Floor
     left_out: int
     black: int
 
@@ -56,6 +90,8 @@ class LobeSamples:
             self.logs[:, at],
             self.known[:, at],
             self.weights[at],
+            self.added[at],
+            self.floor,
             self.left_out,
             self.black,
         )
@@ -73,6 +109,7 @@ def checked_samples(
     values: npt.ArrayLike,
     weights: npt.ArrayLike | None = None,
     grazing_deg: float = 90.0,
+    floor: Floor | None = None,
 ) -> LobeSamples:
     """Return the samples that a fit of logarithms can use.
 
@@ -81,9 +118,11 @@ def checked_samples(
     wi, wo
         (n, 3) unit directions, local frame.
     values
-        (n, 3) f_r in 1/sr. Not finite ones, and those of 0 or less, have no logarithm and are left out.
+        (n, 3) f_r in 1/sr. Samples that are not finite are left out; negative values are taken for 0.
     weights
         (n,) how much each counts, at least 0; all alike if left out.
+    floor
+        What is added; what the values themselves need, if left out.
 
     Raises
     ------
@@ -103,8 +142,13 @@ def checked_samples(
         raise FittingError(f"The weights must be {len(light)} finite numbers, none negative.")
     lowest = max(np.cos(np.radians(grazing_deg)), 1e-6)
     seen = (light[:, 2] >= lowest) & (view[:, 2] >= lowest) & (share > 0.0)
-    known = np.isfinite(data) & (data > 0.0)
-    used = seen & known.any(axis=1) & np.isfinite(data).all(axis=1)
+    seen &= np.isfinite(data).all(axis=1)
+    found = np.maximum(data[seen], 0.0)
+    floor = Floor.of(data[seen]) if floor is None else floor
+    raised = found + floor.at(found)[:, None]
+    # A channel of nothing at all is none, whatever the floor.
+    known = (raised > 0.0) & (found > 0.0).any(axis=0)
+    used = known.any(axis=1)
     count = int(used.sum())
     if count == 0:
         raise FittingError(
@@ -113,17 +157,34 @@ def checked_samples(
         )
     kept = known[used].T
     logs = np.zeros(kept.shape)
-    np.log(data[used].T, out=logs, where=kept)
-    chosen = share[used]
+    np.log(raised[used].T, out=logs, where=kept)
+    chosen = share[seen][used]
     return LobeSamples(
-        light[used],
-        view[used],
+        light[seen][used],
+        view[seen][used],
         logs,
         np.ascontiguousarray(kept),
         chosen / chosen.mean(),
+        floor.at(found[used]),
+        floor,
         len(light) - count,
-        int(np.count_nonzero(~kept)),
+        int(np.count_nonzero(found[used] <= 0.0)),
     )
+
+
+def even_weights(wi: Floats, wo: Floats) -> Floats:
+    """Return weights (n,) with mean 1 by which samples count alike all over √θh and θd.
+
+    Each counts by how few share its cell, up to thirty times as much as where they are dense: what is measured at equal
+    steps of the view has few samples in the peak, and a sum of logarithms would leave it out.
+    """
+    theta_h, theta_d = half_and_difference(wi, wo)
+    row = np.minimum(np.sqrt(theta_h * (2.0 / np.pi)) * (CELLS[0] / 3), CELLS[0] / 3 - 1).astype(np.intp)
+    column = np.minimum(theta_d * (2.0 / np.pi) * (CELLS[1] / 3), CELLS[1] / 3 - 1).astype(np.intp)
+    cell = row * CELLS[1] + column
+    share = 1.0 / np.bincount(cell)[cell]
+    share = np.minimum(share, 30.0 * float(share.min()))
+    return np.asarray(share / share.mean())
 
 
 def half_and_difference(wi: Floats, wo: Floats) -> tuple[Floats, Floats]:

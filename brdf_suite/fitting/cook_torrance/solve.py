@@ -59,7 +59,8 @@ class Problem:
 
     def residuals(self, x: Vector) -> Floats:
         """Return log(fit/measured) (3, n), unweighted; 0 where nothing is known."""
-        return np.where(self.samples.known, self.model.logs(x, self.terms, False)[0] - self.samples.logs, 0.0)
+        logs = self.model.logs(x, self.terms, False, self.samples.added)[0]
+        return np.where(self.samples.known, logs - self.samples.logs, 0.0)
 
     @property
     def counted(self) -> float:
@@ -76,7 +77,7 @@ class Problem:
 
     def reduced(self, x: Vector, cost: Cost) -> tuple[Floats, Floats]:
         """Return residuals (p + 1,) and a Jacobian (p + 1, p) with the cost, gradient and curvature of all."""
-        logs, slopes = self.model.logs(x, self.terms)
+        logs, slopes = self.model.logs(x, self.terms, added=self.samples.added)
         assert slopes is not None
         residuals = logs - self.samples.logs
         counted = np.where(self.samples.known, self.samples.weights, 0.0)
@@ -121,6 +122,7 @@ def search(
 
     ``tick`` is called at each evaluation; what it raises ends the search.
     """
+    x = problem.model.revived(x, problem.samples.channels)
     if loss == "l2":
         return _minimize(problem, x, Cost("linear"), steps * len(deltas), tick)
     for delta in deltas:
@@ -152,7 +154,7 @@ def _minimize(problem: Problem, x: Vector, cost: Cost, steps: int, tick: Tick | 
     from scipy.optimize import least_squares  # takes longer to import than a paint to edit
 
     # What has no weight has no slope either, and would wander.
-    moved = problem.model.searched(x)
+    moved = problem.model.searched(x, problem.samples.channels)
     if not moved.size:
         return x
     low, high = (bound[moved] for bound in problem.model.bounds())

@@ -50,7 +50,7 @@ def starts(model: LobeModel, samples: LobeSamples, terms: Terms, count: int, see
 
 def slopes_of_profile(samples: LobeSamples, terms: Terms, lobes: int) -> Floats:
     """Return m (lobes,), falling, from the slopes of the profile's logarithm against tan²θh."""
-    grey = np.exp(_grey(samples)) * math.pi
+    grey = np.maximum(np.exp(_grey(samples)) - samples.added, 1e-30) * math.pi
     order = np.argsort(terms.tan2_h)
     bins = np.array_split(order, min(_BINS, max(2, len(order) // 4)))
     matt = float(np.percentile(grey, 5.0))
@@ -97,8 +97,9 @@ def _best_sets(
     from scipy.optimize import nnls  # takes longer to import than a paint to edit
 
     columns = _columns(model, terms, SLOPES, np.full(len(SLOPES), 0.4))
-    relative = columns * (np.exp(-_grey(samples)) * np.sqrt(samples.weights))[:, None]
-    whole = np.vstack((relative.T, np.sqrt(samples.weights)))
+    scale = np.exp(-_grey(samples)) * np.sqrt(samples.weights)
+    relative = columns * scale[:, None]
+    whole = np.vstack((relative.T, np.sqrt(samples.weights) - samples.added * scale))
     # A square root of the products has the same lengths as the n rows, for all the sets.
     squares, vectors = np.linalg.eigh(products(whole, np.ones(whole.shape[1]), whole[0])[0])
     root: Floats = np.sqrt(np.maximum(squares, 0.0))[:, None] * vectors.T
@@ -133,10 +134,11 @@ def _weighted(
             continue
         root = np.sqrt(samples.weights[known])
         scale = np.exp(-samples.logs[channel, known]) * root
-        relative, wanted = columns[known] * scale[:, None], root
+        # The floor is no part of what the lobes make.
+        relative, wanted = columns[known] * scale[:, None], root - samples.added[known] * scale
         if model.coat:
             # The coat's own light is what it is; the rest takes what it leaves.
-            relative, wanted = relative[:, :-1], np.maximum(root - relative[:, -1], 0.0)
+            relative, wanted = relative[:, :-1], np.maximum(wanted - relative[:, -1], 0.0)
         weights = nnls(relative, wanted)[0]
         # A lobe of no weight could not come back: its derivative is 0.
         weights = np.maximum(weights, 1e-4 * max(float(weights.max()), 1e-6))

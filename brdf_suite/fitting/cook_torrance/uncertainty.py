@@ -41,7 +41,7 @@ class StandardErrors:
 def standard_errors(problem: Problem, x: Vector, cost: Cost) -> StandardErrors:
     """Return the standard errors of the answer ``x`` of a search with ``cost``."""
     model = problem.model
-    logs, slopes = model.logs(x, problem.terms)
+    logs, slopes = model.logs(x, problem.terms, added=problem.samples.added)
     assert slopes is not None
     known, weights = problem.samples.known, problem.samples.weights
     residuals = np.where(known, logs - problem.samples.logs, 0.0)
@@ -59,7 +59,7 @@ def standard_errors(problem: Problem, x: Vector, cost: Cost) -> StandardErrors:
     free = (x > low + _AT_BOUND * width) & (x < high - _AT_BOUND * width) & (np.diag(a) > 0.0)
     covariance = np.full((model.size, model.size), np.nan)
     still = np.ones(model.size, np.bool_)
-    still[model.searched(x)] = False
+    still[model.searched(x, problem.samples.channels)] = False
     free &= ~still
     if free.any():
         covariance[np.ix_(free, free)] = _sandwich(a[np.ix_(free, free)], b[np.ix_(free, free)])
