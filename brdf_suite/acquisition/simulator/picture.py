@@ -7,7 +7,6 @@ occluder or a steep change passes, and the finest where the peak may lie in it.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,11 +19,19 @@ from brdf_suite.reflectance.protocol import Reflectance
 
 Floats = NDArray[np.float64]
 
-_LARGEST_GRID = 16
+_LARGEST_GRID = 32
+_OUTLINE_GRID, _DARK_OUTLINE_GRID = 16, 8
+"""Rays each way along the outline: of pixels with light near them, and of others, where a crescent may be thin."""
+_INNER_GRID = 8
+_UNEVEN = 0.3
+"""Along the outline the normal turns by a right angle within a pixel, and a peak is a sliver there: cells that differ
+from a neighbour by this share of the pixel's mean are divided once more."""
 _FINEST_STEP = 0.0025
 """Radians of the half vector between rays at a peak; the narrowest of Günther's Table 1 has m = 0.013."""
 _PEAK_REACH = 3.0
 """The peak may lie in a pixel whose half vector is within so many steps to the next pixel of the normal."""
+_OUTLINE_REACH = 0.35
+"""Radians of θh next to the outline, within which a peak may lie in it."""
 _STEEP = 1.35
 _STEEPER = 2.5
 """Ratios within 3 × 3 pixels from which on one gets 4 × 4 and 8 × 8 rays.
@@ -52,24 +59,41 @@ class Scene:
         values, half, covered, hidden = self._seen(lamp, columns.ravel(), rows.ravel())
         shape = (height, width)
         picture = values.reshape(height, width, 3)
-        grid = _grids(
+        grid, deep = _grids(
             picture.mean(axis=-1), half.reshape(shape), covered.reshape(shape), hidden.reshape(shape)
         )
         for side in np.unique(grid[grid > 1]):
-            self._refine(lamp, picture, np.argwhere(grid == side), int(side))
+            self._refine(lamp, picture, np.argwhere((grid == side) & ~deep), int(side), deeper=False)
+        self._refine(lamp, picture, np.argwhere(deep), _OUTLINE_GRID, deeper=True)
         return picture
 
-    def _refine(self, lamp: Lamp, picture: Floats, pixels: NDArray[np.int64], side: int) -> None:
+    def _refine(
+        self, lamp: Lamp, picture: Floats, pixels: NDArray[np.int64], side: int, *, deeper: bool
+    ) -> None:
         """Replace pixels (n, 2) as (row, column) by the mean of ``side`` × ``side`` rays."""
-        steps = (np.arange(side) + 0.5) / side - 0.5
-        down, right = (part.ravel() for part in np.meshgrid(steps, steps, indexing="ij"))
         block = max(1, _BLOCK // (side * side))
         for start in range(0, len(pixels), block):
             part = pixels[start : start + block]
-            x = (part[:, 1, None] + right).ravel()
-            y = (part[:, 0, None] + down).ravel()
-            values = self._seen(lamp, x, y)[0].reshape(len(part), side * side, 3)
-            picture[part[:, 0], part[:, 1]] = values.mean(axis=1)
+            means = self._means(lamp, part[:, 1].astype(float), part[:, 0].astype(float), 1.0, side, deeper)
+            picture[part[:, 0], part[:, 1]] = means
+
+    def _means(self, lamp: Lamp, x: Floats, y: Floats, width: float, side: int, deeper: bool) -> Floats:
+        """Return the mean radiance (n, 3) over squares of a width around (x, y), pixels.
+
+        ``deeper``: cells that differ much from their neighbours are divided once more.
+        """
+        steps = ((np.arange(side) + 0.5) / side - 0.5) * width
+        down, right = (part.ravel() for part in np.meshgrid(steps, steps, indexing="ij"))
+        xs, ys = (x[:, None] + right).ravel(), (y[:, None] + down).ravel()
+        values = self._seen(lamp, xs, ys)[0]
+        if deeper:
+            uneven = np.flatnonzero(_uneven(values.mean(axis=-1).reshape(-1, side, side)))
+            block = max(1, _BLOCK // _INNER_GRID**2)
+            for start in range(0, len(uneven), block):
+                part = uneven[start : start + block]
+                values[part] = self._means(lamp, xs[part], ys[part], width / side, _INNER_GRID, False)
+        means: Floats = values.reshape(len(x), side * side, 3).mean(axis=1)
+        return means
 
     def _seen(
         self, lamp: Lamp, x: Floats, y: Floats
@@ -121,10 +145,17 @@ def _frames(normals: Floats) -> Floats:
     return np.stack([tangents, np.cross(normals, tangents), normals], axis=1)
 
 
+def _uneven(luminance: Floats) -> NDArray[np.bool_]:
+    """Say of cells (n, side, side) of n pixels which differ much from a neighbour."""
+    span = _around(luminance, np.maximum, -np.inf) - _around(luminance, np.minimum, np.inf)
+    uneven: NDArray[np.bool_] = span > _UNEVEN * luminance.mean(axis=(1, 2), keepdims=True)
+    return uneven
+
+
 def _grids(
     luminance: Floats, half: Floats, covered: NDArray[np.bool_], hidden: NDArray[np.bool_]
-) -> NDArray[np.int64]:
-    """Return how many rays each way a pixel wants, (h, w)."""
+) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+    """Return how many rays each way a pixel wants, (h, w), and where cells may need to be divided once more."""
     shown = covered & ~hidden
     grid = np.ones(luminance.shape, np.int64)
     lowest, highest = _around(luminance, np.minimum, np.inf), _around(luminance, np.maximum, -np.inf)
@@ -132,10 +163,10 @@ def _grids(
     any_light = shown & (highest > 0.0)
     grid[any_light & (ratio > _STEEP)] = 4
     grid[any_light & (ratio > _STEEPER)] = 8
-    mixed = _around(shown.astype(float), np.minimum, np.inf) != _around(
-        shown.astype(float), np.maximum, -np.inf
-    )
-    grid[mixed & (highest > 0.0)] = 8
+    seen = shown.astype(float)
+    outline = _around(seen, np.minimum, np.inf) != _around(seen, np.maximum, -np.inf)
+    near_light = _around(highest, np.maximum, -np.inf) > 0.0
+    grid[outline] = np.where(near_light, _OUTLINE_GRID, _DARK_OUTLINE_GRID)[outline]
     known = np.where(np.isnan(half), np.inf, half)
     nearest, farthest = (
         _around(known, np.minimum, np.inf),
@@ -144,23 +175,24 @@ def _grids(
     step = np.maximum(farthest - nearest, 0.0)
     step[~np.isfinite(step)] = 0.0
     peak = any_light & (nearest < _PEAK_REACH * step)
+    deep = (
+        outline
+        & near_light
+        & (_around(np.where(shown, nearest, np.inf), np.minimum, np.inf) < _OUTLINE_REACH)
+    )
     wanted = np.clip(np.ceil(step / _FINEST_STEP), 4, _LARGEST_GRID)
     # In powers of two, so that there are few groups.
     grid[peak] = np.maximum(grid[peak], 2 ** np.ceil(np.log2(wanted[peak])).astype(np.int64))
-    return grid
+    return grid, deep
 
 
 def _around(values: Floats, choose: np.ufunc, outside: float) -> Floats:
-    """Return the least or largest of each pixel's 3 × 3 neighbourhood."""
-    padded = np.pad(values, 1, constant_values=outside)
+    """Return the least or largest of each pixel's 3 × 3 neighbourhood; rows and columns are the last two axes."""
     found = values
-    height, width = values.shape
-    for down in range(3):
-        for right in range(3):
-            found = choose(found, padded[down : down + height, right : right + width])
+    for axis in (-2, -1):
+        rest = [(0, 0)] * values.ndim
+        rest[axis] = (1, 1)
+        padded = np.moveaxis(np.pad(found, rest, constant_values=outside), axis, -1)
+        found = choose(choose(padded[..., :-2], padded[..., 1:-1]), padded[..., 2:])
+        found = np.moveaxis(found, -1, axis)
     return found
-
-
-def solid_angle_radius(radius: float, distance: float) -> float:
-    """Return the tangent of the angle that a sphere's outline has to its middle, seen from a distance."""
-    return math.tan(math.asin(radius / distance))
