@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QTimer
 
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.pipeline.exposure import exposed
 from brdf_suite.pipeline.scene import environment_names
 from brdf_viewer.drawn_part import DrawnPart
@@ -30,7 +31,7 @@ class LightingControl(DrawnPart):
         self._meter = QTimer(self, singleShot=True, interval=METER_AFTER_MS, timeout=self._measure)
         self._round = Turntable(self)
         self._round.deg_per_second = 45.0
-        self._round.turned.connect(self._move_lamp)
+        self._round.turned.connect(self._move_lamps)
         self._relit = RelitPaint(stage, self)
         self._relit.state_changed.connect(self._show_colour)
         self._second_relit = RelitPaint(stage, self, second=True)
@@ -42,6 +43,8 @@ class LightingControl(DrawnPart):
         section.adapted_edited.connect(lambda on: self._change_colour(adapted=on))
         section.exposure_mode_edited.connect(self.set_exposure_mode)
         section.lamps.edited.connect(lambda lamps: stage.change_view(lamps=lamps))
+        section.brightness_edited.connect(lambda value: self._change_colour(brightness=value))
+        section.lamps.shading_edited.connect(lambda key: stage.change_view(lamp_shading=key))
         section.lamps.move_edited.connect(self._round.set_running)
         stage.view_changed.connect(self._changed)
         stage.contents_changed.connect(self._contents_changed)
@@ -72,20 +75,18 @@ class LightingControl(DrawnPart):
         self._stage.change_view(light_colour=colour)
 
     def _moving(self, running: bool) -> None:
-        """All that a lamp moves until it stops is one step of the history."""
+        """All that lamps move until they stop is one step of the history."""
         if running:
-            self._stage.history.begin_running("Move Lamp")
+            self._stage.history.begin_running("Move Lamps")
         else:
             self._stage.history.end_running()
 
-    def _move_lamp(self, degrees: float) -> None:
+    def _move_lamps(self, degrees: float) -> None:
         lamps = self._stage.view.lamps
         if not lamps:
             self._round.set_running(False)
             return
-        azimuth, elevation, distance = polar(lamps[0])
-        moved = placed(lamps[0], (azimuth + degrees + 180.0) % 360.0 - 180.0, elevation, distance)
-        self._stage.follow_view(lamps=(moved, *lamps[1:]))
+        self._stage.follow_view(lamps=tuple(_moved(lamp, degrees) for lamp in lamps))
 
     def _changed(self, old: View, new: View) -> None:
         self._show(new)
@@ -120,6 +121,7 @@ class LightingControl(DrawnPart):
         self._show_colour()
         section.show_exposure_mode(view.exposure_mode)
         section.lamps.set_lamps(view.lamps)
+        section.lamps.set_shading(view.lamp_shading)
         self._show_exposure(view)
 
     def _show_exposure(self, view: View) -> None:
@@ -131,6 +133,11 @@ class LightingControl(DrawnPart):
             cell.set(
                 f"{total:+.1f} EV automatic", f"Exposure: measured, and {view.exposure_ev:+.1f} EV to it"
             )
+
+
+def _moved(lamp: Lamp, degrees: float) -> Lamp:
+    azimuth, elevation, distance = polar(lamp)
+    return placed(lamp, (azimuth + degrees + 180.0) % 360.0 - 180.0, elevation, distance)
 
 
 def names_a_light(key: str) -> bool:

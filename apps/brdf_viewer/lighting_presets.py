@@ -12,16 +12,23 @@ from brdf_suite.documents.view_settings import Illuminant, Lamp, LightColour
 
 @dataclass(frozen=True)
 class LightingPreset:
-    """What a button sets: the environment, the colour of its lamps, and lamps beside it; ``tip`` explains it."""
+    """What a button sets: environment, its lamps' colour and brightness, and lamps beside it; ``tip`` explains it."""
 
     title: str
     environment: str
     illuminant: Illuminant
     tip: str
     lamps: tuple[Lamp, ...] = ()
+    brightness: float = 1.0
 
 
 POINT = Lamp(kind="point", position=(0.9, 1.6, 1.1), strength=6.0, temperature_k=6500.0)
+
+THREE = (
+    Lamp(kind="point", position=(-1.3, 1.2, 0.7), strength=3.0, temperature_k=6500.0),
+    Lamp(kind="point", position=(0.6, 1.7, 1.2), strength=4.0, temperature_k=5000.0),
+    Lamp(kind="point", position=(1.5, 0.6, -0.4), strength=2.5, temperature_k=9000.0),
+)
 
 PRESETS: Mapping[str, LightingPreset] = MappingProxyType(
     {
@@ -42,6 +49,14 @@ PRESETS: Mapping[str, LightingPreset] = MappingProxyType(
             "Light booth with one small lamp that can be moved, in which flakes sparkle",
             (POINT,),
         ),
+        "three": LightingPreset(
+            "Three lamps",
+            "booth",
+            "D65",
+            "Three small lamps in the dark, which can be moved: what factored paints are drawn for",
+            THREE,
+            0.0,
+        ),
     }
 )
 
@@ -56,7 +71,7 @@ def with_preset(view: View, key: str) -> View:
         view,
         environment=preset.environment,
         environment_layout="auto",
-        light_colour=replace(view.light_colour, illuminant=preset.illuminant),
+        light_colour=replace(view.light_colour, illuminant=preset.illuminant, brightness=preset.brightness),
         lamps=preset.lamps,
     )
 
@@ -70,8 +85,10 @@ def preset_of(view: View) -> str:
     illuminant = view.light_colour.illuminant
     if illuminant == "environment" and view.environment == "booth":
         illuminant = "D65"  # the booth's own lamps are neutral
+    dark = view.light_colour.brightness == 0.0
     for key, preset in PRESETS.items():
         same_light = (view.environment, illuminant) == (preset.environment, preset.illuminant)
+        same_light = same_light and dark == (preset.brightness == 0.0)
         if same_light and [lamp.kind for lamp in view.lamps] == [lamp.kind for lamp in preset.lamps]:
             return key
     return ""

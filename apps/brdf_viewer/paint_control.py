@@ -10,6 +10,7 @@ from brdf_qt.fit_error import fit_tips, is_large, marked
 from brdf_qt.link import LiveLink
 from brdf_qt.message_bar import Message, message_of
 from brdf_qt.tasks import TaskRunner
+from brdf_qt.translation import tr
 from PySide6.QtCore import QObject
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
@@ -18,6 +19,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
 from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.factored_maps import is_factored
 from brdf_suite.pipeline.paint import PaintFit, PaintFitter
 from brdf_suite.pipeline.scene import default_paint_name, paint_names
 from brdf_suite.progress import Progress
@@ -250,7 +252,7 @@ class PaintControl(QObject):
         section.patches.set_patches(_patches(fit))
         worst, follows = fit.worst_delta_e, _exact_follows(fit)
         section.set_fit_error(worst, fit.time_limited, follows)
-        set_note(section.facts, "\n".join(fit.notices))
+        set_note(section.facts, "\n".join((*fit.notices, *_ways_of_light(fit))))
         limited = ", time-limited" if fit.time_limited else ""
         self._window.status.cell("lobes").set(
             f"{len(fit.weights.exponents)} lobes", "Cosine lobes of the fit"
@@ -334,6 +336,13 @@ def _fitted(paint: CookTorrancePaint | FactoredPaint) -> AnyFit:
     from brdf_suite.reflectance.build import build_reflectance
 
     return fit_reflectance(paint.name, build_reflectance(paint))
+
+
+def _ways_of_light(fit: PaintFit | AnyFit) -> tuple[str, ...]:
+    """Say of a factored paint what is drawn by its factors."""
+    if isinstance(fit, PaintFit) or not is_factored(fit.reflectance):
+        return ()
+    return (tr("Factored: lamps are shaded by its maps, the environment by lobes that are fitted to it."),)
 
 
 def _fit_measured(key: str, progress: Progress) -> AnyFit:

@@ -9,7 +9,8 @@ from pathlib import Path
 from brdf_suite.cli.layout import add_layout
 from brdf_suite.cli.output import size
 from brdf_suite.documents.view import BACKGROUNDS, FRESNEL_MODES, TONE_CURVES, View
-from brdf_suite.documents.view_settings import ILLUMINANTS, SPARKLE_MODES, LightColour
+from brdf_suite.documents.view_settings import ILLUMINANTS, SPARKLE_MODES, Lamp, LightColour
+from brdf_suite.errors import ValueRangeError
 
 
 def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = (1280, 720)) -> None:
@@ -71,6 +72,22 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         help="show the lamp's tint, as an eye used to daylight sees it at first",
     )
     command.add_argument(
+        "--brightness",
+        type=float,
+        default=None,
+        metavar="X",
+        help="factor on the environment's light; 0: the view's lamps alone (default: 1)",
+    )
+    command.add_argument(
+        "--point-light",
+        type=_point_light,
+        action="append",
+        default=None,
+        metavar="X,Y,Z,STRENGTH[,KELVIN]",
+        help="a small lamp at a place in metres, y up, of a strength: illuminance at 1 m over pi; up to eight, in "
+        "place of the view's. Before a number below 0 write an equals sign: --point-light=-1,2,1,4",
+    )
+    command.add_argument(
         "--rotation",
         type=float,
         default=None,
@@ -113,6 +130,23 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
     )
 
 
+def _point_light(text: str) -> Lamp:
+    try:
+        numbers = [float(word) for word in text.split(",")]
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z,STRENGTH[,KELVIN]") from error
+    if len(numbers) not in (4, 5):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} has {len(numbers)} numbers; X,Y,Z,STRENGTH[,KELVIN] is wanted"
+        )
+    x, y, z, strength = numbers[:4]
+    try:
+        lamp = Lamp("point", (x, y, z), strength=strength)
+        return replace(lamp, temperature_k=numbers[4]) if len(numbers) == 5 else lamp
+    except ValueRangeError as error:
+        raise argparse.ArgumentTypeError(f"{text!r}: {error}") from error
+
+
 def view_of(options: argparse.Namespace) -> View:
     """Return the view that the options ask for.
 
@@ -151,9 +185,17 @@ def view_of(options: argparse.Namespace) -> View:
     if options.automatic_exposure:
         changed["exposure_mode"] = "automatic"
     if options.lamp is not None:
-        changed["light_colour"] = LightColour(options.lamp, adapted=not options.unadapted)
+        changed["light_colour"] = replace(
+            view.light_colour, illuminant=options.lamp, adapted=not options.unadapted
+        )
     elif options.unadapted:
         changed["light_colour"] = replace(view.light_colour, adapted=False)
+    if options.brightness is not None:
+        colour = changed.get("light_colour", view.light_colour)
+        assert isinstance(colour, LightColour)
+        changed["light_colour"] = replace(colour, brightness=options.brightness)
+    if options.point_light is not None:
+        changed["lamps"] = tuple(options.point_light)
     if options.sparkle is not None:
         changed["sparkle"] = replace(view.sparkle, mode=options.sparkle)
     look = {name: getattr(options, name) for name in ("ground", "occlusion")}

@@ -18,6 +18,13 @@ _OVER_LARGEST = 4.0
 _HIGHEST_CEILING = 1e4
 
 
+def is_factored(reflectance: Reflectance) -> bool:
+    """Whether lamps on it are shaded by its factors: it is factored, with a clearcoat or without."""
+    from brdf_suite.reflectance.factored import Factored
+
+    return isinstance(getattr(reflectance, "base", reflectance), Factored)
+
+
 def maps_of(reflectance: Reflectance | None) -> FactoredMaps | None:
     """Return the maps of what is factored, with a clearcoat or without; None of all else, which its lobes shade."""
     # Not on the start-up path: a paint without factors has no need of them.

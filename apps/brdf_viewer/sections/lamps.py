@@ -12,7 +12,14 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Lamp
+from brdf_viewer.choice_box import ChoiceBox
 
+SHADING_TITLES = {"each": "One by one, at each place", "ball": "Together, by a ball in their light"}
+SHADING_TIPS = {
+    "each": "Each lamp is looked up in the factors at every place: right for point lamps, and for any grain",
+    "ball": "A ball of the paint is drawn in the light of all lamps, and looked up by the normal: one look-up for any "
+    "number of lamps, as if they and the viewer were far away",
+}
 KIND_TITLES = {"point": "Point, at a place", "directional": "Directional, from far away"}
 _NEW = Lamp()
 
@@ -20,11 +27,13 @@ _NEW = Lamp()
 class LampFields(QWidget):
     """Every lamp in the same fields: direction and, for a point, distance; strength; colour.
 
-    Signals: ``edited(lamps)`` with the whole new tuple, ``move_edited(bool)`` where the first lamp is to go round.
+    Signals: ``edited(lamps)`` with the whole new tuple, ``move_edited(bool)`` where the lamps are to go round,
+    ``shading_edited(str)`` how factored paints are lit by them.
     """
 
     edited = Signal(tuple)
     move_edited = Signal(bool)
+    shading_edited = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -57,8 +66,12 @@ class LampFields(QWidget):
         self.temperature = NumberField("Colour", "K", kelvin.low, kelvin.high, 50.0, 0, kelvin.default)
         self.temperature.edited.connect(lambda value: self._change(temperature_k=value))
         self.moving = QCheckBox("Moves round")
-        self.moving.setToolTip("Let the first lamp go round the surface, to see flakes light up and go out")
+        self.moving.setToolTip(
+            "Let the lamps go round the surface, to see flakes light up and go out, and highlights wander"
+        )
         self.moving.clicked.connect(self.move_edited)
+        self.shading = ChoiceBox(SHADING_TITLES, SHADING_TIPS)
+        self.shading.picked.connect(self.shading_edited)
         form = Form()
         form.add_row("Lamps", row, "Small lamps beside the environment, in whose light flakes glint")
         self._fields = Form()
@@ -69,6 +82,7 @@ class LampFields(QWidget):
         self._fields.add_row("Strength", self.strength, strength.meaning)
         self._fields.add_row("Colour", self.temperature, kelvin.meaning)
         self._fields.add_row("", self.moving)
+        self._fields.add_row("Factored", self.shading, "How factored paints are lit by the lamps")
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(8)
@@ -86,8 +100,12 @@ class LampFields(QWidget):
         self._lamps = lamps
         self._show()
 
+    def set_shading(self, key: str) -> None:
+        """Show how factored paints are lit by lamps."""
+        self.shading.show_choice(key)
+
     def set_moving(self, moving: bool) -> None:
-        """Show whether the first lamp goes round."""
+        """Show whether the lamps go round."""
         self.moving.setChecked(moving)
 
     def _show(self) -> None:

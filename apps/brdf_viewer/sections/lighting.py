@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Literal
 
 from brdf_qt.form import Form
+from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QToolButton, QWidget
 
-from brdf_suite.documents.view_settings import LightColour
+from brdf_suite.documents.view_settings import PARAMETERS, LightColour
 from brdf_viewer.choice_box import ChoiceBox
 from brdf_viewer.lighting_presets import PRESETS, is_tinted
 from brdf_viewer.sections.lamps import LampFields
@@ -34,13 +35,14 @@ class LightingSection(Section):
     """Presets of a light booth; light colour; exposure locked or automatic; lamps beside the environment.
 
     Signals: ``preset_chosen(key)``, ``illuminant_edited(key)``, ``adapted_edited(bool)``,
-    ``exposure_mode_edited(key)``; those of the lamps are of ``lamps``.
+    ``exposure_mode_edited(key)``, ``brightness_edited(factor)``; those of the lamps are of ``lamps``.
     """
 
     preset_chosen = Signal(str)
     illuminant_edited = Signal(str)
     adapted_edited = Signal(bool)
     exposure_mode_edited = Signal(str)
+    brightness_edited = Signal(float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Lighting", "lighting", parent)
@@ -63,12 +65,18 @@ class LightingSection(Section):
         self.exposure_mode.activated.connect(
             lambda index: self.exposure_mode_edited.emit(self.exposure_mode.itemData(index))
         )
+        light = PARAMETERS["light_colour.brightness"]
+        self.brightness = NumberField(
+            "Environment", light.unit, light.low, light.high, 0.05, 2, light.default
+        )
+        self.brightness.edited.connect(self.brightness_edited)
         self.lamps = LampFields()
         form = Form()
         form.add_wide(self._preset_buttons())
         form.add_row("Light colour", self.illuminant, "The lamp that the environment's white is taken for")
         form.add_row("", self.adapted)
         form.add_wide(self.metamerism)
+        form.add_row("Environment", self.brightness, light.meaning)
         form.add_row(
             "Exposure mode",
             self.exposure_mode,
@@ -112,6 +120,7 @@ class LightingSection(Section):
         """Show the light's colour, and what it can say about the paint."""
         self.illuminant.setCurrentIndex(self.illuminant.findData(colour.illuminant))
         self.adapted.setChecked(colour.adapted)
+        self.brightness.set_value(colour.brightness)
         self.adapted.setEnabled(is_tinted(colour))
         set_note(self.metamerism, colour_note(colour, spectra))
 

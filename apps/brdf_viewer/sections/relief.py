@@ -64,8 +64,8 @@ class FileChoice(QWidget):
 class ReliefSection(Section):
     """Emits ``relief_edited(field, value)`` and ``two_tone_edited(field, value)``; setters are silent.
 
-    ``browse_wanted(kind)`` asks for a file: ``normal_map``, ``tangent_map`` or ``mask``; ``paint_browse_wanted()`` for a
-    second paint.
+    ``browse_wanted(kind)`` asks for a file: ``normal_map``, ``tangent_map`` or ``mask``; ``paint_browse_wanted()``
+    for a second paint.
     """
 
     relief_edited = Signal(str, object)
