@@ -6,13 +6,14 @@ from collections.abc import Callable, Sequence
 
 from brdf_lobe_visualizer.basis_part import Basis
 from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.factors_part import Factors
 from brdf_lobe_visualizer.slices import Slices
 from brdf_lobe_visualizer.space import Space
 from brdf_lobe_visualizer.window import LobeWindow
 
 MakePart = Callable[[Desk, LobeWindow], object]
 
-PARTS: tuple[MakePart, ...] = (Space, Slices, Basis)
+PARTS: tuple[MakePart, ...] = (Space, Slices, Basis, Factors)
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 
 Parts are made before the window is shown: what is heavy to import or to make waits for ``window.first_painted``. A part

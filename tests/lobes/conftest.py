@@ -16,6 +16,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_lobe_visualizer.assembly import LobeVisualizer
 from brdf_lobe_visualizer.basis_part import Basis
+from brdf_lobe_visualizer.factors_part import Factors
 from brdf_lobe_visualizer.fits import Fits
 from brdf_lobe_visualizer.slices import CURVES, POLAR, Slices
 from PySide6.QtCore import QCoreApplication, QEvent
@@ -120,6 +121,13 @@ def window_with_slices(qapp, tmp_path_factory):
 def window_with_basis(qapp, tmp_path_factory):
     """The same with the basis alone."""
     with window_with(Basis, (1100, 700), tmp_path_factory) as program:
+        yield program
+
+
+@pytest.fixture(scope="module")
+def window_with_factors(qapp, tmp_path_factory):
+    """The same with the maps of factors alone."""
+    with window_with(Factors, (1100, 700), tmp_path_factory) as program:
         yield program
 
 

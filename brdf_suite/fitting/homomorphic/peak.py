@@ -43,6 +43,8 @@ PEAK_FORMS: tuple[str, ...] = get_args(PeakForm)
 """``radial``: s over the root of the half vector's radius, fine at the normal; ``map``: s over the hemisphere."""
 PEAK_BIAS = 1e-2
 """Over the mean of the clamped values, which no peak raises."""
+MEASURED_SMOOTHNESS = 2.0
+"""λ for scattered measurements: with less, maps ring at the angles that the instrument stood at."""
 DEFAULT_CUT = 3.0
 """Values beyond so many times the body are peak."""
 RADIAL_TEXELS, FRESNEL_TEXELS = 64, 32
@@ -62,7 +64,7 @@ _FLOOR_NEAR, _FLOOR_FAR = 0.05, 5e-4
 _REACH_SHARE, _REACH_MARGIN, _LEAST_REACH_DEG = 0.995, 1.5, 2.0
 _LEAST_LEFT = 0.3
 """Of a clamped value: what the body keeps where the peak takes more than all."""
-_SMOOTHNESS, _STIFFNESS = 0.3, 30.0
+_SMOOTHNESS, _STIFFNESS = 1.0, 30.0
 """λ of s, and of the map that bends F."""
 _PEAK_FIT_BIAS = 1e-12
 """The rest is over 0 everywhere, and its dark end is wanted dark."""
