@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.acquisition.exposure_order import check_exposures
 from brdf_suite.acquisition.photographs import Photograph, read_photograph
 from brdf_suite.acquisition.session import Session
 from brdf_suite.acquisition.session_finding import Finding
@@ -46,15 +47,16 @@ class Series:
 def read_position(folder: _Path, session: Session, position: int, leave_out: Collection[int] = ()) -> Series:
     """Read the photographs of a position but for the exposures in ``leave_out``.
 
-    What is missing, cut off or of another size is left out and told in ``findings``.
+    What is missing, cut off, of another size, saturated everywhere, or brighter than a longer exposure is left out and
+    told in ``findings``.
 
     Raises
     ------
     FileError
-        None of them can be read.
+        None of them can be read, or they are in no order that could be right.
     """
     names = session.positions[position].photographs
-    return read_series(
+    series = read_series(
         folder,
         names,
         session.exposures_s,
@@ -62,6 +64,34 @@ def read_position(folder: _Path, session: Session, position: int, leave_out: Col
         place=f"positions[{position}].photographs",
         position=position,
         leave_out=leave_out,
+    )
+    found = check_exposures(
+        series.codes,
+        series.exposures_s,
+        series.names,
+        session.camera.bit_depth,
+        folder=folder,
+        position=position,
+        exposures=series.exposures,
+    )
+    for finding in found:
+        if finding.severity == "position":
+            raise finding.error()
+    return _without(series, found) if found else series
+
+
+def _without(series: Series, found: tuple[Finding, ...]) -> Series:
+    """Return the series less the exposures that are told."""
+    dropped = {finding.exposure for finding in found}
+    kept = [i for i, exposure in enumerate(series.exposures) if exposure not in dropped]
+    if not kept:
+        raise found[0].error()
+    return Series(
+        series.codes[kept],
+        tuple(series.exposures_s[i] for i in kept),
+        tuple(series.names[i] for i in kept),
+        tuple(series.exposures[i] for i in kept),
+        (*series.findings, *found),
     )
 
 

@@ -7,15 +7,20 @@ middle to the right and never back. A position whose highlight lies elsewhere sh
 from __future__ import annotations
 
 import bisect
+import contextlib
 import os
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.acquisition.photographs import read_photograph
 from brdf_suite.acquisition.session import Session
 from brdf_suite.acquisition.session_finding import Finding
+from brdf_suite.errors import FileError
+from brdf_suite.progress import Progress, report
 
 _LEAST_LIGHT = 0.03
 """Of the scale of codes above black, for a highlight to count as seen."""
@@ -36,12 +41,13 @@ class PositionOrder:
         self._columns: dict[int, float] = {}
         self._width = 1
 
-    def add(self, position: int, codes: NDArray[Any]) -> None:
-        """Take the photographs (e, h, w, 3) of a position, shortest exposure first."""
+    def add(self, position: int, codes: NDArray[Any]) -> bool:
+        """Take photographs (e, h, w, 3) of a position, shortest exposure first; say whether they show a highlight."""
         column = highlight_column(codes, self._session.camera.bit_depth)
         self._width = codes.shape[2]
         if column is not None:
             self._columns[position] = column
+        return column is not None
 
     def findings(self) -> tuple[Finding, ...]:
         """Return the positions that are out of order; each is left out."""
@@ -80,6 +86,29 @@ class PositionOrder:
         path = str(self._folder / self._session.positions[position].photographs[0])
         where = f"positions[{position}]"
         return Finding(severity, path, reason, where, position if severity == "position" else None)
+
+
+def check_positions(
+    folder: str | os.PathLike[str],
+    session: Session,
+    leave_out: Collection[tuple[int, int]] = (),
+    progress: Progress | None = None,
+) -> tuple[Finding, ...]:
+    """Return which positions of a folder are out of order.
+
+    Of each position only the shortest exposures are unpacked, until one shows a highlight; those in ``leave_out``,
+    (position, exposure), and those that cannot be read, are passed over.
+    """
+    order = PositionOrder(session, folder)
+    for k, position in enumerate(session.positions):
+        report(progress, k / len(session.positions), f"position {k + 1:,} of {len(session.positions):,}")
+        for exposure, name in enumerate(position.photographs):
+            if (k, exposure) in leave_out:
+                continue
+            with contextlib.suppress(FileError):  # told where files are checked
+                if order.add(k, read_photograph(Path(folder) / name).codes[None]):
+                    break
+    return order.findings()
 
 
 def highlight_column(codes: NDArray[Any], bit_depth: int) -> float | None:

@@ -1,6 +1,7 @@
-"""Check a folder against its session before any pixel is unpacked: what is missing, cut off, or cannot be so.
+"""Check a folder against its session: what is missing, cut off, or cannot be so.
 
 Every file is opened once: that it is there and whole, its size and depth, and the exposure time that its EXIF tells.
+Then one photograph of each position is unpacked, to see that the highlight goes the way of the lamp.
 """
 
 from __future__ import annotations
@@ -13,10 +14,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from brdf_suite.acquisition.photographs import PhotographFacts, photograph_facts
+from brdf_suite.acquisition.position_order import check_positions
 from brdf_suite.acquisition.session import Session
 from brdf_suite.acquisition.session_finding import Finding, Severity
 from brdf_suite.errors import FileError
-from brdf_suite.progress import Progress, report
+from brdf_suite.progress import Progress, part, report
 
 _Path = str | os.PathLike[str]
 
@@ -39,16 +41,20 @@ class _Seen:
     findings: list[Finding] = field(default_factory=list)
 
 
-def check_session(folder: _Path, session: Session, progress: Progress | None = None) -> tuple[Finding, ...]:
+def check_session(
+    folder: _Path, session: Session, progress: Progress | None = None, *, pictures: bool = True
+) -> tuple[Finding, ...]:
     """Return what is wrong with the files of a session; nothing is raised but :class:`Cancelled`.
 
-    A position of which nothing is left is told so, and a folder without any position is fatal.
+    A position of which nothing is left is told so, and a folder without any position is fatal. ``pictures``: whether
+    photographs are unpacked to check the order of the positions.
     """
     seen = _Seen()
     files = session.files()
+    by_header = part(progress, 0.0, 0.5) if pictures else progress
     for i, (place, name) in enumerate(files):
         if i % 16 == 0:
-            report(progress, i / len(files), f"file {i + 1:,} of {len(files):,}")
+            report(by_header, i / len(files), f"file {i + 1:,} of {len(files):,}")
         try:
             seen.facts[place] = (name, photograph_facts(Path(folder) / name))
         except FileError as error:
@@ -59,6 +65,13 @@ def check_session(folder: _Path, session: Session, progress: Progress | None = N
     _depths(folder, session, seen)
     _times(folder, session, seen)
     _curve(folder, session, seen)
+    if pictures:
+        lost = {
+            (f.position, f.exposure)
+            for f in seen.findings
+            if f.position is not None and f.exposure is not None
+        }
+        seen.findings += check_positions(folder, session, lost, part(progress, 0.5, 1.0))
     _what_is_left(folder, session, seen)
     report(progress, 1.0, "checked")
     return tuple(seen.findings)

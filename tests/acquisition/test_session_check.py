@@ -128,6 +128,33 @@ def test_exchanged_files_are_seen_by_their_exif(folder: Path) -> None:
     assert "exposure 4: were files exchanged?" in findings[0].reason
 
 
+def test_exchanged_pictures_are_left_out_when_they_are_read(folder: Path, rig: Simulator) -> None:
+    times, codes = rig.session.exposures_s, rig.position(1)
+    for shown, k in ((4, 1), (1, 4)):  # the EXIF says what the session says; the pictures do not
+        write_photograph(folder / f"light_0001/{k:02d}.png", codes[shown], times[k])
+    assert _check(folder) == ()
+    found = read_position(folder, read_session(folder), 1)
+    assert found.exposures == (0, 2, 3, 5)
+    np.testing.assert_array_equal(found.codes, codes[[0, 2, 3, 5]])
+    assert [f.exposure for f in found.findings] == [1, 4]
+    for k in range(6):
+        write_photograph(folder / f"light_0001/{k:02d}.png", codes[5 - k], times[k])
+    with pytest.raises(FileError, match="reverse order"):
+        read_position(folder, read_session(folder), 1)
+
+
+def test_exchanged_positions_are_found_in_the_folder(folder: Path) -> None:
+    (folder / "light_0001").rename(folder / "kept")
+    (folder / "light_0003").rename(folder / "light_0001")
+    (folder / "kept").rename(folder / "light_0003")
+    findings = _check(folder)
+    assert findings
+    assert {f.severity for f in findings} == {"position"}
+    assert positions_lost(findings) <= {1, 2, 3}
+    assert "the highlight at column" in findings[0].reason
+    assert check_session(folder, read_session(folder), pictures=False) == ()
+
+
 def test_times_that_differ_from_the_exif_are_told(folder: Path) -> None:
     session = read_session(folder)
     write_session(replace(session, exposures_s=tuple(2.0 * t for t in session.exposures_s)), folder)
