@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from importlib.metadata import version
 
 from brdf_suite.cli import (
+    acquire,
     agreement,
     basis,
     bench,
@@ -92,6 +93,7 @@ def parser() -> argparse.ArgumentParser:
         export,
         palette,
         check,
+        acquire,
         fit,
         fit_cook_torrance,
         factorize,

@@ -12,7 +12,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     command = commands.add_parser(
         "prefilter",
-        help="prefilter an environment and keep its maps in the cache",
+        help="prefilter an environment, its maps kept in the cache",
         description="Prefilter an environment map with every cosine lobe of the basis. The maps go to the cache, from "
         "which the Viewer and `render` take them.",
     )

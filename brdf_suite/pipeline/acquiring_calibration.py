@@ -1,0 +1,115 @@
+"""The calibrations of a reconstruction, as one value: what turns a stack of photographs into readings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.dark import Dark
+    from brdf_suite.acquisition.intrinsics import CameraCalibration
+    from brdf_suite.acquisition.merge import Merged
+    from brdf_suite.acquisition.response import Response
+    from brdf_suite.acquisition.sphere_geometry import Geometry
+    from brdf_suite.pipeline.acquiring_source import Bools, PhotographSource, Stack
+
+
+@dataclass(frozen=True, eq=False)
+class Calibration:
+    """Response of the camera and geometry of the rig; ``figures`` are what the steps measured, plain values.
+    At the positions ``moved`` the sphere stands elsewhere.
+
+    ``response`` is None for photographs that are linear already (float files).
+    """
+
+    response: Response | None
+    intrinsics: CameraCalibration | None
+    geometry: Geometry
+    figures: Mapping[str, Any]
+    moved: tuple[int, ...] = ()
+    notices: tuple[str, ...] = ()
+
+    def to_json(self) -> dict[str, Any]:
+        """Return everything, exact to the last bit."""
+        return {
+            "response": None if self.response is None else self.response.to_json(),
+            "intrinsics": None if self.intrinsics is None else self.intrinsics.to_json(),
+            "geometry": self.geometry.to_json(),
+            "figures": dict(self.figures),
+            "moved": list(self.moved),
+            "notices": list(self.notices),
+        }
+
+    @classmethod
+    def from_json(cls, values: Mapping[str, Any]) -> Calibration:
+        """Return what :meth:`to_json` gave."""
+        from brdf_suite.acquisition.response import Response
+        from brdf_suite.acquisition.sphere_geometry import Geometry
+
+        response, intrinsics = values["response"], None
+        if values["intrinsics"] is not None:
+            from brdf_suite.acquisition.intrinsics import CameraCalibration
+
+            intrinsics = CameraCalibration.from_json(values["intrinsics"])
+        return cls(
+            None if response is None else Response.from_json(response),
+            intrinsics,
+            Geometry.from_json(values["geometry"]),
+            dict(values["figures"]),
+            tuple(values["moved"]),
+            tuple(values["notices"]),
+        )
+
+    def summary(self) -> dict[str, Any]:
+        """Return the figures, for people."""
+        return dict(self.figures)
+
+
+@dataclass(frozen=True, eq=False)
+class Corrections:
+    """What is taken off each photograph: dark and flat field, full pictures or None."""
+
+    dark: Dark | None = None
+    flat: np.ndarray | None = None
+
+    def merged(
+        self,
+        stack: Stack,
+        response: Response | None,
+        mask: Bools | None,
+        box: tuple[slice, slice] | None = None,
+    ) -> Merged:
+        """Return the radiance of a stack, of the pixels in ``box`` (rows, columns) where it is given."""
+        from brdf_suite.acquisition.merge import merge
+
+        if self.dark is not None and self.dark.hot.any():
+            mask = ~self.dark.hot if mask is None else mask & ~self.dark.hot
+        if box is None:
+            return merge(stack.codes, stack.exposures_s, response, dark=self.dark, flat=self.flat, mask=mask)
+        rows, columns = box
+        return merge(
+            np.ascontiguousarray(stack.codes[:, rows, columns]),
+            stack.exposures_s,
+            response,
+            dark=None if self.dark is None else self.dark.cropped(rows, columns),
+            flat=None if self.flat is None else self.flat[rows, columns],
+            mask=None if mask is None else mask[rows, columns],
+        )
+
+
+def corrections(source: PhotographSource, response: Response | None) -> Corrections:
+    """Return dark and flat field of a source; the same photographs give the same, bit for bit."""
+    from brdf_suite.acquisition.dark import dark_model
+    from brdf_suite.acquisition.flat_field import flat_field
+
+    dark_stack = source.series("dark")
+    dark = None
+    if dark_stack is not None and response is not None:
+        dark = dark_model(dark_stack.codes, dark_stack.exposures_s, response)
+    flat_stack = source.series("flat_field")
+    if flat_stack is None:
+        return Corrections(dark)
+    return Corrections(dark, flat_field(Corrections(dark).merged(flat_stack, response, None)))

@@ -1,0 +1,71 @@
+"""The camera's response, from some positions of a session."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from brdf_suite.pipeline.acquiring_source import first_readable
+from brdf_suite.progress import Progress, part, report
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.response import Response
+    from brdf_suite.acquisition.response_fit import ResponseFit
+    from brdf_suite.pipeline.acquiring import Acquisition
+
+POSITIONS = 8
+"""Spread over the arc; each holds millions of pixels, and all codes are seen in a few."""
+
+
+@dataclass(frozen=True, eq=False)
+class FoundResponse:
+    """A response (None: the photographs are linear), how it was recovered, where it was, and figures of it."""
+
+    response: Response | None
+    fit: ResponseFit | None
+    figures: Mapping[str, Any]
+
+
+def find_response(road: Acquisition, progress: Progress | None = None) -> FoundResponse:
+    """Recover the response as the session and the options of ``road`` ask."""
+    from brdf_suite.acquisition.dark import black_codes
+    from brdf_suite.acquisition.response import srgb_response
+    from brdf_suite.acquisition.response_fit import calibrate_response
+    from brdf_suite.acquisition.response_samples import ResponseSamples, spread
+
+    camera = road.session.camera
+    kind = "linear" if road.options.response == "linear" else camera.response
+    chosen = road.positions
+    first = first_readable(road.source, chosen)
+    if first.codes.dtype == np.float32:
+        return FoundResponse(None, None, {"response": "photographs are linear (float files)"})
+    if kind == "srgb":
+        return FoundResponse(
+            srgb_response(camera.bit_depth), None, {"response": "sRGB, as the session states"}
+        )
+    dark = road.source.series("dark")
+    samples = ResponseSamples(first.exposures_s, camera.bit_depth)
+    mask = road.mask(None)
+    places = spread(len(chosen), POSITIONS)
+    for n, place in enumerate(places):
+        report(progress, 0.6 * n / len(places), "reading for the response")
+        stack = road.readable(chosen[place])
+        # Another number of exposures: some are missing, and the whole ones tell more.
+        if stack is not None and len(stack.exposures_s) == len(first.exposures_s):
+            samples.add(stack.codes, mask)
+    with road.clock.step("calibrate"):
+        fit = calibrate_response(
+            samples,
+            None if dark is None else black_codes(dark.codes),
+            linear=kind == "linear",
+            progress=part(progress, 0.6, 1.0),
+        )
+    figures = {
+        "response": "linear" if fit.response.linear else "recovered",
+        "response_pixels": int(fit.pixels.min()),
+        "largest_time_error": float(np.abs(np.expm1(fit.time_residuals)).max()),
+    }
+    return FoundResponse(fit.response, fit, figures)
