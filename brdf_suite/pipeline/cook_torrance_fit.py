@@ -108,8 +108,9 @@ def fit_reflectance_lobes(
     samples = samples_of(reflectance, settings)
     kept = None if state is None else StartsFile(state)
     fit = fit_checked(samples, settings, kept=kept, progress=part(progress, 0.02, 0.8))
-    errors = errors_of(fit, reflectance, 90.0, samples.floor, part(progress, 0.8, 0.9))
-    within = errors_of(fit, reflectance, settings.grazing_deg, samples.floor, part(progress, 0.9, 1.0))
+    errors, within = errors_of(
+        fit, reflectance, (90.0, settings.grazing_deg), samples.floor, part(progress, 0.8, 1.0)
+    )
     paint = None
     if settings.model == "cook-torrance":
         paint = fit.paint(name[:200] or "fit", source=_source(name, fit, errors))

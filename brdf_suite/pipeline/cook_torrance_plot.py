@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.fitting.cook_torrance.result import LobeFit
 from brdf_suite.fitting.cook_torrance.samples import half_and_difference
@@ -22,7 +21,7 @@ _WINDOW_DEG = 6.0
 
 @dataclass(frozen=True, eq=False)
 class FitPlot:
-    """Curves of f_r, 1/sr, against θh: one for each of a few θd, at φd = 90° where the data can be asked there.
+    """Curves of f_r, 1/sr, against θh: one for each of a few θd, at φd = 90° or near.
 
     ``theta_h_deg`` (k,) rising; ``theta_d_deg`` (c,); ``measured``, ``fitted`` (c, k, 3), NaN where nothing was
     measured, or the fit is 0 there; ``parts`` (1 + N, c, k, 3) of the matt part and each lobe, which sum to ``fitted``.
@@ -36,25 +35,41 @@ class FitPlot:
 
 
 def fit_plot(reflectance: Reflectance, fit: LobeFit) -> FitPlot:
-    """Return the curves; of scattered samples the medians of those that lie near."""
+    """Return the curves; of a table at the measured bins nearest to φd = 90°, of samples the medians of those near."""
     if isinstance(reflectance, ScatteredSamples):
         return _of_samples(reflectance, fit)
-    theta_h = 0.5 * np.pi * ((np.arange(_POINTS) + 0.5) / _POINTS) ** 2
-    theta_d, phi_d = np.radians(THETA_D_DEG), 0.5 * np.pi
-    places: tuple[npt.NDArray[np.intp], int] | None = None
     if isinstance(reflectance, IsotropicTable):
-        theta_h, all_d, all_p = reflectance.grid.centres()
-        at_d = np.array([int(np.argmin(np.abs(all_d - d))) for d in theta_d])
-        at_p = int(np.argmin(np.abs(all_p - phi_d)))
-        theta_d, phi_d, places = all_d[at_d], float(all_p[at_p]), (at_d, at_p)
-    wi, wo = from_half_angle_coordinates(theta_h[None, :], 0.0, theta_d[:, None], phi_d)
-    if places is None:
-        measured = np.asarray(reflectance.eval(wi, wo), np.float64)
-    else:
-        assert isinstance(reflectance, IsotropicTable)
-        measured = reflectance.values[:, places[0], places[1]].astype(np.float64).transpose(1, 0, 2)
-        known = reflectance.measured_mask()[:, places[0], places[1]].T
-        measured = np.where(known[:, :, None], measured, np.nan)
+        return _of_table(reflectance, fit)
+    theta_h = 0.5 * np.pi * ((np.arange(_POINTS) + 0.5) / _POINTS) ** 2
+    theta_d = np.radians(THETA_D_DEG)
+    wi, wo = from_half_angle_coordinates(theta_h[None, :], 0.0, theta_d[:, None], 0.5 * np.pi)
+    measured = np.asarray(reflectance.eval(wi, wo), np.float64)
+    return _curves(theta_h, theta_d, wi, wo, measured, fit)
+
+
+def _of_table(table: IsotropicTable, fit: LobeFit) -> FitPlot:
+    theta_h, all_d, all_p = table.grid.centres()
+    known = table.measured_mask()
+    # A rig's steps leave rows of θd without a reading; the fullest of those near is taken.
+    filled = known.any(axis=2).sum(axis=0)
+    at_d = []
+    for wanted in np.radians(THETA_D_DEG).tolist():
+        near = np.flatnonzero(np.abs(all_d - wanted) <= np.radians(_WINDOW_DEG / 2.0) + 0.5 * all_d[0])
+        order = np.lexsort((np.abs(all_d[near] - wanted), -filled[near]))
+        at_d.append(int(near[order[0]]) if near.size else int(np.argmin(np.abs(all_d - wanted))))
+    # Across the plane of incidence, where the pair is symmetric and both directions are above the horizon.
+    across = np.abs(np.abs(np.mod(all_p, np.pi)) - 0.5 * np.pi)
+    rows = known[:, at_d]
+    at_p = np.argmin(np.where(rows, across, across + 10.0), axis=2)
+    h, c = np.meshgrid(np.arange(len(theta_h)), np.arange(len(at_d)), indexing="ij")
+    found = np.where(rows[h, c, at_p][..., None], table.values[h, np.array(at_d)[c], at_p], np.nan)
+    wi, wo = from_half_angle_coordinates(theta_h[None, :], 0.0, all_d[at_d][:, None], all_p[at_p].T)
+    return _curves(theta_h, all_d[at_d], wi, wo, found.transpose(1, 0, 2).astype(np.float64), fit)
+
+
+def _curves(
+    theta_h: Floats, theta_d: Floats, wi: Floats, wo: Floats, measured: Floats, fit: LobeFit
+) -> FitPlot:
     parts = fit.parts(wi, wo)
     above = ((wi[..., 2] > 0.0) & (wo[..., 2] > 0.0))[..., None]
     return FitPlot(

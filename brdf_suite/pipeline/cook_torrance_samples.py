@@ -8,10 +8,11 @@ pairs even over √θh, θd and φd.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from brdf_suite.fitting.cook_torrance.samples import Floor, LobeSamples, checked_samples, even_weights, spread
 from brdf_suite.fitting.cook_torrance.settings import Settings
@@ -20,6 +21,9 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+
+Singles = npt.NDArray[np.float32]
+Bools = npt.NDArray[np.bool_]
 
 MISFIT = 0.05
 """What a model misses of a measurement anyway, relative: bins known better than this count alike."""
@@ -82,41 +86,63 @@ def even_pairs(count: int, seed: int, grazing_deg: float) -> tuple[Floats, Float
 def errors_of(
     fit: Reflectance,
     reflectance: Reflectance,
-    grazing_deg: float,
+    grazing_deg: Sequence[float],
     floor: Floor | None = None,
     progress: Progress | None = None,
-) -> FitErrors:
-    """Return the errors over every measured bin or sample (or :data:`ASKED` pairs) not beyond ``grazing_deg``."""
+) -> list[FitErrors]:
+    """Return the errors over every measured bin or sample (or :data:`ASKED` pairs), once for each angle.
+
+    ``grazing_deg``: errors are over pairs whose light and view are not beyond this angle from the normal.
+    """
     floor = floor or Floor()
-    values = compared = 0
-    total = squares = missed = size = 0.0
-    relative: list[Floats] = []
-    lowest = math.cos(math.radians(grazing_deg))
-    for fraction, wi, wo, measured in _everything(reflectance, grazing_deg):
+    sums = [_Sums(math.cos(math.radians(angle))) for angle in grazing_deg]
+    for fraction, wi, wo, measured in _everything(reflectance, max(grazing_deg)):
         report(progress, fraction, "errors")
-        seen = (wi[:, 2] >= lowest) & (wo[:, 2] >= lowest) & np.isfinite(measured).all(axis=1)
-        data, found = measured[seen].astype(np.float64), fit.eval(wi[seen], wo[seen])
-        values += data.size
-        missed += float(((found - data) ** 2).sum())
-        size += float((data**2).sum())
-        more = floor.at(data)[:, None]
-        both = (data + more > 0.0) & (found + more > 0.0)
-        ratio = (found + more)[both] / (data + more)[both]
+        lower = np.minimum(wi[:, 2], wo[:, 2])
+        # At the horizon itself, to rounding, there is no f_r.
+        seen = (lower > 0.0) & np.isfinite(measured).all(axis=1)
+        data = np.maximum(measured[seen].astype(np.float64), 0.0)
+        found, added = fit.eval(wi[seen], wo[seen]), floor.at(data)[:, None]
+        for one in sums:
+            one.add(data, found, added, lower[seen] >= one.lowest)
+    return [one.errors() for one in sums]
+
+
+class _Sums:
+    """Sums of the errors of pairs with both cosines at least ``lowest``."""
+
+    def __init__(self, lowest: float) -> None:
+        self.lowest = lowest
+        self._values = self._compared = 0
+        self._total = self._squares = self._missed = self._size = 0.0
+        self._relative: list[Singles] = []
+
+    def add(self, data: Floats, found: Floats, added: Floats, mask: Bools) -> None:
+        if not mask.all():
+            data, found, added = data[mask], found[mask], added[mask]
+        self._values += data.size
+        self._missed += float(((found - data) ** 2).sum())
+        self._size += float((data**2).sum())
+        both = (data + added > 0.0) & (found + added > 0.0)
+        ratio = (found + added)[both] / (data + added)[both]
         logs = np.log(ratio)
-        compared += logs.size
-        total += float(np.abs(logs).sum())
-        squares += float((logs**2).sum())
-        relative.append(np.abs(ratio - 1.0).astype(np.float32))
-    if compared == 0:
-        return FitErrors(values, 0, 0.0, 0.0, 0.0, 0.0)
-    return FitErrors(
-        values,
-        compared,
-        total / compared,
-        math.sqrt(squares / compared),
-        float(np.median(np.concatenate(relative))),
-        math.sqrt(missed / size) if size > 0.0 else 0.0,
-    )
+        self._compared += logs.size
+        self._total += float(np.abs(logs).sum())
+        self._squares += float((logs**2).sum())
+        self._relative.append(np.abs(ratio - 1.0).astype(np.float32))
+
+    def errors(self) -> FitErrors:
+        count = self._compared
+        if count == 0:
+            return FitErrors(self._values, 0, 0.0, 0.0, 0.0, 0.0)
+        return FitErrors(
+            self._values,
+            count,
+            self._total / count,
+            math.sqrt(self._squares / count),
+            float(np.median(np.concatenate(self._relative))),
+            math.sqrt(self._missed / self._size) if self._size > 0.0 else 0.0,
+        )
 
 
 def _everything(
