@@ -1988,8 +1988,10 @@
         <translation>Von der Kamera zum Kugelmittelpunkt</translation>
     </message>
     <message>
-        <source>{value} ± {sigma}, stated {stated}</source>
-        <translation>{value} ± {sigma}, angegeben {stated}</translation>
+        <source>{value} ± {sigma}
+stated {stated}</source>
+        <translation>{value} ± {sigma}
+angegeben {stated}</translation>
     </message>
     <message>
         <source>The highlights tell {share:.0f} % of it: {why}</source>
@@ -2901,7 +2903,7 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
     </message>
     <message>
         <source>Clipped</source>
-        <translation>Übersteuert</translation>
+        <translation>Überst.</translation>
     </message>
     <message>
         <source>Dark</source>
@@ -2925,9 +2927,9 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
     </message>
     <message>
         <source>{time:.4g} ms
-{clipped} clipped</source>
+{clipped}</source>
         <translation>{time:.4g} ms
-{clipped} überst.</translation>
+{clipped}</translation>
     </message>
     <message>
         <source>The files hold no times of their own; the stated ones are taken.</source>

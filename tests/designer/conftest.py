@@ -118,6 +118,23 @@ def desk(fresh, qtbot) -> Designer:
     return designer
 
 
+@pytest.fixture(scope="session")
+def simulated(tmp_path_factory) -> Path:
+    """A folder with photographs of a painted sphere, 96 pixels, 8 positions of the lamp × 5; not to be changed."""
+    from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
+    from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
+    from brdf_suite.reflectance.build import build_reflectance
+
+    paint = CookTorrancePaint("Test", (0.2, 0.15, 0.1), (CookTorranceLobe((0.3, 0.3, 0.3), 0.2, 0.3),))
+    angles = (20.0, 37.0, 54.0, 71.0, 88.0, 105.0, 122.0, 140.0)
+    rig = SimulatorSettings(
+        size=(96, 96), angles_deg=angles, exposures=5, shortest_s=0.002, board=False, white=False
+    )
+    folder = tmp_path_factory.mktemp("session") / "photographs"
+    simulate(build_reflectance(paint), folder, rig, "Test")
+    return folder
+
+
 @pytest.fixture
 def asked(fresh) -> ScriptedDialogs:
     """What its questions for files are answered with."""

@@ -139,7 +139,7 @@ class ExposuresPage(AcquirePage):
             return
         self.strip.blockSignals(True)
         for shot in series.shots:
-            text = tr("{time:.4g} ms\n{clipped} clipped").format(
+            text = tr("{time:.4g} ms\n{clipped}").format(
                 time=1e3 * shot.exposure_s, clipped=percent(shot.clipped)
             )
             sign = QIcon(_thumb(shot))

@@ -132,7 +132,9 @@ class FitPage(AcquirePage):
             return
         self.note.setText("\n".join(state.notices))
         self.angle.blockSignals(True)
-        chosen = max(0, self.angle.currentIndex())
+        # At first the curve with the most points.
+        points = np.isfinite(state.measured).any(axis=-1).sum(axis=-1)
+        chosen = self.angle.currentIndex() if self.angle.count() else int(np.argmax(points))
         self.angle.clear()
         for angle in state.theta_d_deg:
             self.angle.addItem(f"{angle:.3g}°")

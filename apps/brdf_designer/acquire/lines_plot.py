@@ -202,7 +202,8 @@ class LinesPlot(QWidget):
 
     def _pen(self, curve: Curve, width: float | None = None) -> QPen:
         width = curve.width if width is None else width
-        pen = QPen(self._colour(curve.kind), width)
+        # The width of a cosmetic pen is in pixels of the device.
+        pen = QPen(self._colour(curve.kind), width * self.devicePixelRatioF())
         pen.setCosmetic(True)
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         dashes = _DASHES[curve.dash]

@@ -122,11 +122,14 @@ class MapPlot(QWidget):
             _CENTRE,
             self.map.x_name,
         )
-        widest = 0.0
+        widest, above = 0.0, 1e9
         for share, text in self.map.y_ticks:
             y = place.bottom() - share * place.height()
             wide = metrics.horizontalAdvance(text)
             widest = max(widest, wide)
+            if y > above - 0.9 * line:
+                continue  # it would lie on the one below
+            above = y
             painter.drawLine(QPointF(place.left() - 4.0, y), QPointF(place.left(), y))
             painter.drawText(QPointF(place.left() - wide - 6.0, y + 0.35 * metrics.ascent()), text)
         self._upright(painter, self.map.y_name, place.left() - widest - 10.0 - 0.5 * line, place)

@@ -12,7 +12,7 @@ from brdf_qt.progress_strip import ProgressStrip
 from brdf_qt.settings import settings
 from brdf_qt.translation import tr
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence, QShortcut
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QHideEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -45,7 +45,7 @@ class AcquireWindow(QWidget):
     """All pages, and the way between them.
 
     Intents: ``step_shown(key)``, ``undo_asked()``, ``redo_asked()``, ``folder_dropped(str)``, ``all_asked()``,
-    ``hidden()``.
+    ``hidden()``, ``brought()``.
     """
 
     step_shown = Signal(str)
@@ -54,6 +54,7 @@ class AcquireWindow(QWidget):
     folder_dropped = Signal(str)
     all_asked = Signal()
     hidden = Signal()
+    brought = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent, Qt.WindowType.Window)
@@ -201,6 +202,7 @@ class AcquireWindow(QWidget):
     def bring(self) -> None:
         """Show the window, in front."""
         self.show()
+        self.brought.emit()
         self.setWindowState(self.windowState() & ~Qt.WindowState.WindowMinimized)
         self.raise_()
         self.activateWindow()
@@ -209,7 +211,11 @@ class AcquireWindow(QWidget):
         store = settings()
         store.setValue(_GEOMETRY, self.saveGeometry())
         event.accept()
-        self.hidden.emit()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        if not event.spontaneous():
+            self.hidden.emit()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         urls = event.mimeData().urls()

@@ -270,7 +270,7 @@ def _refined(row: Any) -> tuple[str, str, str]:
     )
     if not any(digit in "123456789" for digit in stated):
         stated = stated.lstrip("−")
-    value = tr("{value} ± {sigma}, stated {stated}").format(
+    value = tr("{value} ± {sigma}\nstated {stated}").format(
         value=found, sigma=sigma + unit, stated=stated + unit
     )
     told = tr("The highlights tell {share:.0f} % of it: {why}").format(

@@ -85,7 +85,7 @@ class Workbench(QObject):
         self._road, self._beside = TaskRunner(self, threads=1), TaskRunner(self, threads=1)
         self._running: dict[str, tuple[TaskRunner, float, str]] = {}
         window.hidden.connect(self._move_progress)
-        window.step_shown.connect(lambda _key: self._move_progress())
+        window.brought.connect(self._move_progress)
 
     # What is open.
 
