@@ -141,7 +141,7 @@ def _times(folder: _Path, session: Session, seen: _Seen) -> None:
         reason = f"was exposed for {told:g} s as its EXIF says, and session.json says {stated:g} s"
         other = _nearest(session, told)
         if other != exposure and abs(math.log(told / session.exposures_s[other])) <= _OTHER_TIME:
-            reason += f"; that is the time of exposure {other}: were files exchanged?"
+            reason += f"; that is the time of exposure {other}, so that files may have been exchanged"
         else:
             reason += "; correct exposures_s"
         _add(seen, folder, "exposure" if position is not None else "warning", place, reason)
@@ -182,17 +182,18 @@ def _curve(folder: _Path, session: Session, seen: _Seen) -> None:
 
 
 def _what_is_left(folder: _Path, session: Session, seen: _Seen) -> None:
-    lost = {(f.position, f.exposure) for f in seen.findings if f.severity == "exposure"}
-    whole = {f.position for f in seen.findings if f.severity == "position"}
-    empty = []
+    """Tell once of a position that is lost as a whole, and not of each of its photographs."""
+    reasons = {(f.position, f.exposure): f.reason for f in seen.findings if f.severity == "exposure"}
+    lost = {f.position for f in seen.findings if f.severity == "position"}
     for i, position in enumerate(session.positions):
-        if all((i, k) in lost for k in range(len(position.photographs))):
-            empty.append(i)
-            path = str(Path(folder) / position.photographs[0])
-            reason = (
-                f"none of the photographs at {position.angle_deg:g}° can be used, beginning with this one"
-            )
-            seen.findings.append(Finding("position", path, reason, f"positions[{i}]", i))
-    if len({*empty, *whole}) == len(session.positions):
+        count = len(position.photographs)
+        if i in lost or not all((i, k) in reasons for k in range(count)):
+            continue
+        lost.add(i)
+        path = str(Path(folder) / position.photographs[0])
+        reason = f"{reasons[i, 0]}; none of the {count} photographs at {position.angle_deg:g}° can be used"
+        seen.findings = [f for f in seen.findings if (f.severity, f.position) != ("exposure", i)]
+        seen.findings.append(Finding("position", path, reason, f"positions[{i}]", i))
+    if len(lost) == len(session.positions):
         reason = "none of its photographs can be used; see the files named before"
         seen.findings.append(Finding("fatal", str(Path(folder)), reason))
