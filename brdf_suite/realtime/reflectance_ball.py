@@ -11,6 +11,7 @@ from collections.abc import Iterable
 
 import moderngl
 import numpy as np
+from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.camera import CameraMatrices
@@ -55,6 +56,11 @@ class ReflectanceBalls:
             self._pictures[material][0].use(BALL_UNIT)
             return {"ball_axes": columns(camera.view_to_world)}
         return self._factors.use(material) if "FACTORS" in words else {}
+
+    def picture(self, material: str) -> NDArray[np.float32]:
+        """Return the ball of a material as it was last drawn, (n, n, 3) radiance, top row first; KeyError: none was."""
+        read = self._pictures[material][1].read(components=3, dtype="f4")
+        return np.frombuffer(read, np.float32).reshape(BALL_EDGE, BALL_EDGE, 3)[::-1].copy()
 
     def _draw(self, view: View, camera: CameraMatrices, name: str, words: Features) -> None:
         drawing = self._drawing

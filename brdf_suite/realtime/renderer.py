@@ -71,7 +71,8 @@ class Renderer(OffscreenPictures):
     """All state of one OpenGL context; every call must come with that context current, from one thread.
 
     ``surface_shader`` is a fragment shader file to draw surfaces with instead of ours: for measurements. ``screen`` is
-    what frames are drawn for: sRGB until it is set to the monitor that they are seen on.
+    what frames are drawn for: sRGB until it is set to the monitor that they are seen on. ``balls`` has the reflectance
+    balls of factored materials.
     """
 
     def __init__(self, context: moderngl.Context, surface_shader: Path | None = None) -> None:
@@ -99,7 +100,7 @@ class Renderer(OffscreenPictures):
             self._single_lights,
             self._finish,
         )
-        self._balls = ReflectanceBalls(self._drawing, self._factors)
+        self.balls = ReflectanceBalls(self._drawing, self._factors)
         self._warm: tuple[int, int, Features] | None = None
 
     @property
@@ -280,7 +281,7 @@ class Renderer(OffscreenPictures):
         # Graphics cards have powers of two of them.
         samples = 1 << (samples.bit_length() - 1) if samples > 1 else 0
         camera = matrices(view.camera, self.bounds, size)
-        self._balls.draw(view, camera, (materials.get(n, n) for n in (PAINT, SECOND_PAINT)))
+        self.balls.draw(view, camera, (materials.get(n, n) for n in (PAINT, SECOND_PAINT)))
         framebuffer, light = target.prepare(tile, samples, dtype)
         framebuffer.use()
         self.context.viewport = (0, 0, *tile)
@@ -328,7 +329,7 @@ class Renderer(OffscreenPictures):
             blend_over(self.context, "SECOND_PAINT" in words)
             name = materials.get(name, name)
             if view.lamps:
-                words |= self._balls.words(view, name) or self._factors.features(
+                words |= self.balls.words(view, name) or self._factors.features(
                     name, has_uv=self._mesh.has_uv[part]
                 )
             material = self._materials.find(name, modes, self._environment.ladder)
@@ -339,7 +340,7 @@ class Renderer(OffscreenPictures):
             assign(program, self._environment.use_sharp(material.sharp))
             if "COAT_RELIEF" in words:
                 assign(program, self._relief.peel_uniforms(view, name))
-            assign(program, self._balls.uniforms(name, words, camera))
+            assign(program, self.balls.uniforms(name, words, camera))
             if lit:
                 assign(program, self._single_lights.uniforms(name, view, has_uv=self._mesh.has_uv[part]))
             material.ramp.use(RAMP_UNIT)
