@@ -71,6 +71,14 @@ def test_the_curve_comes_back(curve: str, bits: int) -> None:
     assert np.abs(fit.time_residuals).max() < 0.02
 
 
+@pytest.mark.parametrize("count", [4, 6, 9])
+def test_few_exposures_far_apart_leave_no_ripples(count: int) -> None:
+    times = np.geomspace(0.002, 0.328, count)
+    fit = recovered(shoot("film", times=times), 12, times=times)
+    assert rms(fit, shoot("film", times=times).truth) < 0.015
+    assert np.all(np.diff(fit.response.exposure[0, 40:4050]) > 0.0)
+
+
 @pytest.mark.parametrize("black", [0, 64])
 def test_a_linear_camera_is_told_as_such_and_its_noise_measured(black: int) -> None:
     camera = shoot("linear", black=black)
