@@ -34,6 +34,8 @@ SHORTEST_S, LONGEST_S = 0.00025, 0.328
 
 _SPECIAL = ("dark", "white", "flat", "board", "mask")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
+_LINEAR = ("raw", "exr", "hdr")
+"""Kinds of photographs that are linear by themselves."""
 _SENSOR_BITS = (8, 10, 12, 14, 16)
 
 
@@ -102,7 +104,13 @@ def _session(draft: _Draft) -> Session:
     facts = photograph_facts(first[0])
     return Session(
         draft.folder.resolve().name or "session",
-        Camera(2.0, 0.0, _bits(draft, facts, first[-1]), board=_board(draft, special.get("board", []))),
+        Camera(
+            2.0,
+            0.0,
+            _bits(draft, facts, first[-1]),
+            "linear" if facts.kind in _LINEAR else "unknown",
+            board=_board(draft, special.get("board", [])),
+        ),
         Sphere(0.05),
         Light(0.7),
         times,
@@ -193,7 +201,7 @@ def _angles(draft: _Draft, hints: list[float | None]) -> list[float]:
 
 def _bits(draft: _Draft, facts: PhotographFacts, longest: Path) -> int:
     """The depth that the codes use: 12 bits often stand in files of 16."""
-    if facts.bits is None or facts.bits == 8:
+    if facts.bits is None or facts.bits == 8 or facts.kind == "raw":
         return 8 if facts.bits == 8 else 16
     highest = int(read_photograph(longest).codes.max())
     bits = next(bits for bits in _SENSOR_BITS if highest < 1 << bits)

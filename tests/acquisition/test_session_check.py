@@ -27,6 +27,7 @@ from brdf_suite.acquisition.session_template import write_template
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings, simulate
 from brdf_suite.acquisition.simulator.writing import write_photograph
 from brdf_suite.errors import Cancelled, FileError
+from brdf_suite.files.exr import write_exr
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 
@@ -332,6 +333,19 @@ def test_the_template_of_an_empty_folder_proposes_names(tmp_path: Path) -> None:
     session = read_session(tmp_path / "new")
     assert (len(session.positions), len(session.exposures_s)) == (180, 16)
     assert "no photographs yet" in written.notes[0]
+
+
+def test_the_template_of_float_photographs_is_linear_and_angles_may_be_unknown(tmp_path: Path) -> None:
+    for name in ("right", "left"):
+        (tmp_path / name).mkdir()
+        for k in range(3):
+            write_exr(tmp_path / name / f"{k}.exr", np.full((4, 4, 3), 0.1 * k, np.float32))
+    written = write_template(tmp_path)
+    session = read_session(tmp_path)
+    assert session.camera.response == "linear"
+    assert [p.angle_deg for p in session.positions] == [0.0, 180.0]
+    assert any("even steps" in note for note in written.notes)
+    assert any("tell no times" in note for note in written.notes)
 
 
 def test_a_template_of_uneven_or_loose_photographs_is_refused(tmp_path: Path) -> None:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import ast
 import math
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+import brdf_suite.acquisition
 from brdf_suite.acquisition.session import Intrinsics
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
 from brdf_suite.acquisition.simulator.optics import distorted, first_hits, undistorted
@@ -207,3 +210,13 @@ def test_it_shares_no_code_with_the_reconstruction() -> None:
     found = subprocess.run([sys.executable, "-c", asked], check=True, capture_output=True, text=True).stdout
     inside = {name.removeprefix("brdf_suite.acquisition.").split(".")[0] for name in found.split()}
     assert inside == {"simulator", "session", "session_values", "session_store"}
+
+
+def test_the_reconstruction_knows_no_simulator() -> None:
+    room = Path(brdf_suite.acquisition.__file__).parent
+    for file in room.glob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            if isinstance(node, ast.ImportFrom):
+                names = [node.module or ""]
+            assert not any("simulator" in name for name in names), file.name
