@@ -1988,6 +1988,14 @@
         <translation>Von der Kamera zum Kugelmittelpunkt</translation>
     </message>
     <message>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>Distance of the board&apos;s corners from where the calibrated camera expects them</source>
+        <translation>Abstand der Ecken der Kalibriertafel von dort, wo die kalibrierte Kamera sie erwartet</translation>
+    </message>
+    <message>
         <source>{value} ± {sigma}
 stated {stated}</source>
         <translation>{value} ± {sigma}
@@ -2864,6 +2872,10 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
     <message>
         <source>Code</source>
         <translation>Code</translation>
+    </message>
+    <message>
+        <source>Problems of this position</source>
+        <translation>Mängel dieser Stellung</translation>
     </message>
     <message>
         <source>Position of the lamp</source>

@@ -134,6 +134,20 @@ def test_what_is_missing_or_cut_off_is_named_with_its_reason(assistant, folder, 
     assert assistant.window.exposures.strip.count() == 4
 
 
+def test_photographs_that_were_exchanged_are_named(assistant, folder, qtbot):
+    names = read_session(folder).positions[0].photographs
+    (folder / names[1]).rename(folder / "short.png")
+    (folder / names[4]).rename(folder / names[1])
+    (folder / "short.png").rename(folder / names[4])
+    open_folder(assistant, folder, qtbot)
+    assistant.series.show(0)
+    page = assistant.window.exposures
+    qtbot.waitUntil(lambda: page._series.position == 0)
+    told = [page.problems.topLevelItem(i).text(1) for i in range(page.problems.topLevelItemCount())]
+    assert told
+    assert set(told) <= set(names)
+
+
 def test_a_folder_without_a_session_leaves_the_open_one(opened, tmp_path, qtbot):
     before = opened.bench.session
     opened.sessions.open(tmp_path)

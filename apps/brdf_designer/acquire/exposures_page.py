@@ -8,14 +8,15 @@ from brdf_qt.number_field import NumberField
 from brdf_qt.quiet_slider import QuietSlider
 from brdf_qt.translation import tr
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QIcon, QImage, QPainter, QPixmap
+from PySide6.QtGui import QIcon, QPainter, QPixmap, QTransform
 from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem, QSplitter
 
 from brdf_designer.acquire.lines_plot import CHANNELS, Axis, Curve, LinesPlot
 from brdf_designer.acquire.page import AcquirePage, Facts, wrapped
 from brdf_designer.acquire.picture_marks import Area, draw_mark
-from brdf_designer.acquire.picture_tone import area_of, drawn
+from brdf_designer.acquire.picture_tone import Tones, area_of, drawn
 from brdf_designer.acquire.picture_view import PictureView
+from brdf_designer.acquire.session_page import fill_problems, problem_list
 from brdf_designer.acquire.states import Series, Shot
 from brdf_designer.standard_tables import WholeTable
 
@@ -67,6 +68,9 @@ class ExposuresPage(AcquirePage):
         split.setStretchFactor(1, 2)
         split.setChildrenCollapsible(False)
         self.centre.addWidget(split, 1)
+        self.problems = problem_list(tr("Problems of this position"))
+        self.problems.hide()
+        self.centre.addWidget(self.problems)
         self.centre.addWidget(self.strip)
         self.position = QuietSlider(Qt.Orientation.Horizontal)
         self.position.setAccessibleName(tr("Position of the lamp"))
@@ -122,6 +126,9 @@ class ExposuresPage(AcquirePage):
     def show_series(self, series: Series | None) -> None:
         """Show a position's photographs; the same exposure stays chosen."""
         self._series = series
+        problems = () if series is None else series.problems
+        fill_problems(self.problems, problems)
+        self.problems.setVisible(bool(problems))
         self.strip.blockSignals(True)
         self.strip.clear()
         self.strip.blockSignals(False)
@@ -142,9 +149,10 @@ class ExposuresPage(AcquirePage):
             text = tr("{time:.4g} ms\n{clipped}").format(
                 time=1e3 * shot.exposure_s, clipped=percent(shot.clipped)
             )
-            sign = QIcon(_thumb(shot))
+            small = _thumb(shot)
+            sign = QIcon(small)
             # The style tints what is chosen; a photograph keeps its colours.
-            sign.addPixmap(_thumb(shot), QIcon.Mode.Selected)
+            sign.addPixmap(small, QIcon.Mode.Selected)
             item = QListWidgetItem(sign, text)
             item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
             item.setToolTip(shot.file)
@@ -257,21 +265,19 @@ def percent(share: float) -> str:
 
 
 def _thumb(shot: Shot) -> QPixmap:
-    whole = drawn(shot.tones)
-    wide, high = whole.width(), whole.height()
-    pixmap = QPixmap(THUMB, THUMB)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    small: QImage = whole.scaled(
+    """Return a small picture, from as many pixels as it can show: all of them would take a moment for each."""
+    step = max(1, min(shot.tones.codes.shape[:2]) // (2 * THUMB))
+    whole = drawn(Tones(np.ascontiguousarray(shot.tones.codes[::step, ::step]), shot.tones.values))
+    clipped = area_of(shot.clipped_area[::step, ::step])
+    small = whole.scaled(
         THUMB, THUMB, Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation
     )
-    from PySide6.QtGui import QTransform
-
-    scale = min(THUMB / wide, THUMB / high)
+    scale = min(THUMB / whole.width(), THUMB / whole.height())
     left, top = 0.5 * (THUMB - small.width()), 0.5 * (THUMB - small.height())
+    pixmap = QPixmap(THUMB, THUMB)
+    pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
     painter.drawImage(int(left), int(top), small)
-    draw_mark(
-        painter, Area(area_of(shot.clipped_area)), QTransform().translate(left, top).scale(scale, scale)
-    )
+    draw_mark(painter, Area(clipped), QTransform().translate(left, top).scale(scale, scale))
     painter.end()
     return pixmap

@@ -21,13 +21,12 @@ from brdf_designer.acquire.picture_tone import Tones, drawn
 class MaskPage(AcquirePage):
     """The page of the mask.
 
-    Intents: ``mask_edited()``, ``position_chosen(index)``, ``everything_asked()``, ``again_asked()``.
+    Intents: ``mask_edited()``, ``position_chosen(index)``, ``everything_asked()``.
     """
 
     mask_edited = Signal()
     position_chosen = Signal(int)
     everything_asked = Signal()
-    again_asked = Signal()
 
     def __init__(self) -> None:
         super().__init__(

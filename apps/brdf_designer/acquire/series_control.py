@@ -6,14 +6,13 @@ from brdf_qt.translation import tr
 from PySide6.QtCore import QObject
 
 from brdf_designer.acquire.exposures_page import ExposuresPage
-from brdf_designer.acquire.picture_tone import Tones
 from brdf_designer.acquire.session_control import SessionControl
 from brdf_designer.acquire.states import Series
 from brdf_designer.acquire.work_series import SeriesRequest, read_series_state
 from brdf_designer.acquire.workbench import Workbench
 
-_KEPT = 3
-"""Positions whose photographs stay in memory: 16 of a megapixel are about 130 MB."""
+_KEPT = 2
+"""Positions whose photographs stay in memory: 16 of a megapixel are about 110 MB."""
 
 
 class SeriesControl(QObject):
@@ -43,11 +42,6 @@ class SeriesControl(QObject):
         assert self._bench.session is not None
         angles = [position.angle_deg for position in self._bench.session.positions]
         return min(range(len(angles)), key=lambda k: abs(angles[k] - 60.0))
-
-    def picture(self, series: Series) -> Tones | None:
-        """Return the longest exposure of a series that is hardly clipped."""
-        good = [shot for shot in series.shots if shot.clipped < 0.02] or list(series.shots[:1])
-        return good[-1].tones if good else None
 
     def _opened(self) -> None:
         self._kept.clear()

@@ -244,6 +244,15 @@ def geometry_found(road: Acquisition) -> GeometryFound:
             tr("From the camera to the centre of the sphere"),
         ),
     ]
+    lens_rms = road.calibration.figures.get("lens_rms_px")
+    if lens_rms is not None:
+        rig.append(
+            (
+                tr("Lens"),
+                tr("{rms:.3f} px RMS").format(rms=float(lens_rms)),
+                tr("Distance of the board's corners from where the calibrated camera expects them"),
+            )
+        )
     state = GeometryState(
         tones_of_linear(np.asarray(union)[::step, ::step]),
         scaled(outline.points),

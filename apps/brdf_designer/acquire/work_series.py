@@ -17,9 +17,10 @@ from brdf_suite.progress import Progress, report
 if TYPE_CHECKING:
     from brdf_suite.acquisition.session import Session
 
-LONGEST_SIDE = 1600
+LONGEST_SIDE = 1200
 """Pictures beyond it are drawn from every second, third … pixel; what is counted is counted over all."""
 _BINS = 256
+_JUDGED_PIXELS = 40_000
 _NOISE_SHARE = 0.004
 """Codes within this share of the full scale above black are within the noise."""
 
@@ -36,8 +37,10 @@ class SeriesRequest:
 def read_series_state(request: SeriesRequest, progress: Progress) -> Series:
     """Read all photographs of a position.
 
-    Files that cannot be read are told as problems; a position without any gives an empty series.
+    Files that cannot be read, and photographs that contradict each other (exchanged, saturated everywhere), are told
+    as problems; a position without any gives an empty series.
     """
+    from brdf_suite.acquisition.exposure_order import check_exposures
     from brdf_suite.acquisition.photographs import read_photograph
 
     session = request.session
@@ -45,6 +48,7 @@ def read_series_state(request: SeriesRequest, progress: Progress) -> Series:
     shots: list[Shot] = []
     problems: list[Problem] = []
     black: float | None = None
+    judged: list[NDArray[np.generic]] = []
     for number, (name, time) in enumerate(zip(position.photographs, session.exposures_s, strict=True)):
         report(progress, number / len(position.photographs), name)
         try:
@@ -59,6 +63,12 @@ def read_series_state(request: SeriesRequest, progress: Progress) -> Series:
             # Most of the shortest exposure is black, whatever pedestal the camera adds.
             black = float(np.percentile(codes, 5.0))
         shots.append(_shot(codes, bits, time, found.facts.exposure_s, name, black))
+        step = max(1, round((codes.shape[0] * codes.shape[1] / _JUDGED_PIXELS) ** 0.5))
+        judged.append(codes[::step, ::step])
+    if len({codes.shape for codes in judged}) == 1:
+        times, names = [shot.exposure_s for shot in shots], [shot.file for shot in shots]
+        found_wrong = check_exposures(np.stack(judged), times, names, session.camera.bit_depth)
+        problems += [Problem("error", finding.path, finding.reason) for finding in found_wrong]
     return Series(request.position, position.angle_deg, tuple(shots), tuple(problems))
 
 
