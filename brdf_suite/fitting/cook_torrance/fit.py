@@ -40,6 +40,7 @@ _ROUNDS = 3
 # What a change must win to be worth keeping, and below which a difference is rounding of the data.
 _GAIN, _ROUNDING = 1e-3, 2e-6
 _WORTH_A_LOOK = 1.03
+_LOOKED_AT = 4
 
 
 class KeptStarts(Protocol):
@@ -210,6 +211,7 @@ def _other_reflectances(
 ) -> Vector:
     """Set each lobe to other reflectances in turn, with its height kept, while that leads to something better."""
     model = whole.model
+    reflected = [model.m_at(lobe) + 1 for lobe in range(model.lobes)]
     value = _objective(whole, best, settings)
     for _ in range(_ROUNDS):
         trials = []
@@ -222,11 +224,25 @@ def _other_reflectances(
                     continue
                 x = best.copy()
                 x[place] = inverse_index_of(r)
-                trials.append(search(few, x, settings.loss, (0.1,), _JUMP_STEPS, steps.tick))
+                x = search(few, x, settings.loss, (0.1,), _JUMP_STEPS, steps.tick)
+                # Most fall back to where they came from, or to where another fell.
+                if all(
+                    np.abs(x[reflected] - y[reflected]).max() > 0.03 for y in (best, *(y for _, y in trials))
+                ):
+                    trials.append((_objective(few, x, settings), x))
         if not trials or value <= _ROUNDING:
             break
-        nearest = min(trials, key=lambda x: _objective(few, x, settings))
-        found = search(whole, nearest, settings.loss, FINE, _FINE_STEPS, steps.tick)
+        # The valleys differ by less than few samples tell: those that may be lower are searched with all.
+        trials.sort(key=lambda trial: trial[0])
+        limit = max(_WORTH_A_LOOK * min(trials[0][0], _objective(few, best, settings)), _ROUNDING)
+        answers = [
+            search(whole, x, settings.loss, FINE, _FINE_STEPS, steps.tick)
+            for reached, x in trials[:_LOOKED_AT]
+            if reached <= limit
+        ]
+        if not answers:
+            break
+        found = min(answers, key=lambda x: _objective(whole, x, settings))
         reached = _objective(whole, found, settings)
         if not reached < value * (1.0 - 1e-5):
             break
