@@ -170,7 +170,14 @@ def _tiff(content: Content, path: _Path) -> NDArray[Any]:
     except ModuleNotFoundError as error:
         reason = "is packed in a way that OpenCV reads; install it with pip install 'brdf-suite[acquisition]'"
         raise FileError(path, f"{reason}, or write it without compression") from error
-    pixels = cv2.imdecode(np.frombuffer(content[:], np.uint8), cv2.IMREAD_UNCHANGED)
+    # OpenCV would tell of damage on the standard error as well; the user is told once, below.
+    level = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
+    try:
+        pixels = cv2.imdecode(np.frombuffer(content[:], np.uint8), cv2.IMREAD_UNCHANGED)
+    except cv2.error as error:
+        raise FileError(path, "is a TIFF that OpenCV cannot unpack; write it without compression") from error
+    finally:
+        cv2.utils.logging.setLogLevel(level)
     if pixels is None:
         raise FileError(path, "is a TIFF that cannot be unpacked; write it without compression")
     coloured: NDArray[Any] = pixels[..., None] if pixels.ndim == 2 else pixels[..., 2::-1]

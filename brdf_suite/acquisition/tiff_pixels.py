@@ -23,6 +23,7 @@ _STRIPS, _CHANNELS, _ROWS, _STRIP_BYTES, _PLANES, _PREDICTOR = 273, 277, 278, 27
 _TILE_WIDTH, _TILE_HEIGHT, _TILES, _TILE_BYTES, _FORMAT = 322, 323, 324, 325, 339
 
 MOST_PIXELS = 1 << 28
+_MOST_CHANNELS = 5
 _PLAIN, _DEFLATED = (1,), (8, 32946)
 
 
@@ -30,11 +31,13 @@ def layout(fields: Fields, path: _Path) -> tuple[int, int, int, int, bool]:
     """Return width, height, channels, bits, and whether its numbers are floats."""
     width, height = (int(_one(fields, tag, path)) for tag in (WIDTH, HEIGHT))
     channels = int(_one(fields, _CHANNELS, path, 1))
-    bits = _numbers(fields, BITS, path, (1.0,))
+    bits = int(_one(fields, BITS, path, 1))
     floats = _one(fields, _FORMAT, path, 1) == 3
     if width < 1 or height < 1 or width * height > MOST_PIXELS:
         raise FileError(path, f"is {width} × {height} pixels; up to {MOST_PIXELS:,} are read")
-    return width, height, channels, int(bits[0]), floats
+    if not 1 <= channels <= _MOST_CHANNELS:
+        raise FileError(path, f"has {channels} channels; up to {_MOST_CHANNELS} are read")
+    return width, height, channels, bits, floats
 
 
 def check_whole(content: Content, fields: Fields, path: _Path) -> None:
@@ -82,7 +85,9 @@ def tiff_pixels(content: Content, path: _Path) -> NDArray[Any]:
     columns = int(_one(fields, _TILE_WIDTH, path, width)) if tiled else width
     if rows < 1 or columns < 1:
         raise FileError(path, "has strips of no rows; it is damaged")
-    rows = min(rows, MOST_PIXELS)
+    if tiled and rows * columns > MOST_PIXELS:
+        raise FileError(path, f"has tiles of {columns} × {rows} pixels; it is damaged")
+    rows = min(rows, height) if not tiled else rows
     offsets = _numbers(fields, _TILES if tiled else _STRIPS, path)
     counts = _numbers(fields, _TILE_BYTES if tiled else _STRIP_BYTES, path)
     across, down = -(-width // columns), -(-height // rows)
@@ -95,9 +100,10 @@ def tiff_pixels(content: Content, path: _Path) -> NDArray[Any]:
         top, left = (place // across) * rows, (place % across) * columns
         high = rows if tiled else min(rows, height - top)
         start = int(offsets[index])
-        part = _unpacked(content[start : start + int(counts[index])], fields, path)
         inner = 1 if apart else channels
         wanted = high * columns * inner
+        packed = content[start : start + int(counts[index])]
+        part = _unpacked(packed, wanted * kind.itemsize, fields, path)
         if len(part) < wanted * kind.itemsize:
             raise FileError(path, "has a strip that is too short; it is damaged", f"byte {start}")
         block = (
@@ -116,12 +122,12 @@ def tiff_pixels(content: Content, path: _Path) -> NDArray[Any]:
     return pixels
 
 
-def _unpacked(raw: bytes, fields: Fields, path: _Path) -> bytes:
+def _unpacked(raw: bytes, size: int, fields: Fields, path: _Path) -> bytes:
     if _one(fields, COMPRESSION, path, 1) in _PLAIN:
         return raw
     try:
-        # A strip is no larger than the picture; what unpacks to more is a bomb.
-        return zlib.decompressobj().decompress(raw, 16 * MOST_PIXELS)
+        # No more than the strip holds: what unpacks to more is a bomb.
+        return zlib.decompressobj().decompress(raw, size)
     except zlib.error as error:
         raise FileError(path, f"has a strip that cannot be unpacked ({error})") from error
 

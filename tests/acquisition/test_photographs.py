@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
+import functools
 import io
 import struct
 import sys
+import tempfile
 import zlib
 from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from PIL import Image
 
 from brdf_suite.acquisition.photographs import exif_time, photograph_facts, read_photograph
@@ -297,3 +302,25 @@ def test_a_damaged_exif_block_is_no_reason_to_refuse_the_picture(tmp_path: Path)
     )
     path.write_bytes(picture.getvalue())
     assert exif_time(path) is None
+
+
+@settings(max_examples=60, deadline=None)
+@given(kind=st.sampled_from(["png", "tif", "jpg", "hdr"]), data=st.data())
+def test_whatever_is_damaged_is_read_or_told(kind: str, data: st.DataObject) -> None:
+    content = bytearray(_contents()[kind])
+    for _ in range(data.draw(st.integers(1, 4))):
+        content[data.draw(st.integers(0, min(len(content), 400) - 1))] = data.draw(st.integers(0, 255))
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"a.{kind}"
+        path.write_bytes(content[: data.draw(st.sampled_from([len(content), 300, 40]))])
+        with contextlib.suppress(FileError):
+            assert read_photograph(path).codes.shape[2] == 3
+
+
+@functools.cache
+def _contents() -> dict[str, bytes]:
+    with tempfile.TemporaryDirectory() as folder:
+        return {
+            kind: _whole(kind, Path(folder) / f"a.{kind}").read_bytes()
+            for kind in ("png", "tif", "jpg", "hdr")
+        }
