@@ -1,7 +1,7 @@
 """The dark frame: what the camera sees without light, as an offset and as a current that grows with time.
 
-One dark photograph for each exposure, subtracted as it is, would stamp its own noise on every position of the lamp. A
-straight line in time, fitted for each pixel over all of them, has a fraction of it.
+One dark photograph for each exposure, subtracted as it is, would stamp its own noise on every position of the lamp. So
+a straight line in time is fitted for each pixel over all of them, and what is left of noise in it is taken out.
 """
 
 from __future__ import annotations
@@ -11,14 +11,14 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.noise_shrinking import shrunk
 from brdf_suite.acquisition.response import Response
 from brdf_suite.errors import ValueRangeError
 
 Floats32 = npt.NDArray[np.float32]
 
-_HOT_DEVIATIONS = 30.0
 _CUT_OFF = 0.25
-_SPREAD_TO_DEVIATION = 1.4826
+_SIGMA_PX = 8.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class Dark:
     rate
         (h, w, channels) float32, exposure per second.
     hot
-        (h, w) whether a pixel's current stands out far from that of others, so that it is better left out.
+        (h, w) whether a pixel's current stands out far from that of its neighbours.
     """
 
     offset: Floats32
@@ -66,7 +66,7 @@ def dark_model(
 ) -> Dark:
     """Fit the offset and the current of each pixel to dark photographs (n, h, w, channels), by least squares.
 
-    With a single photograph all is taken as current, or as offset where the response's black is not 0.
+    Both are freed of noise as :mod:`.noise_shrinking` has it. With fewer than three photographs all is offset.
 
     Raises
     ------
@@ -76,19 +76,27 @@ def dark_model(
     times = np.asarray(exposures_s, float)
     if stack.ndim != 4 or times.shape != stack.shape[:1] or stack.shape[3] != response.channels:
         raise ValueRangeError("dark", f"the shape {stack.shape} does not fit {times.size} exposure times")
-    mean = times.mean()
-    spread = float(np.sum((times - mean) ** 2))
-    total = np.zeros(stack.shape[1:])
-    slope = np.zeros(stack.shape[1:])
-    for i, time in enumerate(times):
-        seen = np.stack([response.exposure[c][stack[i, ..., c]] for c in range(response.channels)], axis=-1)
-        total += seen / len(times)
-        slope += seen * (time - mean)
-    rate = np.maximum(slope / spread, 0.0) if spread > 0.0 else np.zeros_like(slope)
-    offset = total - rate * mean
-    middle = np.median(rate, axis=(0, 1))
-    away = _SPREAD_TO_DEVIATION * np.median(np.abs(rate - middle), axis=(0, 1))
-    # Of a camera without current nearly all rates are noise about 0, cut at 0.
-    noise = response.read / np.sqrt(max(spread, 1e-30))
-    hot = np.any(rate > middle + _HOT_DEVIATIONS * np.maximum(away, noise), axis=-1)
-    return Dark(offset.astype(np.float32), rate.astype(np.float32), hot)
+    count = len(times)
+    away = times - times.mean()
+    spread = float(np.sum(away**2))
+    offset = np.empty(stack.shape[1:], np.float32)
+    rate = np.empty(stack.shape[1:], np.float32)
+    hot = np.zeros(stack.shape[1:3], bool)
+    for c in range(response.channels):
+        mean, square, slope = (np.zeros(stack.shape[1:3]) for _ in range(3))
+        for i in range(count):
+            seen = response.exposure[c][stack[i, ..., c]]
+            mean += seen / count
+            square += seen * seen
+            slope += seen * away[i]
+        if spread > 0.0 and count > 2:
+            left = np.maximum(square - count * mean**2 - slope**2 / spread, 0.0) / (count - 2)
+            noise = float(np.mean(left))
+            current, standing_out = shrunk(slope / spread, noise / spread, _SIGMA_PX)
+            hot |= standing_out & (current > 0.0)
+        else:
+            noise = float(response.read[c]) ** 2
+            current = np.zeros_like(mean)
+        rate[..., c] = current
+        offset[..., c] = shrunk(mean - current * times.mean(), noise / count, _SIGMA_PX)[0]
+    return Dark(offset, rate, hot)
