@@ -214,7 +214,7 @@ def _other_reflectances(
     reflected = [model.m_at(lobe) + 1 for lobe in range(model.lobes)]
     value = _objective(whole, best, settings)
     for _ in range(_ROUNDS):
-        trials = []
+        trials: list[tuple[float, Vector]] = []
         for lobe in range(model.lobes - (1 if model.coat else 0)):
             if model.dead(best, lobe):
                 continue
