@@ -2,35 +2,31 @@
 
 from __future__ import annotations
 
-import importlib.util
-import os
 import resource
-import sys
-from dataclasses import replace
 from pathlib import Path
 from statistics import median
 from time import perf_counter
-from types import ModuleType
 
 import numpy as np
 
-from brdf_suite.files.measured.registry import read_measured
+from brdf_suite.cli.bench import load_module
 from brdf_suite.fitting.homomorphic.accuracy import accuracy
 from brdf_suite.fitting.homomorphic.constraints import Layout, constraints
-from brdf_suite.fitting.homomorphic.factorization import normalized
+from brdf_suite.fitting.homomorphic.factorization import Factorization, normalized
 from brdf_suite.fitting.homomorphic.factorize import BIAS, factorize
-from brdf_suite.fitting.homomorphic.peak import factorize_with_peak
 from brdf_suite.fitting.homomorphic.projected import averaged
 from brdf_suite.fitting.homomorphic.samples import Samples, samples_of
 from brdf_suite.fitting.homomorphic.separable import separate
-from brdf_suite.fitting.homomorphic.storage import compression, stored
-from brdf_suite.fitting.lobes.undivided import fit_undivided
+from brdf_suite.fitting.homomorphic.storage import STORES, compression, stored
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, parse_factors
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+
+_held_out = load_module(Path(__file__).with_name("factorization_held_out.py"))
+_samples = load_module(Path(__file__).with_name("factorization_samples.py"))
+_shading = load_module(Path(__file__).with_name("factorization_shading.py"))
 
 NAME = "factorization"
 
@@ -48,33 +44,13 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
     "time_32_s": ("<=", 0.5, "s", "57,600 samples, 32×32, RGB, median of 5"),
     "merl_64_s": ("<=", 30.0, "s", "every bin of a 90 × 90 × 180 table of Polaris Silver, 64×64, RGB"),
     "memory_mb": ("<=", 1536.0, "MB", "largest resident size of the process after that"),
-    "cayman_heldout_rel_rms": (
-        "<=",
-        None,
-        "",
-        "cayman, 20 % of the samples held out, radial maps: RMS of the error over RMS",
-    ),
-    "krylon_heldout_rel_rms": ("<=", None, "", "krylon blue, as cayman"),
+    "snr_gap_db": ("<=", 0.2, "dB", "by how much LSMR's answer is farther than the direct one"),
+    **_held_out.BOUNDS,
+    **_shading.BOUNDS,
 }
 NOTES: dict[str, str] = {}
 TABLES: dict[str, dict[str, object]] = {}
 REPEATS = 5
-MEASURED_FACTORS = "p:|wo| q:|h| p:|wi| d:w.h"
-"""Of isotropic measurements: radial maps, and one over the angle of Fresnel's formulas."""
-MEASURED_BIAS = 1e-3
-"""Values below a thousandth of the mean are noise."""
-
-
-def _samples() -> ModuleType:
-    """Return the module beside this one that makes the paper's sample set."""
-    path = Path(__file__).with_name("factorization_samples.py")
-    spec = importlib.util.spec_from_file_location("factorization_samples", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
 
 
 def naive(samples: Samples, resolution: int) -> np.ndarray:
@@ -90,7 +66,7 @@ def naive(samples: Samples, resolution: int) -> np.ndarray:
 def run(progress: Progress | None = None) -> dict[str, float]:
     """Measure everything; ``TABLES`` holds the rows of Table 1 and of textures."""
     report(progress, 0.0, "cylinders")
-    samples = _samples().cylinders()
+    samples = _samples.cylinders()
     figures, rows = {}, {}
     for key, name, resolution, solver in (
         ("snr_db", "homomorphic, 32×32", 32, "auto"),
@@ -103,10 +79,13 @@ def run(progress: Progress | None = None) -> dict[str, float]:
         figures[key] = near.snr_db
         if key == "snr_db":
             TABLES["textures"] = _textures(found.product, samples)
+            TABLES["mean"] = _mean(samples, resolution)
+    figures["snr_gap_db"] = figures["snr_db"] - figures["snr_iterative_db"]
     near = accuracy(samples.values, naive(samples, 16))
-    rows["averaged projection, 16×16"] = near.to_json()
+    rows["averaged projection, 16×16"] = {"compression": round(len(samples) / 512, 1), **near.to_json()}
     figures["snr_naive_db"] = near.snr_db
     TABLES["table_1"] = rows
+    TABLES["singular_values"] = _singular(samples)
     report(progress, 0.15, "time")
     times = []
     for _ in range(REPEATS):
@@ -118,62 +97,54 @@ def run(progress: Progress | None = None) -> dict[str, float]:
     table = samples_of(IsotropicTable.from_reflectance(CookTorrance(TABLE_1["table1_polaris_silver"])))
     NOTES["merl_64_s"] = f"{len(table):,} samples"
     start = perf_counter()
-    factorize(table.wi, table.wo, table.values, resolution=64, progress=part(progress, 0.25, 0.9))
+    factorize(table.wi, table.wo, table.values, resolution=64, progress=part(progress, 0.25, 0.6))
     figures["merl_64_s"] = perf_counter() - start
     figures["memory_mb"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
-    for key in ("cayman", "krylon"):
-        found_error = _held_out(key)
-        if found_error is not None:
-            figures[f"{key}_heldout_rel_rms"] = found_error
-    return figures
+    measured, tables = _held_out.figures(part(progress, 0.6, 0.85))
+    TABLES.update(tables)
+    if not tables:
+        NOTES.update(dict.fromkeys(_held_out.BOUNDS, "no measured file at hand"))
+    figures |= {key: value if np.isfinite(value) else None for key, value in measured.items()}
+    return figures | _shading.figures(part(progress, 0.85, 1.0))
 
 
-def _textures(product: object, samples: Samples) -> dict[str, object]:
+def _mean(samples: Samples, resolution: int) -> dict[str, object]:
+    """What the correction of the mean does, on the samples themselves."""
+    rows: dict[str, object] = {}
+    for name, keep in (("corrected", True), ("as fitted", False)):
+        found = factorize(samples.wi, samples.wo, samples.values, resolution=resolution, keep_mean=keep)
+        rows[name] = {
+            "alpha_times": found.mean_correction.tolist(),
+            **accuracy(samples.values, found.product.eval(samples.wi, samples.wo)).to_json(),
+        }
+    return rows
+
+
+def _singular(samples: Samples) -> dict[str, object]:
+    """The expansion of the cylinders in 1 to 16 terms, at the same samples; at 32×32 and 16×16 texels, signed."""
+    rows: dict[str, object] = {}
+    whole = separate(_samples.Cylinders(), 16, half_size=32, difference_size=16)
+    for terms in (1, 2, 4, 8, 16):
+        found = whole.first(terms).eval(samples.wi, samples.wo)
+        rows[f"{terms}"] = {
+            "negative": float((found < 0.0).mean()),
+            "compression": round(len(samples) / (terms * (32 * 32 + 16 * 16)), 1),
+            **accuracy(samples.values, found).to_json(),
+        }
+    return rows
+
+
+def _textures(product: Factorization, samples: Samples) -> dict[str, object]:
     rows: dict[str, object] = {}
     for logarithmic in (False, True):
-        for store in ("8-bit", "half", "float"):
-            kept = stored(product, store, logarithmic=logarithmic)  # type: ignore[arg-type] # a literal of the three
+        for store in STORES:
+            kept = stored(product, store, logarithmic=logarithmic)
             near = accuracy(samples.values, kept.product.eval(samples.wi, samples.wo))
             name = f"{store}, {'logarithms' if logarithmic else 'factors'}"
             rows[name] = {
                 "bytes": kept.texture_bytes,
+                "compression": round(samples.values.size * 4 / kept.texture_bytes, 1),
                 "snr_db": near.snr_db,
                 "mean_relative": near.mean_relative,
             }
     return rows
-
-
-def _held_out(key: str) -> float | None:
-    root = Path(os.environ.get("BRDF_SUITE_SHARED", Path(__file__).resolve().parents[3] / "shared")) / "data"
-    files = sorted(root.rglob(f"{key}*.brdf"))
-    if not files:
-        NOTES[f"{key}_heldout_rel_rms"] = "no measured file at hand"
-        return None
-    measured = read_measured(files[0])
-    assert isinstance(measured, ScatteredSamples)
-    samples = samples_of(measured)
-    fit, held = samples.held_out(0.2)
-    rows: dict[str, object] = {}
-    kept = replace(measured, wi=fit.wi, wo=fit.wo, values=fit.values, spectra=None, wavelengths_nm=None)
-    radial = factorize(
-        fit.wi, fit.wo, fit.values, factors=MEASURED_FACTORS, bias=MEASURED_BIAS, keep_mean=False
-    )
-    for name, model in (
-        ("homomorphic, p(wo) q(h) p(wi)", factorize(fit.wi, fit.wo, fit.values, bias=MEASURED_BIAS).product),
-        ("homomorphic, radial, with w.h", radial.product),
-        ("homomorphic, peak apart", factorize_with_peak(fit, bias=MEASURED_BIAS)[0]),
-        *((f"singular values, {terms}", separate(kept, terms)) for terms in (1, 4)),
-        ("lobes", fit_undivided(kept).weights),
-    ):
-        found = model.eval(held.wi, held.wo)
-        rows[name] = {
-            "relative_rms": relative_rms(held.values, found),
-            "median_relative": accuracy(held.values, found).median_relative,
-        }
-    TABLES[f"{key}_heldout"] = rows
-    return relative_rms(held.values, radial.product.eval(held.wi, held.wo))
-
-
-def relative_rms(wanted: np.ndarray, found: np.ndarray) -> float:
-    """RMS of the error over the RMS of the values: what SNR says in decibels."""
-    return float(np.sqrt(np.mean((found - wanted) ** 2) / np.mean(wanted**2)))

@@ -9,6 +9,7 @@ brighter than a surface that keeps its energy.
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 
 from brdf_suite.fitting.homomorphic.samples import Samples, even_directions
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
@@ -21,8 +22,16 @@ CYLINDERS = PoulinFournier(kd=0.2, ks=1.0, exponent=2.0, spacing=2.0, floor=0.0)
 SCALE = 1.5741
 
 
+class Cylinders:
+    """The model, scaled."""
+
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> np.ndarray:
+        """Return f_r (..., 3) in 1/sr."""
+        return np.asarray(SCALE * CYLINDERS.eval(wi, wo))
+
+
 def cylinders() -> Samples:
     """Return the pairs and the model's values."""
     rng = np.random.default_rng(SEED)
     wi, wo = even_directions(PAIRS, rng), even_directions(PAIRS, rng)
-    return Samples(wi, wo, SCALE * CYLINDERS.eval(wi, wo))
+    return Samples(wi, wo, Cylinders().eval(wi, wo))

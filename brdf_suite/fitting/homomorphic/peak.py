@@ -145,10 +145,13 @@ def factorize_with_peak(
     first = _peak(few, few_share, rough, s, cut, fresnel_maps(), part(progress, 0.2, 0.3))
     held = _grey(rough.eval(kept.wi, kept.wo))
     clamped = _clamped(kept.values, cut * held)
-    left = clamped
+    left, seen = clamped, share * _trust(kept, held, bias)
     if first is not None:
-        left = np.clip(kept.values - first.product.eval(kept.wi, kept.wo), _LEAST_LEFT * clamped, clamped)
-    found = body.fit(kept, left, share * _trust(kept, held, bias), part(progress, 0.3, 0.8))
+        added = first.product.eval(kept.wi, kept.wo)
+        left = np.clip(kept.values - added, _LEAST_LEFT * clamped, clamped)
+        # Under the peak the body is a small difference of large numbers: there it is told by what lies beside.
+        seen = seen * held / np.maximum(held + _grey(added), 1e-300)
+    found = body.fit(kept, left, seen, part(progress, 0.3, 0.8))
     peak = None
     if first is not None:
         last = _peak(kept, share, found.product, s, cut, (first.formula,), part(progress, 0.8, 1.0))
