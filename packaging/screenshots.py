@@ -15,6 +15,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from brdf_viewer.lighting_presets import with_preset
+
 from brdf_suite.documents.store import save_view
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Compare
@@ -69,6 +71,14 @@ VIEWS = {
 }
 """Pictures of the Viewer in a view, and what it is started with beside it."""
 FIGURES = {"viewer_figures"}
+LAMPS_ALONE = dataclasses.replace(
+    with_preset(View(Camera(azimuth_deg=35.0, elevation_deg=12.0), surface="speed_form"), "three"),
+    background="grey",
+)
+MEASURED = (
+    Path(os.environ.get("BRDF_SUITE_SHARED", ROOT.parent / "shared")) / "data" / "brdf" / "krylon_blue.brdf"
+)
+"""What viewer_lamps shows, factored; without that file there is no such picture."""
 
 RENDERS = {
     "render_speed_form": ["blue", "--environment", "booth", "--mesh", "speed_form"],
@@ -110,7 +120,7 @@ def virtual_screen() -> Iterator[str]:
 
 def main() -> int:
     """Make the pictures named in the arguments, or all."""
-    known = [*PROGRAMS, *VIEWS, *RENDERS]
+    known = [*PROGRAMS, *VIEWS, "viewer_lamps", *RENDERS]
     wanted = set(sys.argv[1:]) or set(known)
     unknown = wanted - set(known)
     if unknown:
@@ -132,7 +142,13 @@ def main() -> int:
                 run(
                     [sys.executable, "-m", *command, "--screenshot", str(IMAGES / f"{name}.png")], environment
                 )
-        for name, (view, command) in VIEWS.items():
+        views = dict(VIEWS)
+        if "viewer_lamps" in wanted and MEASURED.is_file():
+            factored = f"{scratch}/krylon_blue.brdfpaint"
+            told = ["factorize", str(MEASURED), "--smoothness", "6", "-o", factored]
+            run([sys.executable, "-m", "brdf_suite.cli.main", *told], environment)
+            views["viewer_lamps"] = (LAMPS_ALONE, [factored, "--theme", "dark"])
+        for name, (view, command) in views.items():
             if name in wanted:
                 file, folder = Path(scratch) / f"{name}.brdfview", Path(scratch) / name
                 save_view(view, file)

@@ -184,6 +184,13 @@ def test_a_view_is_held_to_the_same(tmp_path: Path) -> None:
         load_view(path)
 
 
+def test_a_view_of_version_3_has_its_environment_as_it_was() -> None:
+    old = {"format": "brdfview", "version": 3, "camera": {}, "relief": {"normal_strength": 2.0}}
+    view = view_from_json(old)
+    assert (view.light_colour.brightness, view.lamp_shading) == (1.0, "each")
+    assert (view.relief.normal_strength, view.relief.tangent_map) == (2.0, None)
+
+
 @pytest.mark.parametrize(("was", "is_now"), [(True, "raised"), (False, "off")])
 def test_a_view_of_version_2_shows_what_it_showed(was: bool, is_now: str) -> None:
     old = {"format": "brdfview", "version": 2, "camera": {}, "fresnel": was, "background": "grey"}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from brdf_suite.documents.view import Camera, View
+from brdf_suite.documents.view_settings import LightColour, Relief
 from brdf_suite.errors import ValueRangeError
 
 
@@ -23,6 +24,9 @@ def test_names_and_absolute_paths_are_kept(name: str) -> None:
         (lambda: View(exposure_ev=float("nan")), "exposure_ev", "finite"),
         (lambda: View(tone_curve="filmic"), "tone_curve", "neutral, characteristic, aces, agx, linear"),
         (lambda: View(fresnel=1), "fresnel", "off, raised, multi_angle"),
+        (lambda: View(lamp_shading="all"), "lamp_shading", "each, ball"),
+        (lambda: LightColour(brightness=-1.0), "brightness", "range"),
+        (lambda: Relief(tangent_map="grain.png"), "tangent_map", "absolute path"),
         (lambda: View(camera={}), "camera", "a camera is wanted"),
         (lambda: Camera(elevation_deg=91.0), "elevation_deg", "-90 to 90"),
         (lambda: Camera(distance=0.0), "distance", "range"),

@@ -9,7 +9,7 @@ from PIL import Image
 from brdf_suite.errors import FileError
 from brdf_suite.files import relief_images
 from brdf_suite.files.exr import write_exr
-from brdf_suite.files.relief_images import read_mask, read_normal_map
+from brdf_suite.files.relief_images import read_mask, read_normal_map, read_tangent_map
 
 
 def save(path: Path, pixels: np.ndarray) -> Path:
@@ -87,7 +87,7 @@ def test_large_images_are_averaged_down(tmp_path: Path, monkeypatch: pytest.Monk
 def test_damaged_files_are_refused(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "image.png"
     path.write_bytes(content)
-    for read in (read_mask, read_normal_map):
+    for read in (read_mask, read_normal_map, read_tangent_map):
         with pytest.raises(FileError):
             read(path)
 
@@ -99,3 +99,20 @@ def test_a_missing_and_a_truncated_file(tmp_path: Path) -> None:
     path.write_bytes(path.read_bytes()[:900])
     with pytest.raises(FileError, match="damaged"):
         read_mask(path)
+
+
+def test_a_tangent_map_becomes_unit_directions_from_the_lower_edge(tmp_path: Path) -> None:
+    along = np.zeros((4, 6, 3))
+    along[..., 0] = 1.0
+    along[0, 0] = [0.0, -1.0, 0.0]
+    turns = read_tangent_map(save(tmp_path / "map.png", encoded(along)))
+    assert turns.shape == (4, 6, 2)
+    assert turns[3, 0] == pytest.approx([0.0, -1.0], abs=0.01)
+    assert turns[0, 0] == pytest.approx([1.0, 0.0], abs=0.01)
+    np.testing.assert_allclose(np.linalg.norm(turns, axis=-1), 1.0, atol=1e-6)
+    for pixels, words in (
+        (np.full((4, 4), 200, np.uint8), "one channel"),
+        (np.full((4, 4, 3), 128), "no tangent map"),
+    ):
+        with pytest.raises(FileError, match=words):
+            read_tangent_map(save(tmp_path / "no.png", np.asarray(pixels, np.uint8)))
