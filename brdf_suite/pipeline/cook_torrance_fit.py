@@ -8,17 +8,25 @@ from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
 
+import numpy as np
+
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.cook_torrance.fit import fit_checked
 from brdf_suite.fitting.cook_torrance.result import LobeFit
 from brdf_suite.fitting.cook_torrance.settings import Settings
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.cook_torrance_plot import FitPlot, fit_plot
 from brdf_suite.pipeline.cook_torrance_samples import FitErrors, errors_of, samples_of
 from brdf_suite.pipeline.cook_torrance_state import StartsFile
 from brdf_suite.pipeline.measuring import load_measurable
 from brdf_suite.progress import Progress, part, report
+from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.protocol import Reflectance
+
+_JUDGED_DEG = (0.0, 45.0, 60.0, 75.0)
+# Noise, and a scale that is known to a few per cent, are no fault of the lobes.
+_MOST_ALBEDO = 1.03
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,16 +51,17 @@ class FileFit:
         """Measured and fitted f_r against θh."""
         return fit_plot(self.reflectance, self.fit)
 
-    @property
+    @cached_property
     def notices(self) -> tuple[str, ...]:
-        """What a user should know."""
-        return self.fit.notices
+        """What a user should know: of the fit, and where it would send back more light than it gets."""
+        return (*self.fit.notices, *_energy(self.fit))
 
     def to_json(self) -> dict[str, object]:
         """Return everything but the plot as plain values."""
         return {
             "name": self.name,
             **self.fit.to_json(),
+            "notices": list(self.notices),
             "errors": asdict(self.errors),
             "errors_within_grazing": asdict(self.errors_within),
             "seconds": self.seconds,
@@ -116,6 +125,17 @@ def fit_reflectance_lobes(
         paint = fit.paint(name[:200] or "fit", source=_source(name, fit, errors))
     report(progress, 1.0, "done")
     return FileFit(name, reflectance, fit, paint, errors, within, time.perf_counter() - start)
+
+
+def _energy(fit: LobeFit) -> tuple[str, ...]:
+    albedo = directional_albedo(fit, spherical(np.radians(_JUDGED_DEG), np.pi), 32).max(axis=1)
+    over = np.flatnonzero(albedo > _MOST_ALBEDO)
+    if not over.size:
+        return ()
+    return (
+        f"Lit at {_JUDGED_DEG[over[0]]:g}° and beyond, the lobes send back up to {albedo.max():.2f} times the light: "
+        "their rise towards grazing is more than a surface has.",
+    )
 
 
 def _source(name: str, fit: LobeFit, errors: FitErrors) -> str:

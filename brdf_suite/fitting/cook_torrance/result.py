@@ -162,7 +162,7 @@ class LobeFit:
         return found
 
     def paint(self, name: str, source: str = "", notes: str = "") -> CookTorrancePaint:
-        """Return the lobes as a paint that every program opens.
+        """Return the lobes, but for those without weight, as a paint that every program opens.
 
         Raises
         ------
@@ -179,7 +179,8 @@ class LobeFit:
             )
         lobes = tuple(
             CookTorranceLobe(_three(ks), float(m), float(r))
-            for ks, m, r in zip(self.ks, self.m, self.r, strict=True)
+            for number, (ks, m, r) in enumerate(zip(self.ks, self.m, self.r, strict=True))
+            if number not in self.dropped
         )
         return CookTorrancePaint(name, _three(self.kd), lobes, notes=notes, source=source)
 

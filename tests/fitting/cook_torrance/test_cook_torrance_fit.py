@@ -97,6 +97,7 @@ def test_a_lobe_that_nothing_asks_for_gets_no_weight(pairs: tuple[Floats, Floats
     assert not fit.ks[0].any()
     assert fit.m[1] == pytest.approx(0.2, rel=0.02)
     assert any("no weight" in notice for notice in fit.notices)
+    assert len(fit.paint("one").lobes) == 1
 
 
 def test_a_matt_surface_has_no_peak(pairs: tuple[Floats, Floats]) -> None:
