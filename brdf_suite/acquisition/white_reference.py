@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.session import Session
+from brdf_suite.acquisition.sphere_geometry import Geometry, triple
+from brdf_suite.acquisition.sphere_session import in_rig
 from brdf_suite.errors import AcquisitionError
 
 _LEAST_COSINE = 0.05
 
 
-def irradiance_from_white(session: Session, radiance: npt.ArrayLike) -> tuple[float, float, float]:
+def irradiance_from_white(
+    session: Session, radiance: npt.ArrayLike, geometry: Geometry | None = None
+) -> tuple[float, float, float]:
     """Return what arrives at the turntable's axis on a surface that faces the lamp, each channel.
 
     A Lambertian white of reflectance ρ sends back L = ρ E cosθ / π; at the axis there is (d_white/d_axis)² as much, and
@@ -25,6 +30,9 @@ def irradiance_from_white(session: Session, radiance: npt.ArrayLike) -> tuple[fl
         With :attr:`~.session.Session.white`, which says where the white stood and how it was turned.
     radiance
         (3,) mean over the white's region, the photographs' unit per second.
+    geometry
+        The refined rig: the lamp then stands where its highlights say. Half a degree of the turntable's zero is half
+        a percent of the scale at 30°. None: where the session says.
 
     Raises
     ------
@@ -40,6 +48,8 @@ def irradiance_from_white(session: Session, radiance: npt.ArrayLike) -> tuple[fl
             f"The white reference ({white.photographs[0]} …) is dark where it should show the white: check its region."
         )
     lamp = np.array(session.light_m(float(white.angle_deg)))
+    if geometry is not None:
+        lamp = np.array(in_rig(geometry, geometry.light(white.angle_deg)))
     way = lamp - np.array(white.centre_m)
     distance = float(np.linalg.norm(way))
     normal = np.array(white.normal) / np.linalg.norm(white.normal)
@@ -58,3 +68,16 @@ def irradiance_from_white(session: Session, radiance: npt.ArrayLike) -> tuple[fl
     scale = math.pi / cosine * (distance / axis) ** 2 * falling
     red, green, blue = seen / np.array(white.reflectance) * scale
     return float(red), float(green), float(blue)
+
+
+def with_refined_white(session: Session, geometry: Geometry) -> Geometry:
+    """Return the refined geometry with the irradiance that the white tells under its lamp, not the stated one.
+
+    ``geometry.irradiance_rgb`` is what :func:`irradiance_from_white` gave without a geometry; where the session states
+    the irradiance itself, or there is none, nothing changes.
+    """
+    if session.light.irradiance_rgb is not None or session.white is None or geometry.irradiance_rgb is None:
+        return geometry
+    even = np.ones(3)
+    change = np.array(irradiance_from_white(session, even, geometry)) / irradiance_from_white(session, even)
+    return replace(geometry, irradiance_rgb=triple(np.array(geometry.irradiance_rgb) * change))

@@ -10,7 +10,7 @@ from brdf_suite.acquisition.session import Session, WhiteReference
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
 from brdf_suite.acquisition.sphere_geometry import Geometry, triple, unit
 from brdf_suite.acquisition.sphere_session import geometry_of_session, in_rig
-from brdf_suite.acquisition.white_reference import irradiance_from_white
+from brdf_suite.acquisition.white_reference import irradiance_from_white, with_refined_white
 from brdf_suite.errors import AcquisitionError, ValueRangeError
 from brdf_suite.geometry.directions import half_angle_coordinates
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
@@ -223,6 +223,14 @@ def test_the_white_reference_gives_the_irradiance() -> None:
     seen = np.array(session.white.reflectance) * expected * cosine / np.pi
     seen *= (lamp @ lamp) / (way @ way)
     np.testing.assert_allclose(irradiance_from_white(session, seen), expected, rtol=1e-6)
+    # A lamp that stands 3° further from the tile's normal lights it less: the lamp itself is then the brighter.
+    geometry = replace(geometry_of_session(session, (_SIDE, _SIDE)), angle_offset_deg=3.0)
+    turned_by = np.radians(session.white.angle_deg)
+    brighter = np.cos(turned_by) / np.cos(turned_by + np.radians(3.0))
+    ratio = irradiance_from_white(session, seen, geometry)[1] / expected[1]
+    assert ratio == pytest.approx(brighter, rel=2e-3)
+    refined = with_refined_white(session, replace(geometry, irradiance_rgb=triple(expected)))
+    np.testing.assert_allclose(refined.irradiance_rgb, expected * ratio, rtol=1e-12)
     with pytest.raises(AcquisitionError, match="dark"):
         irradiance_from_white(session, (1.0, 0.0, 1.0))
     turned: WhiteReference = replace(session.white, normal=(0.0, 0.0, -1.0))
