@@ -34,6 +34,7 @@ _TOLERANCE = 1e-4
 _RIDGE = 1e-7
 """Of the mean diagonal of the normal equations: it decides what nothing else does, and moves the rest by as little."""
 _ROWS_A_BLOCK = 200_000
+_ROWS_WRITTEN_OUT = 512
 
 
 def way_for(solver: Solver, unknowns: int) -> Way:
@@ -81,7 +82,7 @@ def _direct(
     progress: Progress | None,
 ) -> Floats:
     count = matrix.shape[1]
-    normal = np.zeros((count, count), order="F")
+    normal = np.zeros((count, count))
     right = np.zeros_like(start)
     rows = matrix.shape[0]
     for first in range(0, rows, _ROWS_A_BLOCK):
@@ -89,16 +90,21 @@ def _direct(
         block = matrix[first : first + _ROWS_A_BLOCK].astype(
             np.float64
         )  # of squares, single precision keeps too little
-        normal += (block.T @ block).toarray()
+        squares = sparse.csr_array(block.T @ block)
+        # A few rows at a time: written out as a whole it would be another matrix of that size.
+        for row in range(0, count, _ROWS_WRITTEN_OUT):
+            normal[row : row + _ROWS_WRITTEN_OUT] += squares[row : row + _ROWS_WRITTEN_OUT].toarray()
         right += block.T @ (wanted[first : first + _ROWS_A_BLOCK] - block @ start)
     laplacian = smoothing.astype(np.float64)
-    penalty = (smooth * smooth) * (laplacian.T @ laplacian)
-    normal += penalty.toarray()
+    penalty = sparse.csr_array((smooth * smooth) * (laplacian.T @ laplacian))
+    for row in range(0, count, _ROWS_WRITTEN_OUT):
+        normal[row : row + _ROWS_WRITTEN_OUT] += penalty[row : row + _ROWS_WRITTEN_OUT].toarray()
     right -= penalty @ start
     diagonal = np.einsum("ii->i", normal)
     diagonal += _RIDGE * max(float(diagonal.mean()), 1e-30)
     report(progress, 0.6, "Cholesky factor")
-    factor = linalg.cho_factor(normal, lower=True, overwrite_a=True, check_finite=False)
+    # Symmetric, so that by columns, as the factor wants it, it is its own transpose.
+    factor = linalg.cho_factor(normal.T, lower=True, overwrite_a=True, check_finite=False)
     return np.asarray(start + linalg.cho_solve(factor, right, check_finite=False))
 
 
