@@ -98,11 +98,14 @@ def test_the_highlight_is_where_the_mirror_puts_it() -> None:
     np.testing.assert_allclose(found, expected, atol=0.1)
 
 
-def test_a_peak_narrower_than_a_pixel_keeps_its_light() -> None:
-    # The same sphere in pictures of two sizes: the light in the peak is the same, however few pixels it falls into.
+@pytest.mark.parametrize("angle", [70.0, 160.0])
+def test_a_peak_narrower_than_a_pixel_keeps_its_light(angle: float) -> None:
+    # The same sphere in pictures of two sizes: the light in the peak is the same, however few pixels it falls into,
+    # in the middle of the sphere and in the thin crescent of a lamp behind it.
     sums = []
     for side in (24, 192):
-        rig = Simulator(POLARIS, replace(SMALL, size=(side, side), angles_deg=(70.0,), noise=False))
+        bare = replace(SMALL, size=(side, side), angles_deg=(angle,), noise=False)
+        rig = Simulator(POLARIS, bare)
         sums.append(float(rig.radiance(0)[..., 1].sum() / _irradiance(rig)[1]) / side**2)
     assert sums[0] == pytest.approx(sums[1], rel=0.005)
 

@@ -175,11 +175,8 @@ def _grids(
     step = np.maximum(farthest - nearest, 0.0)
     step[~np.isfinite(step)] = 0.0
     peak = any_light & (nearest < _PEAK_REACH * step)
-    deep = (
-        outline
-        & near_light
-        & (_around(np.where(shown, nearest, np.inf), np.minimum, np.inf) < _OUTLINE_REACH)
-    )
+    # Also where no middle of a pixel is lit: the crescent that a lamp behind the sphere leaves is thinner than one.
+    deep = outline & (_around(np.where(shown, nearest, np.inf), np.minimum, np.inf) < _OUTLINE_REACH)
     wanted = np.clip(np.ceil(step / _FINEST_STEP), 4, _LARGEST_GRID)
     # In powers of two, so that there are few groups.
     grid[peak] = np.maximum(grid[peak], 2 ** np.ceil(np.log2(wanted[peak])).astype(np.int64))
