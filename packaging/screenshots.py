@@ -19,7 +19,7 @@ from brdf_viewer.lighting_presets import with_preset
 
 from brdf_suite.documents.store import save_view
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Compare
+from brdf_suite.documents.view_settings import Compare, SurfaceLook
 
 ROOT = Path(__file__).resolve().parent.parent
 IMAGES = ROOT / "docs" / "images"
@@ -74,6 +74,7 @@ FIGURES = {"viewer_figures"}
 LAMPS_ALONE = dataclasses.replace(
     with_preset(View(Camera(azimuth_deg=35.0, elevation_deg=12.0), surface="speed_form"), "three"),
     background="grey",
+    surface_look=SurfaceLook(occlusion=False),
 )
 MEASURED = (
     Path(os.environ.get("BRDF_SUITE_SHARED", ROOT.parent / "shared")) / "data" / "brdf" / "krylon_blue.brdf"
