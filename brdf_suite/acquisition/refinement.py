@@ -3,11 +3,12 @@
 Ten numbers place everything (:mod:`brdf_suite.acquisition.refined_parameters` says what the photographs can tell
 of each). For each the session's statement, or the outline's, counts as one measurement with its own uncertainty; each
 highlight gives two, its place in pixels. All are met in the sense of least squares, with Huber's weights for the
-highlights, by Gauss and Newton's steps. So a number that no highlight can tell stays as stated, and one that they can
-tell is told by them.
+highlights (:mod:`brdf_suite.acquisition.refined_fit`). So a number that no highlight can tell stays as stated, and one
+that they can tell is told by them.
 
-The sum of the mirrored places is nearly blind to the size of the rig, and sharp on angles: that is why the light's
-distance is hardly better known afterwards, while the zero of the turntable is, to some thousandths of a degree.
+Mirrored places are sharp on directions and nearly blind to the size of the rig: the way to the light is known to
+some hundredths of a degree afterwards, while its distance is hardly better known than before. Numbers that turn the
+light alike, as the turntable's zero and a sphere beside the axis, are told in their sum.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.refined_fit import HighlightSeries, fit_rig, outliers_of, stray
 from brdf_suite.acquisition.refined_movement import Movement, find_movements
 from brdf_suite.acquisition.refined_parameters import PARAMETERS, Refined, apply, priors
 from brdf_suite.acquisition.sphere_geometry import Geometry
@@ -29,13 +31,7 @@ from brdf_suite.errors import AcquisitionError
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.progress import Progress, part, report
 
-_STEPS = 40
 _LEAST_HIGHLIGHTS = 4
-_SPREAD = 1.4826
-_HUBER = 1.5
-_OUTLIER = 5.0
-_OUTLIER_PX = 0.5
-_STEADY = 1e-4  # of a standard deviation
 
 Valid = npt.NDArray[np.bool_]
 
@@ -165,13 +161,13 @@ def refine(
             f"The light's mirror image was found at {len(highlights)} positions of the light, and 4 are wanted to "
             "refine its place. Free the highlights in the mask, or go on without refinement."
         )
-    series = _Series.of(start, highlights)
+    series = HighlightSeries.of(start, highlights)
     prior = priors(start, outline)
     every = np.ones(len(series.positions), bool)
-    fit = _solve(series, prior, every, progress)
-    kept = ~_stray(fit.off, series.sigma)
+    fit = fit_rig(series, prior, every, progress)
+    kept = ~stray(fit.off, series.sigma)
     if not kept.all() and np.count_nonzero(kept) >= _LEAST_HIGHLIGHTS:
-        fit = _solve(series, prior, kept, progress)
+        fit = fit_rig(series, prior, kept, progress)
     movements = find_movements(
         series.positions[kept],
         fit.off[kept],
@@ -185,13 +181,13 @@ def refine(
         shift = sum(row.distance_px for row in movements) * start.centre_m[2] / start.lens.fx
         prior[:3, :3] += shift**2 * np.diag((1.0, 1.0, (start.centre_m[2] / start.radius_m) ** 2))
         if np.count_nonzero(kept) >= _LEAST_HIGHLIGHTS:
-            fit = _solve(series, prior, kept, progress)
-    outliers = _outliers(fit.off, series.sigma, kept)
+            fit = fit_rig(series, prior, kept, progress)
+    outliers = outliers_of(fit.off, series.sigma, kept)
     if np.any(outliers & kept) and np.count_nonzero(kept & ~outliers) >= _LEAST_HIGHLIGHTS:
         # Huber's weights leave a stray highlight some pull; without it the fit is what the others say.
         kept &= ~outliers
-        fit = _solve(series, prior, kept, progress)
-        outliers = _outliers(fit.off, series.sigma, kept)
+        fit = fit_rig(series, prior, kept, progress)
+        outliers = outliers_of(fit.off, series.sigma, kept)
     length = np.linalg.norm(fit.off, axis=-1)
     found = apply(start, fit.x)
     degrees = _degrees(found, series.angles, series.seen)
@@ -246,94 +242,6 @@ def moved_sphere(refinement: Refinement, names: Sequence[str]) -> str:
     )
 
 
-@dataclass(frozen=True)
-class _Series:
-    """The highlights as arrays, and the rig as stated."""
-
-    start: Geometry
-    positions: npt.NDArray[np.intp]
-    angles: Floats
-    seen: Floats
-    sigma: Floats
-
-    @classmethod
-    def of(cls, start: Geometry, highlights: Sequence[Highlight]) -> _Series:
-        rows = sorted(highlights, key=lambda row: row.position)
-        positions = np.array([row.position for row in rows], np.intp)
-        return cls(
-            start,
-            positions,
-            np.array(start.angles_deg)[positions],
-            np.array([row.pixel for row in rows]),
-            np.array([row.sigma_px for row in rows]),
-        )
-
-    def residuals(self, x: Floats) -> Floats:
-        """Return seen less expected (n, 2), pixels, with the rig's numbers changed by ``x``."""
-        expected = apply(self.start, x).highlights(self.angles)
-        # Out of sight at a step too far: as wrong as the sphere is large.
-        lost = math.tan(self.start.outline_angle) * self.start.lens.fx
-        return np.where(np.isfinite(expected), self.seen - expected, lost)
-
-
-@dataclass(frozen=True)
-class _Fit:
-    x: Floats
-    off: Floats
-    slopes: Floats
-    posterior: Floats
-
-
-def _solve(series: _Series, prior: Floats, kept: Valid, progress: Progress | None) -> _Fit:
-    """Return the numbers that the highlights ``kept`` and the statements (covariance ``prior``) agree with best."""
-    lower = np.linalg.inv(np.linalg.cholesky(prior))  # whitens the statements' errors
-    scale = np.sqrt(np.diag(prior))
-    x = np.zeros(len(PARAMETERS))
-    for step in range(_STEPS):
-        report(progress, step / _STEPS, "refining the light's position")
-        off, slopes = series.residuals(x), _slopes(series.residuals, x, scale)
-        weight = _weights(off, series.sigma, kept)
-        system = np.concatenate(((slopes * weight[:, None, None]).reshape(-1, len(x)), lower))
-        wanted = np.concatenate((-(off * weight[:, None]).ravel(), -lower @ x))
-        change = np.linalg.lstsq(system, wanted)[0]
-        x = x + change
-        if float(np.abs(change / scale).max()) < _STEADY:
-            break
-    off, slopes = series.residuals(x), _slopes(series.residuals, x, scale)
-    white = (slopes * _weights(off, series.sigma, kept)[:, None, None]).reshape(-1, len(x))
-    return _Fit(x, off, slopes, np.linalg.inv(white.T @ white + lower.T @ lower))
-
-
-def _weights(off: Floats, sigma: Floats, kept: Valid) -> Floats:
-    """Return Huber's weights (n,) over the standard errors, these as large as the residuals show them to be."""
-    length = np.linalg.norm(off, axis=-1) / sigma
-    spread = max(_SPREAD * float(np.median(length[kept])), 1.0)
-    weight: Floats = np.sqrt(np.minimum(1.0, _HUBER * spread / np.maximum(length, 1e-12)))
-    return weight * kept / (sigma * spread)
-
-
-def _stray(off: Floats, sigma: Floats) -> Valid:
-    """Return the highlights (n,) that are far from where both of their neighbours in the series say.
-
-    Where the sphere has moved a highlight still agrees with one of them.
-    """
-    step = np.linalg.norm(np.diff(off, axis=0), axis=-1)
-    usual = _SPREAD * float(np.median(step))
-    # The first and the last are compared with the two next to them.
-    before = np.concatenate((np.linalg.norm(off[:1] - off[2:3], axis=-1), step))
-    after = np.concatenate((step, np.linalg.norm(off[-1:] - off[-3:-2], axis=-1)))
-    stray: Valid = np.minimum(before, after) > np.maximum(_OUTLIER * np.maximum(usual, sigma), _OUTLIER_PX)
-    return stray
-
-
-def _outliers(off: Floats, sigma: Floats, kept: Valid) -> Valid:
-    """Return the highlights (n,) that are off by far more than those ``kept`` usually are."""
-    length = np.linalg.norm(off, axis=-1)
-    middle = _SPREAD * float(np.median(length[kept]))
-    far: Valid = length > np.maximum(_OUTLIER * np.maximum(middle, sigma), _OUTLIER_PX)
-    return far
-
-
 def _longest(positions: npt.NDArray[np.intp], movements: Sequence[Movement]) -> Valid:
     """Return which of the positions lie in the longest part between two movements."""
     part_of = np.zeros(len(positions), np.intp)
@@ -341,13 +249,6 @@ def _longest(positions: npt.NDArray[np.intp], movements: Sequence[Movement]) -> 
         part_of += positions >= movement.after
     longest: Valid = part_of == int(np.argmax(np.bincount(part_of)))
     return longest
-
-
-def _slopes(residuals: Callable[[Floats], Floats], x: Floats, scale: Floats) -> Floats:
-    """Return the derivatives (n, 2, parameters) of the residuals."""
-    steps = 0.01 * scale * np.eye(len(x))
-    columns = [(residuals(x + e) - residuals(x - e)) / (2.0 * e.sum()) for e in steps]
-    return np.stack(columns, axis=-1)
 
 
 def _degrees(geometry: Geometry, angles: Floats, seen: Floats) -> Floats:
