@@ -58,7 +58,9 @@ class PositionOrder:
         columns = [self._columns[k] for k in order]
         slack = _SLACK * self._width
         rising, falling = _longest_rise(columns, slack), _longest_rise([-c for c in columns], slack)
-        if len(falling) > len(rising) and len(falling) > 0.6 * len(order):
+        # Where the lamp moves by less than the slack at a time, a rise passes for a fall step by step.
+        fell = columns[falling[0]] - columns[falling[-1]] > 2.0 * slack
+        if fell and len(falling) > len(rising) and len(falling) > 0.6 * len(order):
             reason = (
                 "and the others show the highlight go to the left as the angles grow: they are mirrored, "
                 "or the angles have the wrong sign"

@@ -8,7 +8,7 @@ after a kill, a table comes out the same to the last bit.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,6 +27,7 @@ from brdf_suite.pipeline.acquiring_source import (
     Bools,
     FolderSource,
     PhotographSource,
+    SeriesKind,
     Stack,
 )
 from brdf_suite.progress import Progress, part, report
@@ -62,8 +63,8 @@ class Acquisition:
         The camera's lens from the board; None: what the session states holds, if anything.
     union, outline, highlights, refinement, geometry
         What the geometry was found on: a picture (rows, columns), the sphere's edge, the highlights.
-    moved
-        Positions at which the sphere stands elsewhere than the geometry says; they give no readings.
+    left_out
+        Positions that give no readings, and why: they show another light than stated, or the sphere has moved.
     notices
         What the user should know, each a sentence.
     """
@@ -80,7 +81,7 @@ class Acquisition:
         self.highlights: tuple[Highlight, ...] = ()
         self.refinement: Refinement | None = None
         self.geometry: Geometry | None = None
-        self.moved: tuple[int, ...] = ()
+        self.left_out: Mapping[int, str] = {}
         self.notices: tuple[str, ...] = ()
         self.clock = StepClock()
         self._figures: dict[str, Any] = {}
@@ -129,6 +130,11 @@ class Acquisition:
         with self.clock.step("read"):
             return self.source.position(k)
 
+    def series(self, kind: SeriesKind) -> Stack | None:
+        """Read a calibration series; None where the session has none."""
+        with self.clock.step("read"):
+            return self.source.series(kind)
+
     def mask(self, k: int | None) -> Bools | None:
         """Return which pixels (rows, columns) may be used at position ``k``, or at all; None: all."""
         given, chosen = self.source.mask(k), self.options.mask
@@ -162,7 +168,7 @@ class Acquisition:
         self.response = response
         self._response_known = True
         with self.clock.step("calibrate"):
-            self._corrections = corrections(self.source, response)
+            self._corrections = corrections(self.series, response)
 
     def calibrate_intrinsics(self, progress: Progress | None = None) -> CameraCalibration | None:
         """Find the lens from the board's photographs; None where there is no board: what the session states holds."""
@@ -171,7 +177,8 @@ class Acquisition:
             return None
         from brdf_suite.acquisition.intrinsics import calibrate_intrinsics
 
-        pictures = self.source.board()
+        with self.clock.step("read"):
+            pictures = self.source.board()
         with self.clock.step("calibrate"):
             self.intrinsics = calibrate_intrinsics(
                 pictures, board.columns, board.rows, board.square_m, progress
@@ -190,7 +197,7 @@ class Acquisition:
         found = find_geometry(self, progress)
         self.union, self.outline, self.highlights = found.union, found.outline, found.highlights
         self.refinement, self.geometry = found.refinement, found.geometry
-        self.moved = found.moved
+        self.left_out = found.left_out
         self._figures |= found.figures
         for sentence in found.notices:
             self.notice(sentence)
@@ -206,14 +213,14 @@ class Acquisition:
         if not self._response_known or self.geometry is None:
             raise AcquisitionError("Response and geometry come first; one of them was not calibrated yet.")
         return Calibration(
-            self.response, self.intrinsics, self.geometry, dict(self._figures), self.moved, self.notices
+            self.response, self.intrinsics, self.geometry, dict(self._figures), self.left_out, self.notices
         )
 
     def take_calibration(self, calibration: Calibration) -> None:
         """Take a calibration that was kept, as if its steps had been taken."""
         self.intrinsics = calibration.intrinsics
         self.geometry = calibration.geometry
-        self.moved = calibration.moved
+        self.left_out = calibration.left_out
         self.notices = calibration.notices
         self._figures = dict(calibration.figures)
         self.set_response(calibration.response)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,13 +14,14 @@ if TYPE_CHECKING:
     from brdf_suite.acquisition.merge import Merged
     from brdf_suite.acquisition.response import Response
     from brdf_suite.acquisition.sphere_geometry import Geometry
-    from brdf_suite.pipeline.acquiring_source import Bools, PhotographSource, Stack
+    from brdf_suite.pipeline.acquiring_source import Bools, SeriesKind, Stack
 
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
     """Response of the camera and geometry of the rig; ``figures`` are what the steps measured, plain values.
-    At the positions ``moved`` the sphere stands elsewhere.
+    Positions ``left_out`` give no
+    readings, for the reason that stands beside them.
 
     ``response`` is None for photographs that are linear already (float files).
     """
@@ -29,7 +30,7 @@ class Calibration:
     intrinsics: CameraCalibration | None
     geometry: Geometry
     figures: Mapping[str, Any]
-    moved: tuple[int, ...] = ()
+    left_out: Mapping[int, str] = field(default_factory=dict)
     notices: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
@@ -39,7 +40,7 @@ class Calibration:
             "intrinsics": None if self.intrinsics is None else self.intrinsics.to_json(),
             "geometry": self.geometry.to_json(),
             "figures": dict(self.figures),
-            "moved": list(self.moved),
+            "left_out": [[k, reason] for k, reason in self.left_out.items()],
             "notices": list(self.notices),
         }
 
@@ -59,7 +60,7 @@ class Calibration:
             intrinsics,
             Geometry.from_json(values["geometry"]),
             dict(values["figures"]),
-            tuple(values["moved"]),
+            {int(k): str(reason) for k, reason in values["left_out"]},
             tuple(values["notices"]),
         )
 
@@ -100,16 +101,16 @@ class Corrections:
         )
 
 
-def corrections(source: PhotographSource, response: Response | None) -> Corrections:
-    """Return dark and flat field of a source; the same photographs give the same, bit for bit."""
+def corrections(series: Callable[[SeriesKind], Stack | None], response: Response | None) -> Corrections:
+    """Return dark and flat field of photographs that ``series`` reads; the same give the same, bit for bit."""
     from brdf_suite.acquisition.dark import dark_model
     from brdf_suite.acquisition.flat_field import flat_field
 
-    dark_stack = source.series("dark")
+    dark_stack = series("dark")
     dark = None
     if dark_stack is not None and response is not None:
         dark = dark_model(dark_stack.codes, dark_stack.exposures_s, response)
-    flat_stack = source.series("flat_field")
+    flat_stack = series("flat_field")
     if flat_stack is None:
         return Corrections(dark)
     return Corrections(dark, flat_field(Corrections(dark).merged(flat_stack, response, None)))

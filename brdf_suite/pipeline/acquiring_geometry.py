@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -41,7 +41,7 @@ class FoundGeometry:
     geometry: Geometry
     figures: Mapping[str, Any]
     notices: tuple[str, ...]
-    moved: tuple[int, ...] = ()
+    left_out: Mapping[int, str] = field(default_factory=dict)
 
 
 def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundGeometry:
@@ -51,10 +51,12 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
     from brdf_suite.acquisition.sphere_highlight import find_highlight
     from brdf_suite.acquisition.sphere_outline import find_outline
     from brdf_suite.acquisition.sphere_session import geometry_of_session
+    from brdf_suite.acquisition.white_reference import with_refined_white
 
     angles = tuple(position.angle_deg for position in road.session.positions)
     shiny = highlight_positions(angles, road.positions) if road.options.refine else ()
     union, kept = _read(road, union_positions(angles, road.positions), shiny, part(progress, 0.0, 0.8))
+    left_out: dict[int, str] = {}
     picture = np.asarray(union.picture, np.float32)
     lens = None if road.intrinsics is None else Lens.of(road.intrinsics.intrinsics)
     irradiance, notices = _irradiance(road)
@@ -79,7 +81,7 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
         outline = find_outline(union, geometry, road.mask(None))
         figures: dict[str, Any] = {"outline_rms_px": outline.rms_px}
         if not road.options.refine:
-            return FoundGeometry(picture, outline, (), None, outline.geometry, figures, notices)
+            return FoundGeometry(picture, outline, (), None, outline.geometry, figures, notices, left_out)
         refinement = calibrate_geometry(outline, find, part(progress, 0.8, 1.0))
     figures |= {
         "highlights": len(highlights),
@@ -87,15 +89,18 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
         "highlight_rms_deg": refinement.rms_deg,
     }
     notices += _movements(road, refinement)
+    for k in refinement.moved_positions:
+        name = road.session.positions[k].photographs[0]
+        left_out.setdefault(k, f"{name}: the sphere has moved and stands elsewhere here")
     return FoundGeometry(
         picture,
         outline,
         tuple(highlights),
         refinement,
-        refinement.geometry,
+        with_refined_white(road.session, refinement.geometry),
         figures,
         notices,
-        refinement.moved_positions,
+        left_out,
     )
 
 
@@ -130,7 +135,7 @@ def _irradiance(road: Acquisition) -> tuple[tuple[float, float, float] | None, t
     light = road.session.light.irradiance_rgb
     if light is not None:
         return light, ()
-    white = road.source.series("white")
+    white = road.series("white")
     if white is None or road.session.white is None:
         sentence = (
             "The scale is unknown: the session states no irradiance and has no white reference, so the table is right "

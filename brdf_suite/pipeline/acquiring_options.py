@@ -106,7 +106,8 @@ class Acquired:
     notices
         What the user should know, each a sentence.
     seconds
-        Time by step: ``read`` (decoding, in the background), ``calibrate``, ``merge``, ``samples``, ``table``.
+        Time by step: ``read`` (decoding, in the background), ``calibrate``, ``merge``, ``samples``,
+        ``table`` (readings into bins), ``finish`` (means to centres, holes).
     compared
         The other layouts by name, where they were asked for.
     """

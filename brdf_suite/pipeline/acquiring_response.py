@@ -39,14 +39,14 @@ def find_response(road: Acquisition, progress: Progress | None = None) -> FoundR
     camera = road.session.camera
     kind = "linear" if road.options.response == "linear" else camera.response
     chosen = road.positions
-    first = first_readable(road.source, chosen)
+    first = first_readable(road.stack, chosen)
     if first.codes.dtype == np.float32:
         return FoundResponse(None, None, {"response": "photographs are linear (float files)"})
     if kind == "srgb":
         return FoundResponse(
             srgb_response(camera.bit_depth), None, {"response": "sRGB, as the session states"}
         )
-    dark = road.source.series("dark")
+    dark = road.series("dark")
     samples = ResponseSamples(first.exposures_s, camera.bit_depth)
     mask = road.mask(None)
     places = spread(len(chosen), POSITIONS)

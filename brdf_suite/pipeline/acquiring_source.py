@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -181,8 +182,8 @@ def _stack(found: Series, told: list[Finding]) -> Stack:
     return Stack(found.codes, np.asarray(found.exposures_s, float), found.names, findings)
 
 
-def first_readable(source: PhotographSource, positions: tuple[int, ...]) -> Stack:
-    """Return the first position that can be read.
+def first_readable(read: Callable[[int], Stack], positions: tuple[int, ...]) -> Stack:
+    """Return the first of ``positions`` that ``read`` can read.
 
     Raises
     ------
@@ -192,7 +193,7 @@ def first_readable(source: PhotographSource, positions: tuple[int, ...]) -> Stac
     failure: FileError | None = None
     for k in positions:
         try:
-            return source.position(k)
+            return read(k)
         except FileError as error:
             failure = error
     if failure is None:

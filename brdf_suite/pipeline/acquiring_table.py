@@ -157,8 +157,8 @@ class _Reconstruction:
             for n, k in enumerate(positions):
                 report(progress, 0.97 * n / len(positions), f"position {n + 1} of {len(positions)}")
                 record = self._still_valid(k)
-                if k in self.calibration.moved:
-                    self.failed.append(LeftOut(k, f"{self._name(k)}: the sphere stands elsewhere here"))
+                if k in self.calibration.left_out:
+                    self.failed.append(LeftOut(k, self.calibration.left_out[k]))
                 elif record is not None:
                     self._add_kept(k, record)
                 else:
@@ -168,7 +168,10 @@ class _Reconstruction:
                     sampler = sampler or self.road.sampler()
                     try:
                         stack = reading.result()
-                        if following is not None and following not in {*self.done, *self.calibration.moved}:
+                        if following is not None and following not in {
+                            *self.done,
+                            *self.calibration.left_out,
+                        }:
                             ahead = pool.submit(self.road.stack, following)
                         self._add_new(k, stack, sampler)
                     except FileError as error:
@@ -179,7 +182,7 @@ class _Reconstruction:
             reason = f" The first: {self.failed[0].reason}" if self.failed else ""
             raise AcquisitionError(f"No position gave a reading.{reason}")
         report(progress, 0.97, "filling holes")
-        with self.road.clock.step("table"):
+        with self.road.clock.step("finish"):
             table = self._table()
             compared: dict[str, ParameterizedTable] = {
                 layout: compared_table(bin_means(sums, self._colour()))
@@ -197,9 +200,6 @@ class _Reconstruction:
             dict(self.road.clock.seconds),
             compared,
         )
-
-    def _name(self, k: int) -> str:
-        return self.road.session.positions[k].photographs[0]
 
     def _still_valid(self, k: int) -> WorkRecord | None:
         record = self.done.get(k)
