@@ -54,7 +54,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--smoothness",
         metavar="L",
         type=float,
-        help="weight of the maps' Laplacian beside a sample's; default: 2 of measured files, 1 of paints",
+        help="weight of the maps' Laplacian beside a sample's; default: 4 of measured files, 1 of paints",
     )
     command.add_argument(
         "--bias",

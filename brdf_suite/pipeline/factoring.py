@@ -70,7 +70,7 @@ class FactoringOptions:
     Fresnel's angle where the reflectance is isotropic, p(ωo) q(h) p(ωi) where it is not. ``peak``: whether what stands
     out over the product is kept apart, over the radius of the half vector or as a map; ``auto``: radial where it is
     isotropic. ``bias`` is over the mean of what is factored; left out, 1e-2 of measurements, 1e-5 of models.
-    ``smooth``: λ of equation 17; left out, 2 of measurements, 1 of models.
+    ``smooth``: λ of equation 17; left out, 4 of measurements, 1 of models.
     ``keep_mean``: whether the mean of f_r cosθi cosθo over the samples is restored; ``auto``: where that raises neither
     the RMS error nor the median relative one. ``radial``: whether maps of two axes that are found to be radially
     symmetric are kept as their radius alone.

@@ -44,7 +44,7 @@ def test_a_paint_is_written_with_its_textures_and_opened_again(tmp_path: Path, c
     assert sorted(path.suffix for path in tmp_path.iterdir()) == [".brdfpaint", ".exr"]
 
 
-def test_maps_of_two_axes_are_found_to_be_round_and_kept_as_their_radius(tmp_path: Path, capsys) -> None:
+def test_factors_and_settings_are_taken_and_a_table_is_written(tmp_path: Path, capsys) -> None:
     out = tmp_path / "matte.brdftable"
     arguments = ["factorize", "matte_grey", "-o", str(out), "--pairs", "6000", "--factors", "p:wo q:h p:wi"]
     arguments += ["--resolution", "16", "--peak", "off", "--smoothness", "3"]

@@ -43,7 +43,7 @@ PEAK_FORMS: tuple[str, ...] = get_args(PeakForm)
 """``radial``: s over the root of the half vector's radius, fine at the normal; ``map``: s over the hemisphere."""
 PEAK_BIAS = 1e-2
 """Over the mean of the clamped values, which no peak raises."""
-MEASURED_SMOOTHNESS = 2.0
+MEASURED_SMOOTHNESS = 4.0
 """λ for scattered measurements: with less, maps ring at the angles that the instrument stood at."""
 DEFAULT_CUT = 3.0
 """Values beyond so many times the body are peak."""
