@@ -3436,10 +3436,6 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Aus dem früheren Lauf übernommen; erneut finden zeigt sie.</translation>
     </message>
     <message>
-        <source>{rms:.2f} px RMS</source>
-        <translation>{rms:.2f} px quadr. Mittel</translation>
-    </message>
-    <message>
         <source>Done.</source>
         <translation>Fertig.</translation>
     </message>

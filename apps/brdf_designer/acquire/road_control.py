@@ -202,7 +202,7 @@ class RoadControl(QObject):
             self._bench.window.show_step("geometry", "todo", "")
             return
         rms = value.found.figures.get("highlight_rms_px", value.found.figures.get("outline_rms_px"))
-        words = "" if rms is None else tr("{rms:.2f} px RMS").format(rms=rms)
+        words = "" if rms is None else tr("{rms:.3f} px RMS").format(rms=rms)
         moved = value.state is not None and bool(value.state.problems)
         self._bench.window.show_step("geometry", "warning" if moved else "done", words)
 
