@@ -28,12 +28,14 @@ _BRIGHT = 0.5
 _SLACK = 0.012
 """Of the picture's width: how far a highlight may lie back by noise and by the size of pixels."""
 _LEAST_POSITIONS = 4
+_MOST_DEG = 160.0
 
 
 class PositionOrder:
     """Collects the highlight's column at each position; then tells which are out of order.
 
-    Angles from 0° to 180° and, mirrored, from -180° to 0° are looked at; what else there is, is left alone.
+    Angles from 0° to 160° and, mirrored, from -160° to 0° are looked at; what else there is, is left alone: a lamp
+    behind the sphere lights its rim on both sides, whose middle wanders back.
     """
 
     def __init__(self, session: Session, folder: str | os.PathLike[str] = ".") -> None:
@@ -52,7 +54,7 @@ class PositionOrder:
     def findings(self) -> tuple[Finding, ...]:
         """Return the positions that are out of order; each is left out."""
         angles = {k: self._session.positions[k].angle_deg for k in self._columns}
-        order = sorted((k for k in angles if -180.0 <= angles[k] <= 180.0), key=lambda k: angles[k])
+        order = sorted((k for k in angles if abs(angles[k]) <= _MOST_DEG), key=lambda k: angles[k])
         if len(order) < _LEAST_POSITIONS:
             return ()
         columns = [self._columns[k] for k in order]
