@@ -1264,6 +1264,14 @@
         <translation>session.json behält, was sie hatte.</translation>
     </message>
     <message>
+        <source>session.json was changed by another program since it was opened here.</source>
+        <translation>session.json wurde von einem anderen Programm geändert, seit sie hier geöffnet ist.</translation>
+    </message>
+    <message>
+        <source>Check Again reads it; then edit once more.</source>
+        <translation>Erneut prüfen liest sie; danach noch einmal ändern.</translation>
+    </message>
+    <message>
         <source>With dark frames</source>
         <translation>Mit Dunkelbildern</translation>
     </message>

@@ -206,6 +206,16 @@ def test_a_number_that_cannot_be_is_told_and_not_written(opened, folder):
     assert opened.window.session.fields["camera.distance_m"].value() == pytest.approx(900.0)
 
 
+def test_what_another_program_has_written_is_not_overwritten(opened, folder):
+    other = replace(read_session(folder), name="Other")
+    write_session(other, folder)
+    opened.window.session.number_edited.emit("light.distance_m", 560.0)
+    opened.sessions.write_pending()
+    assert read_session(folder) == other
+    assert "edit" in shown_keys(opened)
+    assert opened.window.session.fields["light.distance_m"].value() == pytest.approx(550.0)
+
+
 def mask_page(assistant, qtbot):
     assistant.window.show_page("mask")
     page = assistant.window.mask

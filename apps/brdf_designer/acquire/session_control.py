@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from brdf_qt.dialogs import Dialogs
-from brdf_qt.message_bar import message_of
+from brdf_qt.message_bar import Message, message_of
 from brdf_qt.settings import settings
 from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, QTimer
@@ -178,10 +178,21 @@ class SessionControl(QObject):
                 target.append(present)
 
     def _write(self, session: Session) -> bool:
-        from brdf_suite.acquisition.session_store import write_session
+        from brdf_suite.acquisition.session_store import read_session, write_session
 
         assert self._bench.folder is not None
         try:
+            if read_session(self._bench.folder) != self._bench.session:
+                self._bench.say(
+                    Message(
+                        "edit",
+                        tr("session.json was changed by another program since it was opened here."),
+                        todo=tr("Check Again reads it; then edit once more."),
+                        severity="warning",
+                    )
+                )
+                self._show()
+                return False
             write_session(session, self._bench.folder)
         except SuiteError as error:
             self._bench.say(message_of(error, "edit", todo=tr("session.json keeps what it had.")))
