@@ -66,7 +66,8 @@ def dark_model(
 ) -> Dark:
     """Fit the offset and the current of each pixel to dark photographs (n, h, w, channels), by least squares.
 
-    Both are freed of noise as :mod:`.noise_shrinking` has it. With fewer than three photographs all is offset.
+    Both are freed of noise as :mod:`.noise_shrinking` has it. With fewer than three photographs all is offset; of a
+    channel whose noise is cut off at code 0 only hot pixels are told.
 
     Raises
     ------
@@ -99,4 +100,8 @@ def dark_model(
             current = np.zeros_like(mean)
         rate[..., c] = current
         offset[..., c] = shrunk(mean - current * times.mean(), noise / count, _SIGMA_PX)[0]
+        if float(np.mean(stack[..., c] == 0)) > _CUT_OFF:
+            # What is left of noise that is cut off at code 0 has a mean, which lit pixels do not have.
+            rate[..., c] = np.where(hot, current, 0.0)
+            offset[..., c] = 0.0
     return Dark(offset, rate, hot)

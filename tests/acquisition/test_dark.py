@@ -56,6 +56,16 @@ def test_one_dark_photograph_is_an_offset() -> None:
     assert dark.offset.mean() == pytest.approx(0.01, rel=0.02)
 
 
+def test_noise_that_is_cut_off_at_code_0_is_no_offset() -> None:
+    rate = np.zeros((40, 50, 3))
+    rate[7, 9] = 0.8
+    stack = np.maximum(dark_stack(rate).astype(int) - 64, 0).astype(np.uint16)
+    dark = dark_model(stack, TIMES, linear_response(12))
+    assert np.all(dark.offset == 0.0)
+    assert np.count_nonzero(dark.rate) == 3
+    assert dark.rate[7, 9, 0] == pytest.approx(0.8, rel=0.1)
+
+
 def test_a_part_is_cut_out() -> None:
     dark = dark_model(dark_stack(np.zeros((20, 30, 3))), TIMES, RESPONSE)
     part = dark.cropped(slice(2, 9), slice(4, 20))
