@@ -11,6 +11,7 @@ from brdf_suite.cli.output import print_json, progress_bar
 
 if TYPE_CHECKING:
     from brdf_suite.pipeline.cook_torrance_fit import FileFit
+    from brdf_suite.pipeline.cook_torrance_samples import FitErrors
 
 _PAINT, _TABLE = ".brdfpaint", ".brdftable"
 
@@ -125,16 +126,16 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         value = found.to_json()
         if beside:
-            value["models"] = {row.fit.model.name: asdict(row.errors) for row in rows}
+            value["models"] = {row.fit.model.name: asdict(row.errors_within) for row in rows}
         if options.output is not None:
             value["file"] = str(options.output)
         print_json(value)
         return 0
     _tell(found)
     if beside:
-        print("errors of the models side by side:")
+        print(f"the models side by side, within {settings.grazing_deg:g}°:")
         for row in rows:
-            print(f"  {row.fit.model.name:14} {_errors(row)}")
+            print(f"  {row.fit.model.name:14} {_errors(row.errors_within)}")
     if options.output is not None:
         print(f"written to {options.output}")
     return 0
@@ -184,13 +185,13 @@ def _tell(found: FileFit) -> None:
             f"   r {_number(fit.r[lobe], errors.r[lobe])}"
         )
     print(f"energy (mean |ln(fit/measured)|) {fit.energy_mean:.4f} where the solver looked")
-    print(f"over everything: {_errors(found)}")
+    print(f"within {fit.settings.grazing_deg:g}° of the normal: {_errors(found.errors_within)}")
+    print(f"over everything: {_errors(found.errors)}")
     for notice in found.notices:
         print(f"note: {notice}")
 
 
-def _errors(row: FileFit) -> str:
-    errors = row.errors
+def _errors(errors: FitErrors) -> str:
     return (
         f"mean |ln| {errors.l1_mean:.4f}, log RMS {errors.log_rms:.4f}, median {100.0 * errors.median_relative:.2f} %"
         f" of {errors.compared:,} values"

@@ -117,9 +117,10 @@ def fit_checked(
     used = samples.fewer(settings.samples, settings.seed)
     count = int(used.known.sum())
     if count < model.size:
+        lobes = "one lobe" if settings.lobes == 1 else f"{settings.lobes} lobes"
         raise FittingError(
-            f"{count} values cannot determine the {model.size} parameters of {settings.lobes} lobes; measure more "
-            "directions, or fit fewer lobes."
+            f"{count} values cannot determine the {model.size} parameters of {lobes}; measure more directions"
+            + (", or fit fewer lobes." if settings.lobes > 1 else ".")
         )
     whole = Problem.of(model, used)
     few = Problem.of(model, used.fewer(COARSE_SAMPLES, settings.seed + 1))

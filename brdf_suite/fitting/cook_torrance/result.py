@@ -103,22 +103,19 @@ class LobeFit:
         if used.black and not used.floor.share:
             told.append(f"{used.black:,} values of 0 or less have no logarithm and are left out.")
         elif used.black:
-            share = 100.0 * used.black / used.known.size
             told.append(
-                f"{share:.0f} % of the values are 0 or less: colours outside of the working space, or noise. To all, "
-                f"and to the fit, {100.0 * used.floor.share:g} % of the sample's brightest channel and "
-                f"{used.floor.dark:.2g} /sr are added before the logarithm."
+                f"{100.0 * used.black_share:.1f} % of the values are 0 or less: colours outside of the working space, "
+                f"or noise. To all, and to the fit, {100.0 * used.floor.share:g} % of the sample's brightest channel "
+                f"and {used.floor.dark:.2g} /sr are added before the logarithm."
             )
         for channel, name in enumerate(("red", "green", "blue")):
             if not used.channels[channel]:
                 told.append(f"There is nothing in the {name} channel; its weights are 0.")
         if self.dropped:
-            count = len(self.dropped)
-            told.append(
-                f"{self.model.lobes - count} lobes do as well as {self.model.lobes}; the first {count} have no weight."
-                if count > 1
-                else f"{self.model.lobes - 1} lobes do as well as {self.model.lobes}; the first has no weight."
-            )
+            left, count = self.model.lobes - len(self.dropped), len(self.dropped)
+            does = {0: "No lobe does", 1: "One lobe does"}.get(left, f"{left} lobes do")
+            has = "the first has" if count == 1 else f"the first {count} have"
+            told.append(f"{does} as well as {self.model.lobes}; {has} no weight.")
         told += self._poorly_told()
         return tuple(told)
 

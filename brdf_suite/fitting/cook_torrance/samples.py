@@ -60,7 +60,7 @@ class LobeSamples:
     ``wi``, ``wo`` (n, 3) unit directions; ``logs`` (3, n) natural logarithms of f_r in 1/sr and what is added to it,
     ``added`` (n,) by the ``floor``; 0 where ``known`` (3, n) is false; ``weights`` (n,) > 0 with mean 1.
     ``left_out``: how many were not finite, beyond the grazing angle, of no weight or black; ``black``: how many values
-    (of one channel) of the others are not positive.
+    (of one channel) of the others are not positive, and ``black_share`` which share.
     """
 
     wi: Floats
@@ -72,6 +72,7 @@ class LobeSamples:
     floor: Floor
     left_out: int
     black: int
+    black_share: float
 
     def __len__(self) -> int:
         return len(self.wi)
@@ -94,6 +95,7 @@ class LobeSamples:
             self.floor,
             self.left_out,
             self.black,
+            self.black_share,
         )
 
     def fewer(self, most: int, seed: int) -> LobeSamples:
@@ -159,6 +161,7 @@ def checked_samples(
     logs = np.zeros(kept.shape)
     np.log(raised[used].T, out=logs, where=kept)
     chosen = share[seen][used]
+    black = int(np.count_nonzero(found[used] <= 0.0))
     return LobeSamples(
         light[seen][used],
         view[seen][used],
@@ -168,7 +171,8 @@ def checked_samples(
         floor.at(found[used]),
         floor,
         len(light) - count,
-        int(np.count_nonzero(found[used] <= 0.0)),
+        black,
+        black / (3 * count),
     )
 
 
