@@ -130,9 +130,7 @@ def _told(found: FactoredFit, output: Path) -> str:
     lines = [f"{found.name}: {found.samples:,} samples, {found.factors}{peak}, {found.solver}"]
     if found.left_out or found.raised:
         lines.append(f"left out: {found.left_out:,} samples; negative ones taken for 0: {found.raised:,}")
-    lines.append(
-        f"relative error: median {near.median_relative:.3f}, mean {near.mean_relative:.3g}; SNR {near.snr_db:.2f} dB"
-    )
+    lines.append(f"relative error: median {near.median_relative:.3f}; SNR {near.snr_db:.2f} dB")
     from brdf_suite.fitting.homomorphic.radial import SYMMETRIC
 
     symmetric = [name for name, size in found.asymmetry.items() if size <= SYMMETRIC]

@@ -68,7 +68,7 @@ def methods(measured: ScatteredSamples) -> dict[str, Callable[[Samples], Evaluat
 
     found = {
         "radial maps, peak apart (as the command does)": lambda s: (
-            factorize_with_peak(s, factors=MEASURED_FACTORS)[0].eval
+            factorize_with_peak(s, factors=MEASURED_FACTORS, smooth=MEASURED_SMOOTHNESS)[0].eval
         ),
         "the same, peak as a map over the hemisphere": lambda s: (
             factorize_with_peak(s, factors=MEASURED_FACTORS, smooth=MEASURED_SMOOTHNESS, form="map")[0].eval
