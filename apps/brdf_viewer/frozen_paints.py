@@ -65,3 +65,6 @@ def _forget_oldest(folder: Path, used: Collection[str | None]) -> None:
     for file in files[MOST_KEPT:]:
         if str(file.absolute()) not in used:
             file.unlink(missing_ok=True)
+            # A factored paint has its textures beside it, named after it.
+            for textures in folder.glob(f"{file.stem}-*.exr"):
+                textures.unlink(missing_ok=True)

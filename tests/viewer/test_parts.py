@@ -6,6 +6,7 @@ import dataclasses
 import os
 from pathlib import Path
 
+import numpy as np
 import pytest
 from brdf_viewer import frozen_paints
 from brdf_viewer.camera_presets import PRESETS, look_from, signed_deg
@@ -20,8 +21,10 @@ from brdf_viewer.stage import Stage
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from brdf_suite.documents.factor_textures import write_textures
+from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.paint import solid_paint
-from brdf_suite.documents.store import paint_to_json, save_paint
+from brdf_suite.documents.store import load_any_paint, paint_to_json, save_paint
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import FileError
 from brdf_suite.pipeline.turning import turned
@@ -209,3 +212,18 @@ def test_a_frozen_paint_on_show_is_kept_however_old_it_is(qapp, monkeypatch) -> 
     touch(keys[3])  # it is looked at again, and so the fourth goes before it
     freeze(solid_paint("green", (50.0, -10.0, 0.0)), "", used=keys[:1])
     assert [Path(key).exists() for key in keys] == [True, False, False, True, False]
+
+
+def test_a_frozen_factored_paint_takes_its_textures_along_and_away(qapp, monkeypatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(frozen_paints, "MOST_KEPT", 1)
+    maps = {"p": np.full((4, 3), 0.5, np.float32), "q": np.ones((4, 3), np.float32)}
+    textures = write_textures(maps, tmp_path / "satin.brdfpaint")
+    first = Path(freeze(FactoredPaint("satin", textures, "p:|wo| q:|h| p:|wi|", (0.1, 0.2, 0.3)), ""))
+    copies = list(first.parent.glob("satin-*.exr"))
+    assert len(copies) == 1
+    assert load_any_paint(first).textures.path == str(copies[0])
+    os.utime(first, (1e9, 1e9))
+    freeze(solid_paint("green", (50.0, -10.0, 0.0)), "")
+    assert not first.exists()
+    assert not copies[0].exists()
+    assert Path(textures.path).exists()
