@@ -38,6 +38,35 @@ def levels(values: NDArray[Any], *, logarithmic: bool, hemisphere: bool) -> Iter
         inside = (weight > 0.0).astype(np.float64) if hemisphere else np.ones(weight.shape)
 
 
+def radial_levels(values: NDArray[Any], *, logarithmic: bool, power: float) -> Iterator[Floats]:
+    """Yield the levels (1, n, 3) of a map (n, 3) along a radius, the map itself first.
+
+    ``power``: the radius of a parabolic map is the place to this power. What such a map stands for is a disc, so a
+    texel is the mean over the rings that it is read for, each by its area and the texel's part in what is interpolated
+    there. So the light of the whole disc stays the same from level to level; means along the radius alone would spread
+    a peak over rings that are larger than it, and brighten it manifold.
+    """
+    level0 = np.asarray(values, np.float64)
+    yield level0[None]
+    size = len(level0)
+    fine = (np.arange(16 * size) + 0.5) / (16 * size)
+    top = level0.max(axis=0) if logarithmic else np.zeros(3)
+    between = _hats(fine, size) @ level0
+    light = np.exp(between - top) if logarithmic else between
+    area = fine ** (2.0 * power - 1.0)
+    while size > 1:
+        size //= 2
+        hats = _hats(fine, size) * area[:, None]
+        mean = (hats.T @ light) / hats.sum(axis=0)[:, None]
+        yield (np.log(np.maximum(mean, 1e-35)) + top if logarithmic else mean)[None]
+
+
+def _hats(places: Floats, size: int) -> Floats:
+    """Return (k, size): by how much each texel counts at places in [0, 1], linear between, held at the ends."""
+    at = np.clip(places * size - 0.5, 0.0, size - 1.0)
+    return np.maximum(1.0 - np.abs(at[:, None] - np.arange(size)), 0.0)
+
+
 def _areas(size: int) -> Floats:
     """Return (size // 2, size), at least one row: the share of each texel in those of the next level; rows sum to 1."""
     fewer = max(size // 2, 1)

@@ -24,7 +24,7 @@ _PLACES = {
     "|wi|": ("vec2(disc_radius(cos_light), 0.5)", ""),
     "|wo|": ("vec2(disc_radius(cos_view), 0.5)", ""),
     "|h|": ("vec2(half_radius, 0.5)", ""),
-    "sqrt|h|": ("vec2(sqrt(half_radius), 0.5)", ""),
+    "sqrt|h|": ("vec2(half_root, 0.5)", ""),
     "wi.wo": ("vec2(0.5 * cos_across + 0.5, 0.5)", ""),
     "w.h": ("vec2(cos_half, 0.5)", ""),
     "w.h,h.n": ("vec2(cos_half, cos_facet)", ""),
@@ -94,4 +94,9 @@ def texels_per_radian(projection: str, size: int, *, cube: bool = False) -> floa
     if cube:
         return 0.5 * size
     # Of a parabolic place 0.5 (s + 1) it is (1 + r²)/4 to 1/2, of a radius twice as much.
+    # Of the root of a radius, which is finer towards the middle, it is that of a radius over four, over the root.
+    if projection in _UNEVEN:
+        return 0.25 * size
+    if projection == "|h|":
+        return 0.5 * size
     return (0.35 if PROJECTIONS[projection].hemisphere else 0.7) * size

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.factor_cube import cube_faces
-from brdf_suite.realtime.factor_levels import levels
+from brdf_suite.realtime.factor_levels import levels, radial_levels
 from brdf_suite.realtime.factor_source import Layout, Slots, shader_words, texels_per_radian
 from brdf_suite.realtime.factored_values import FactoredMaps
 from brdf_suite.realtime.gpu_objects import GpuObjects
@@ -133,7 +133,12 @@ class FactorTextures:
         """Return a map's texture, and lowest value and span (3,) by which its texels are to be read."""
         one = maps.maps[name]
         image = one.values if one.values.ndim == 3 else one.values[None]
-        finer = list(levels(image, logarithmic=one.logarithmic, hemisphere=maps.form(name) == "hemisphere"))
+        power = maps.radial_power(name)
+        if power is None:
+            hemisphere = maps.form(name) == "hemisphere"
+            finer = levels(image, logarithmic=one.logarithmic, hemisphere=hemisphere)
+        else:
+            finer = radial_levels(one.values, logarithmic=one.logarithmic, power=power)
         low, span = self._stretch(image, one.logarithmic)
         texture = self._objects.texture((image.shape[1], image.shape[0]), _DTYPES[self.store])
         texture.build_mipmaps()  # makes room for the levels, which are then our own

@@ -153,6 +153,13 @@ class FactoredMaps:
         """Return the form of a map."""
         return next(form_of(p) for term in self.terms for m, p in term.factors if m == name)
 
+    def radial_power(self, name: str) -> float | None:
+        """Return the power of a map's place that is the radius of a parabolic map; None of what is over no radius."""
+        read = {p for term in self.terms for m, p in term.factors if m == name}
+        if read & {"sqrt|h|"}:
+            return 2.0
+        return 1.0 if read & {"|wi|", "|wo|", "|h|"} else None
+
     @property
     def has_directions(self) -> bool:
         """Whether any map is over directions, so that it matters how the surface's tangent lies."""

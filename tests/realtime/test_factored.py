@@ -110,7 +110,9 @@ def test_the_default_product_with_a_peak_is_that_of_the_reflectance(lit, wanted)
     truth = wanted(value.eval)
     error = relative(lit(factored_maps(value)), truth)
     assert truth.max() / truth.min() > 3
-    assert error.max() < 2e-3
+    # In the middle of a highlight a pixel covers several rings of such a map, and shows their mean.
+    assert np.quantile(error, 0.99) < 2e-3
+    assert error.max() < 0.05
 
 
 @pytest.mark.parametrize("projection", list(PROJECTIONS))
@@ -267,3 +269,21 @@ def test_with_the_environment_dark_the_lamps_are_alone(renderer, lit, scenes):
     )
     np.testing.assert_allclose(half - dark, 0.5 * (whole - dark), rtol=1e-2, atol=1e-3)
     assert (whole > dark).all()
+
+
+@pytest.mark.parametrize(("projection", "width", "bound"), [("|h|", 0.02, 0.2), ("sqrt|h|", 0.2, 0.35)])
+def test_a_highlight_smaller_than_a_pixel_keeps_its_light(renderer, lit, scenes, projection, width, bound):
+    ring = (np.arange(64) + 0.5) / 64
+    peak = (500.0 * np.exp(-((ring / width) ** 4))[:, None] * np.ones(3)).astype(np.float32)
+    flat = np.full((2, 3), 0.02, np.float32)
+    value = Factored(flat, flat, 1.0, peak=(MapFactor(projection, peak),))
+    maps = replace(factored_maps(value), ceiling=1e6)
+    part = scenes.sphere(radius=0.015)
+    seen = None
+    for azimuth in (-33.0, -25.0, -17.0):
+        lamps = (Lamp("directional", azimuth_deg=azimuth, elevation_deg=0.7 * azimuth - 30.0, strength=2.0),)
+        drawn = lit(maps, lamps, part).sum(axis=(0, 1))
+        seen = seen or geometry_picture(renderer, NEAR, (6 * SIZE[0], 6 * SIZE[1]))
+        truth = lamp_radiance(value, seen, lamps).sum(axis=(0, 1)) / 36
+        # Of pixels' middles alone, some have all of it and some nothing.
+        assert drawn == pytest.approx(truth, rel=bound)

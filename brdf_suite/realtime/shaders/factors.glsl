@@ -35,8 +35,8 @@ float disc_radius(float cosine)
 }
 
 // A map's mip level: the logarithm of how far directions turn from pixel to pixel, and that of its texels in a radian. It
-// is worked out once a pixel, which is cheaper than by each look-up; but of a map that is much finer at one place than at
-// another (FINE_FACTOR) by the look-up itself.
+// is worked out once a pixel, which is cheaper than by each look-up. A map over the root of a radius has texels that are
+// finer towards the middle (FINE_FACTOR), as far as a pixel's own radius there.
 #ifdef FACTOR_SPANS
 #define SPAN(k) * factor_spans[k]
 #define CUBE_SPAN(k) * factor_cube_spans[k]
@@ -45,7 +45,7 @@ float disc_radius(float cosine)
 #define CUBE_SPAN(k)
 #endif
 #define FLAT_FACTOR(k, at) (textureLod(factor_maps[k], at, turn + factor_levels[k]).rgb SPAN(k))
-#define FINE_FACTOR(k, at) (texture(factor_maps[k], at).rgb SPAN(k))
+#define FINE_FACTOR(k, at) (textureLod(factor_maps[k], at, turn + factor_levels[k] - log2(max(half_root, turn_root))).rgb SPAN(k))
 #define CUBE_FACTOR(k, direction) (textureLod(factor_cubes[k], direction, turn + factor_cube_levels[k]).rgb CUBE_SPAN(k))
 
 // The logarithm to base 2 of the radians by which normal and view turn from pixel to pixel; what of a relief is too fine
@@ -84,6 +84,7 @@ vec3 factored_radiance(SurfacePoint p)
     vec3 wo = to_local * p.view;
 #endif
     float turn = pixel_turn(p);
+    float turn_root = exp2(0.5 * turn - 0.5);    // root of a pixel's extent over a radius, about the middle
     FACTORS_OF_VIEW
     vec3 sum = vec3(0.0);
     for (int i = int(light_counts.x); i < int(light_counts.y); ++i)
@@ -98,6 +99,7 @@ vec3 factored_radiance(SurfacePoint p)
         float cos_facet = clamp(dot(p.normal, facet), 0.0, 1.0);
         // By the sine, which near the normal is accurate where the cosine is not.
         float half_radius = length(facet - cos_facet * p.normal) / (1.0 + cos_facet);
+        float half_root = sqrt(half_radius);
 #ifdef FACTOR_FRAME
         vec3 wi = to_local * light.direction;
         vec3 h = to_local * facet;
