@@ -2,7 +2,7 @@
 
 from brdf_suite.fitting.cook_torrance.fit import KeptStarts, fit_checked, fit_lobes
 from brdf_suite.fitting.cook_torrance.result import LobeFit
-from brdf_suite.fitting.cook_torrance.samples import LobeSamples, checked_samples
+from brdf_suite.fitting.cook_torrance.samples import LobeSamples, checked_samples, even_weights
 from brdf_suite.fitting.cook_torrance.settings import LOSSES, MODELS, Settings
 from brdf_suite.fitting.cook_torrance.uncertainty import StandardErrors
 
@@ -15,6 +15,7 @@ __all__ = [
     "Settings",
     "StandardErrors",
     "checked_samples",
+    "even_weights",
     "fit_checked",
     "fit_lobes",
 ]
