@@ -42,7 +42,7 @@ NOTES: dict[str, str] = {}
 
 PAINT = "table1_polaris_silver"
 SIZE = (320, 320)
-POSITIONS = 90
+POSITIONS = 60
 LIMIT_DEG = 75.0
 LAMP_DEG, CENTRE_PX = 0.5, (2.0, 0.0)
 
