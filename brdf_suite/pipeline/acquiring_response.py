@@ -42,10 +42,6 @@ def find_response(road: Acquisition, progress: Progress | None = None) -> FoundR
     first = first_readable(road.stack, chosen)
     if first.codes.dtype == np.float32:
         return FoundResponse(None, None, {"response": "photographs are linear (float files)"})
-    if kind == "srgb":
-        return FoundResponse(
-            srgb_response(camera.bit_depth), None, {"response": "sRGB, as the session states"}
-        )
     dark = road.series("dark")
     samples = ResponseSamples(first.exposures_s, camera.bit_depth)
     mask = road.mask(None)
@@ -61,10 +57,12 @@ def find_response(road: Acquisition, progress: Progress | None = None) -> FoundR
             samples,
             None if dark is None else black_codes(dark.codes),
             linear=kind == "linear",
+            known=srgb_response(camera.bit_depth) if kind == "srgb" else None,
             progress=part(progress, 0.6, 1.0),
         )
+    found = "linear" if fit.response.linear else "recovered"
     figures = {
-        "response": "linear" if fit.response.linear else "recovered",
+        "response": "sRGB, as the session states" if kind == "srgb" else found,
         "response_pixels": int(fit.pixels.min()),
         "largest_time_error": float(np.abs(np.expm1(fit.time_residuals)).max()),
     }

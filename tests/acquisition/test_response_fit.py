@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.response import middle_code
+from brdf_suite.acquisition.response import linear_response, middle_code
 from brdf_suite.acquisition.response_fit import ResponseFit, calibrate_response
 from brdf_suite.acquisition.response_samples import ResponseSamples, spread
 from brdf_suite.errors import AcquisitionError, Cancelled, ValueRangeError
@@ -88,6 +89,25 @@ def test_a_linear_camera_is_told_as_such_and_its_noise_measured(black: int) -> N
     unit = camera.truth[-1]  # the full well
     assert fit.response.shot[0] == pytest.approx(unit / FULL_WELL, rel=0.1)
     assert fit.response.read[0] == pytest.approx(unit * READ / FULL_WELL, rel=0.15)
+
+
+def test_the_noise_of_a_known_curve_is_measured() -> None:
+    camera = shoot("gamma")
+    known = linear_response(12, 1)
+    known = dataclasses.replace(known, exposure=camera.truth[None], linear=False)
+    samples = ResponseSamples(TIMES, 12, 1)
+    samples.add(camera.stack)
+    fit = calibrate_response(samples, known=known)
+    np.testing.assert_array_equal(fit.response.exposure, known.exposure)
+    assert fit.response.shot[0] == pytest.approx(camera.truth[-1] / FULL_WELL, rel=0.1)
+    assert fit.response.shot[0] != known.shot[0]
+
+
+def test_photographs_that_contradict_a_known_curve_are_told() -> None:
+    samples = ResponseSamples(TIMES, 12, 1)
+    samples.add(shoot("gamma").stack)
+    with pytest.raises(AcquisitionError, match="not linear"):
+        calibrate_response(samples, [0.0], linear=True)
 
 
 def test_without_dark_frames_black_is_found_in_what_the_lamp_leaves_dark() -> None:
