@@ -196,6 +196,38 @@ def test_the_arm_hides_the_sphere_and_the_coat_mirrors_the_table() -> None:
     assert rig.session.light.housing_radius_m > 0.0
 
 
+def test_the_stated_matrix_leads_back_to_the_working_space() -> None:
+    blue = CookTorrance(TABLE_1["table1_blue"])
+    plain, other = (Simulator(blue, replace(SMALL, colour_matrix=used)) for used in (False, True))
+    matrix = np.array(other.session.camera.to_working)
+    np.testing.assert_allclose(matrix.sum(axis=1), 1.0)
+    expected = plain.radiance(1) / _irradiance(plain)
+    found = (other.radiance(1) / _irradiance(other)) @ matrix.T
+    np.testing.assert_allclose(found, expected, atol=1e-5 * expected.max())
+    assert np.abs(other.radiance(1) / _irradiance(other) - expected).max() > 0.01 * expected.max()
+
+
+def test_a_lamp_with_a_profile_falls_off_as_the_session_says() -> None:
+    plain, narrow = (Simulator(MATT, replace(SMALL, size=(120, 120), profile=used)) for used in (False, True))
+    lamp, centre = narrow.lamp(0).place, narrow.optics.centre
+    ratio = (narrow.radiance(0) / _irradiance(narrow))[10:110, 60] / (plain.radiance(0) / _irradiance(plain))[
+        10:110, 60
+    ]
+    rays = narrow.optics.rays(np.full(100, 60.0), np.arange(10.0, 110.0))
+    points = centre + first_hits(centre, rays, np.zeros(3), narrow.settings.radius_m)[:, None] * rays
+    off = np.degrees(
+        np.arccos(
+            np.clip(
+                (lamp - points) @ lamp / np.linalg.norm(lamp - points, axis=1) / np.linalg.norm(lamp), -1, 1
+            )
+        )
+    )
+    lit = np.isfinite(ratio[:, 1])
+    stated = np.array(narrow.session.light.profile)
+    np.testing.assert_allclose(ratio[lit, 1], np.interp(off[lit], stated[:, 0], stated[:, 1]), rtol=2e-3)
+    assert ratio[lit].min() < 0.97
+
+
 def test_settings_out_of_range_are_named() -> None:
     with pytest.raises(ValueRangeError, match="bit_depth"):
         SimulatorSettings(bit_depth=20)

@@ -130,7 +130,7 @@ class Scene:
         wo = np.einsum("nij,nj->ni", frames, views[lit])
         found = np.asarray(self.reflectance.eval(wi, wo))
         if self.matrix is not None:
-            found = np.maximum(found @ self.matrix.T, 0.0)
+            found = found @ self.matrix.T
         values[lit] = found * (cosines * relative)[lit, None]
         if self.arm:
             values += mirrored_turntable(lamp, points, normals, views)[:, None]

@@ -36,7 +36,8 @@ _BRIGHTEST = 0.7
 _MIDDLING = 6.0
 """Fillings of the well in the longest exposure that a typical lit pixel has at most."""
 
-_TO_WORKING = np.array([[0.82, 0.13, 0.05], [0.06, 0.88, 0.06], [0.02, 0.15, 0.83]])
+_FROM_WORKING = np.array([[0.82, 0.13, 0.05], [0.06, 0.88, 0.06], [0.02, 0.15, 0.83]])
+"""A camera's channels overlap: each sees something of all primaries, and never less than nothing."""
 
 # The noise of each kind of photograph is its own.
 _DARK_SHOT, _WHITE_SHOT, _FLAT_SHOT, _BOARD_SHOT = 10_000, 10_001, 10_002, 10_100
@@ -153,7 +154,7 @@ class Simulator:
     def _stated_matrix(self) -> Matrix | None:
         if not self.settings.colour_matrix:
             return None
-        first, second, third = ((float(a), float(b), float(c)) for a, b, c in _TO_WORKING)
+        first, second, third = ((float(a), float(b), float(c)) for a, b, c in np.linalg.inv(_FROM_WORKING))
         return first, second, third
 
     def _lamp(self, degrees: float) -> Lamp:
@@ -178,7 +179,7 @@ class Simulator:
 
     def _scene(self, position: int) -> Scene:
         settings = self.settings
-        matrix = np.linalg.inv(_TO_WORKING) if settings.colour_matrix else None
+        matrix = _FROM_WORKING if settings.colour_matrix else None
         centre = self._centre(position)
         return Scene(
             self.optics, settings.size, centre, settings.radius_m, self.reflectance, matrix, settings.arm
