@@ -11,16 +11,14 @@ from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, Signal
 
 from brdf_designer.acquire.states import CoverageState, Problem
-from brdf_designer.acquire.work_road import (
-    GeometryAnswer,
+from brdf_designer.acquire.work_geometry import GeometryAnswer, find_geometry
+from brdf_designer.acquire.work_response import ResponseFound, find_response
+from brdf_designer.acquire.work_table import (
     KeptWork,
-    ResponseFound,
     SaveTable,
     TableFound,
     TableRequest,
-    find_geometry,
     find_kept,
-    find_response,
     find_table,
     save_table,
 )

@@ -39,7 +39,7 @@ _AFTER = {
 class RoadRequest:
     """What a thread needs to take the road up: the folder, the choices, and what was found before.
 
-    ``response`` is a :class:`brdf_designer.acquire.work_road.ResponseFound`, ``geometry`` a calibration with its
+    ``response`` is a :class:`brdf_designer.acquire.work_response.ResponseFound`, ``geometry`` a calibration with its
     geometry; None where a step was not taken.
     """
 
