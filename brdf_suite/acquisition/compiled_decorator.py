@@ -21,5 +21,9 @@ _FREEDOMS = {"reassoc", "contract", "nsz"}
 
 def compiled(function: _Function) -> _Function:
     """Compile a function on its first call, or load it from the disk where that has been done before."""
-    wrap = numba.njit(cache=True, nogil=True, fastmath=_FREEDOMS, error_model="numpy")
-    return cast(_Function, wrap(function))
+    options = {"nogil": True, "fastmath": _FREEDOMS, "error_model": "numpy"}
+    try:
+        return cast(_Function, numba.njit(cache=True, **options)(function))
+    except RuntimeError:
+        # No folder to keep the work in, as where nothing can be written: it is done again each time.
+        return cast(_Function, numba.njit(**options)(function))
