@@ -22,7 +22,10 @@ _LEAST_PX = 0.4
 _LEAST_SIGNIFICANCE = 8.0
 _MOST = 4
 _LEAST_EACH_SIDE = 2
-_SPREAD = 1.4826
+_SPREAD = 1.4826  # of a normal distribution, over the median absolute deviation
+_CLIP = 12.0  # standard deviations that one coordinate may count for
+# What the statements have told the fit already should not hold the shift back.
+_LOOSE = 0.1
 
 
 @dataclass(frozen=True)
@@ -85,7 +88,7 @@ def find_movements(
     # Only what changes from one highlight to the next is noise; a movement is one such step among many.
     noise = _SPREAD * float(np.median(np.abs(np.diff(off, axis=0)) / sigma[1:, None])) / math.sqrt(2.0)
     weight = 1.0 / np.maximum(sigma * max(noise, 0.1), 0.02)
-    base = np.concatenate(((slopes * weight[:, None, None]).reshape(-1, parameters), _loose(lower)), axis=0)
+    base = np.concatenate(((slopes * weight[:, None, None]).reshape(-1, parameters), _LOOSE * lower), axis=0)
     wanted = np.concatenate((-(off * weight[:, None]).ravel(), np.zeros(parameters)))
 
     def step(split: int) -> Floats:
@@ -120,11 +123,3 @@ def find_movements(
         )
         for s in sorted(found)
     )
-
-
-_CLIP = 12.0
-
-
-def _loose(lower: Floats) -> Floats:
-    """Return the statements' rows at a tenth: what the fit has already used should not hold the shift back."""
-    return 0.1 * lower
