@@ -1,8 +1,9 @@
-"""Draw docs/images/acquisition_*.png: a simulated rig reconstructed, its errors, and Figure 4 of Günther et al. 2005.
+"""Draw docs/images/acquisition_*: a simulated rig reconstructed, its errors, and Figure 4 of Günther et al. 2005.
 
-    python packaging/plot_acquisition.py [--size 512] [--positions 180] [--paint table1_polaris_silver]
+    python packaging/plot_acquisition.py [FOLDER] [--size 320] [--positions 180] [--paint table1_polaris_silver]
 
-The photographs are simulated as they are asked for, with noise, a response that nobody is told, and 12 bits.
+The photographs are those that ``acquire --simulate`` wrote into FOLDER; without one they are simulated as they are
+asked for, with noise, a response that nobody is told, and 12 bits.
 """
 
 from __future__ import annotations
@@ -18,7 +19,6 @@ mpl.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LogNorm
-from PIL import Image
 
 from brdf_suite.acquisition.finished_table import ParameterizedTable
 from brdf_suite.acquisition.parameterization import LAYOUTS, Parameterization
@@ -46,20 +46,23 @@ INK, PALE = "#1a1a1a", "#8a8a8a"
 def main() -> None:
     """Reconstruct and draw."""
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    arguments.add_argument("--size", type=int, default=512)
+    arguments.add_argument("folder", nargs="?", type=Path)
+    arguments.add_argument("--size", type=int, default=320)
     arguments.add_argument("--positions", type=int, default=180)
     arguments.add_argument("--paint", default="table1_polaris_silver", choices=list(TABLE_1))
     options = arguments.parse_args()
     truth = CookTorrance(TABLE_1[options.paint])
     settings = SimulatorSettings(size=(options.size, options.size), positions=options.positions)
-    road = Acquisition(
-        SimulatorSource(Simulator(truth, settings, options.paint)), AcquireOptions(compare=True)
-    )
+    wanted = AcquireOptions(compare=True)
+    if options.folder is None:
+        road = Acquisition(SimulatorSource(Simulator(truth, settings, options.paint)), wanted)
+    else:
+        road = Acquisition.open(options.folder, wanted)
     road.calibrate(tell)
     found = road.table(tell)
     draw_errors(found, truth, IMAGES / "acquisition_errors.png")
     draw_slices(found, truth, IMAGES / "acquisition_slices.png")
-    draw_layouts(found, truth, IMAGES / "acquisition_parameterizations.png")
+    draw_layouts(found, truth, IMAGES / "acquisition_parameterizations.jpg")
 
 
 def tell(fraction: float, what: str) -> None:
@@ -143,6 +146,7 @@ def draw_slices(found: Acquired, truth: Reflectance, path: Path) -> None:
         panel.set_xscale("function", functions=(root, square))
         panel.set_xticks([0, 1, 5, 15, 30, 60, 90])
         panel.set_ylim(3e-2, 3e2)
+        panel.set_xlim(0.0, 90.0)
         panel.set_title(f"θd = {np.degrees(theta_d[d]):.1f}°, φd = {np.degrees(phi_d[p]):.1f}°", fontsize=10)
         panel.set_xlabel("θh, degrees")
     axes[0].set_ylabel("f_r, 1/sr")
@@ -185,17 +189,13 @@ def draw_layouts(found: Acquired, truth: Reflectance, path: Path) -> None:
     axes[1, 3].imshow(ball(truth.eval))
     axes[1, 3].set_title("the paint itself", fontsize=10)
     for panel in axes.flat:
-        panel.set_axis_off()
-    axes[0, 0].text(
-        -0.04, 0.5, "bins, empty ones black", rotation=90, va="center", transform=axes[0, 0].transAxes
-    )
-    axes[1, 0].text(
-        -0.04, 0.5, "filled and blended", rotation=90, va="center", transform=axes[1, 0].transAxes
-    )
-    figure.savefig(path, dpi=100)
+        panel.set_xticks([])
+        panel.set_yticks([])
+        panel.set_frame_on(False)
+    axes[0, 0].set_ylabel("bins, empty ones black")
+    axes[1, 0].set_ylabel("filled and blended")
+    figure.savefig(path, dpi=100, pil_kwargs={"quality": 90})
     plt.close(figure)
-    with Image.open(path) as image:
-        image.convert("P", palette=Image.Palette.ADAPTIVE, colors=255).save(path, optimize=True)
 
 
 def ball(reflectance: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> np.ndarray:

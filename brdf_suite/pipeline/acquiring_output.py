@@ -47,7 +47,7 @@ def acquire(
     work = work_path(output)
     calibration = None if restart else kept_calibration(road, work)
     if calibration is None:
-        _refuse_fatal(road, progress)
+        _check_files(road, progress)
         road.calibrate(part(progress, 0.0, 0.25))
     else:
         road.take_calibration(calibration)
@@ -57,11 +57,14 @@ def acquire(
     return found
 
 
-def _refuse_fatal(road: Acquisition, progress: Progress | None) -> None:
+def _check_files(road: Acquisition, progress: Progress | None) -> None:
+    """Refuse what nothing can be made of, and keep the warnings for the user."""
     report(progress, 0.0, "checking the files")
     for finding in road.check(None):
         if finding.severity == "fatal":
             raise finding.error()
+        if finding.severity == "warning":
+            road.notice(f"{finding.path}: {finding.reason}.")
 
 
 def acquire_partial(

@@ -174,7 +174,10 @@ class FolderSource:
         """Check the folder."""
         from brdf_suite.acquisition.session_check import check_session
 
-        return check_session(self.folder, self.session, progress)
+        found = check_session(self.folder, self.session, progress)
+        # What is read afterwards goes by it, without another look at every file.
+        self.__dict__["_checked"] = found
+        return found
 
 
 def _stack(found: Series, told: list[Finding]) -> Stack:
