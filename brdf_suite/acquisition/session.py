@@ -13,17 +13,20 @@ Values only, each checked as it is made: a bad one raises :class:`ValueRangeErro
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from types import MappingProxyType
-from typing import Literal, get_args
 
+from brdf_suite.acquisition.session_camera import (
+    RESPONSES,
+    Board,
+    Camera,
+    Intrinsics,
+    ResponseKind,
+)
 from brdf_suite.acquisition.session_values import (
-    Matrix,
+    PARAMETERS,
     Point,
     Rgb,
     check_name,
-    checked_numbers,
     checked_series,
     checked_times,
     checked_whole,
@@ -31,140 +34,33 @@ from brdf_suite.acquisition.session_values import (
     set_numbers,
     set_vector,
 )
-from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.documents.parameter import check_text, describe
 from brdf_suite.errors import ValueRangeError
+
+__all__ = [
+    "FORMAT",
+    "MOST_EXPOSURES",
+    "MOST_POSITIONS",
+    "PARAMETERS",
+    "RESPONSES",
+    "SESSION_FILE",
+    "Board",
+    "Camera",
+    "FlatField",
+    "Intrinsics",
+    "Light",
+    "Position",
+    "ResponseKind",
+    "Session",
+    "Sphere",
+    "WhiteReference",
+]
 
 FORMAT = "brdf-suite acquisition session"
 SESSION_FILE = "session.json"
 
-ResponseKind = Literal["unknown", "linear", "srgb"]
-RESPONSES: tuple[str, ...] = get_args(ResponseKind)
-
 MOST_POSITIONS = 3600
 MOST_EXPOSURES = 64
-_MOST_BOARDS = 500
-# A matrix between camera and working space keeps white; what does not is one for another purpose.
-_WHITE_KEPT = 0.02
-
-PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
-    {
-        "camera.distance_m": Parameter("Camera distance", "m", 0.01, 100.0, 2.0, "From the axis, level"),
-        "height_m": Parameter("Height", "m", -50.0, 50.0, 0.0, "Above the sphere's centre"),
-        "tilt_deg": Parameter("Tilt", "°", -89.0, 89.0, 0.0, "Of the camera's axis above the horizon"),
-        "focal": Parameter("Focal length", "pixels", 1.0, 1e7, 1000.0, "Of the camera"),
-        "principal": Parameter("Principal point", "pixels", -1e6, 1e6, 0.0, "From the middle of pixel 0, 0"),
-        "distortion": Parameter("Distortion", "", -100.0, 100.0, 0.0, "A coefficient of OpenCV's model"),
-        "matrix": Parameter("Colour matrix", "", -20.0, 20.0, 0.0, "Camera channels to linear Rec. 2020"),
-        "board.square_m": Parameter("Square", "m", 1e-4, 10.0, 0.02, "Side of a square of the board"),
-        "sphere.radius_m": Parameter("Radius", "m", 1e-4, 10.0, 0.05, "Of the painted sphere"),
-        "coordinate_m": Parameter("Position", "m", -100.0, 100.0, 0.0, "In the world of the rig"),
-        "normal": Parameter("Normal", "", -1e3, 1e3, 0.0, "A vector of any length"),
-        "light.distance_m": Parameter("Lamp distance", "m", 0.01, 100.0, 0.7, "From the axis, level"),
-        "angle_offset_deg": Parameter("Angle offset", "°", -45.0, 45.0, 0.0, "Added to every stated angle"),
-        "irradiance": Parameter(
-            "Irradiance", "1/s", 1e-12, 1e12, 1.0, "At the sphere's centre, facing the lamp"
-        ),
-        "width_m": Parameter("Radius", "m", 0.0, 1.0, 0.0, "Of what hides the sphere from the camera"),
-        "profile[][0]": Parameter("Angle off the axis", "°", 0.0, 90.0, 0.0, "Of the lamp"),
-        "profile[][1]": Parameter("Relative intensity", "", 1e-6, 1e6, 1.0, "At this angle"),
-        "reflectance": Parameter("Reflectance", "", 1e-4, 2.0, 0.99, "Of the white reference, π f_r"),
-        "angle_deg": Parameter("Angle", "°", -360.0, 360.0, 0.0, "Of the lamp, 0 in front of the camera"),
-    }
-)
-
-
-@dataclass(frozen=True)
-class Intrinsics:
-    """A camera as OpenCV describes it: focal lengths and principal point in pixels, and the lens's distortion.
-
-    Pixel (column 0, row 0) has its middle at (0, 0); x grows to the right and y downwards.
-    """
-
-    fx: float
-    fy: float
-    cx: float
-    cy: float
-    k1: float = 0.0
-    k2: float = 0.0
-    p1: float = 0.0
-    p2: float = 0.0
-    k3: float = 0.0
-
-    def __post_init__(self) -> None:
-        set_numbers(self, PARAMETERS["focal"], "fx", "fy")
-        set_numbers(self, PARAMETERS["principal"], "cx", "cy")
-        set_numbers(self, PARAMETERS["distortion"], "k1", "k2", "p1", "p2", "k3")
-
-
-@dataclass(frozen=True)
-class Board:
-    """A chessboard photographed for the intrinsics: inner corners across and down, and the side of a square."""
-
-    columns: int
-    rows: int
-    square_m: float
-    photographs: tuple[str, ...]
-
-    def __post_init__(self) -> None:
-        for name in ("columns", "rows"):
-            checked_whole(getattr(self, name), name, 3, 100)
-        set_numbers(self, PARAMETERS["board.square_m"], "square_m")
-        files = checked_series(self.photographs, "photographs", 1, _MOST_BOARDS)
-        object.__setattr__(self, "photographs", files)
-
-
-@dataclass(frozen=True)
-class Camera:
-    """Where the camera stands and what its codes mean.
-
-    Attributes
-    ----------
-    distance_m, height_m
-        Of its centre of projection: level distance to the turntable's axis, and height above the sphere's centre.
-    bit_depth
-        8 to 16: codes are 0 … 2^bits - 1 as they stand in the file. Float pictures know none.
-    response
-        ``unknown``: the curve is recovered from the exposures; ``linear``; or ``srgb``, the curve of IEC 61966-2-1.
-    tilt_deg
-        Of the optical axis, positive upwards.
-    to_working
-        (3, 3) from the channels' reflectance to linear Rec. 2020; rows sum to 1. ``None``: the channels are taken so.
-    intrinsics, board
-        Known values, or photographs of a board to recover them from; with neither, the focal length follows from the
-        outline of the sphere and the distance.
-    """
-
-    distance_m: float
-    height_m: float = 0.0
-    bit_depth: int = 12
-    response: ResponseKind = "unknown"
-    tilt_deg: float = 0.0
-    to_working: Matrix | None = None
-    intrinsics: Intrinsics | None = None
-    board: Board | None = None
-
-    def __post_init__(self) -> None:
-        set_numbers(self, PARAMETERS["camera.distance_m"], "distance_m")
-        set_numbers(self, PARAMETERS["height_m"], "height_m")
-        set_numbers(self, PARAMETERS["tilt_deg"], "tilt_deg")
-        checked_whole(self.bit_depth, "bit_depth", 8, 16)
-        check_choice(self.response, "response", RESPONSES)
-        if self.to_working is not None:
-            if not isinstance(self.to_working, (tuple, list)) or len(self.to_working) != 3:
-                raise ValueRangeError(
-                    "to_working", f"three rows of three numbers are wanted, not {describe(self.to_working)}"
-                )
-            rows = [
-                checked_numbers(row, f"to_working[{i}]", PARAMETERS["matrix"], 3)
-                for i, row in enumerate(self.to_working)
-            ]
-            for i, row in enumerate(rows):
-                if abs(sum(row) - 1.0) > _WHITE_KEPT:
-                    raise ValueRangeError(
-                        f"to_working[{i}]",
-                        f"the row sums to {sum(row):g}, not to 1, so that white would change",
-                    )
-            object.__setattr__(self, "to_working", tuple(rows))
 
 
 @dataclass(frozen=True)
@@ -219,7 +115,7 @@ class Light:
     def _set_profile(self) -> None:
         if not isinstance(self.profile, (tuple, list)):
             raise ValueRangeError("profile", f"a list of pairs is wanted, not {describe(self.profile)}")
-        pairs = []
+        pairs: list[tuple[float, float]] = []
         for i, pair in enumerate(self.profile):
             if not isinstance(pair, (tuple, list)) or len(pair) != 2:
                 raise ValueRangeError(f"profile[{i}]", f"a pair is wanted, not {describe(pair)}")

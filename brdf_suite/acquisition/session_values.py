@@ -1,9 +1,10 @@
-"""Checks of the fields of a session: numbers, whole numbers, names of files, times."""
+"""The numbers of a session, declared once, and checks of its fields: numbers, names of files, times."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
+from types import MappingProxyType
 
 from brdf_suite.documents.parameter import Parameter, check_text, describe
 from brdf_suite.errors import ValueRangeError
@@ -11,6 +12,33 @@ from brdf_suite.errors import ValueRangeError
 Rgb = tuple[float, float, float]
 Point = tuple[float, float, float]
 Matrix = tuple[Rgb, Rgb, Rgb]
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        "camera.distance_m": Parameter("Camera distance", "m", 0.01, 100.0, 2.0, "From the axis, level"),
+        "height_m": Parameter("Height", "m", -50.0, 50.0, 0.0, "Above the sphere's centre"),
+        "tilt_deg": Parameter("Tilt", "°", -89.0, 89.0, 0.0, "Of the camera's axis above the horizon"),
+        "focal": Parameter("Focal length", "pixels", 1.0, 1e7, 1000.0, "Of the camera"),
+        "principal": Parameter("Principal point", "pixels", -1e6, 1e6, 0.0, "From the middle of pixel 0, 0"),
+        "distortion": Parameter("Distortion", "", -100.0, 100.0, 0.0, "A coefficient of OpenCV's model"),
+        "matrix": Parameter("Colour matrix", "", -20.0, 20.0, 0.0, "Camera channels to linear Rec. 2020"),
+        "board.square_m": Parameter("Square", "m", 1e-4, 10.0, 0.02, "Side of a square of the board"),
+        "sphere.radius_m": Parameter("Radius", "m", 1e-4, 10.0, 0.05, "Of the painted sphere"),
+        "coordinate_m": Parameter("Position", "m", -100.0, 100.0, 0.0, "In the world of the rig"),
+        "normal": Parameter("Normal", "", -1e3, 1e3, 0.0, "A vector of any length"),
+        "light.distance_m": Parameter("Lamp distance", "m", 0.01, 100.0, 0.7, "From the axis, level"),
+        "angle_offset_deg": Parameter("Angle offset", "°", -45.0, 45.0, 0.0, "Added to every stated angle"),
+        "irradiance": Parameter(
+            "Irradiance", "1/s", 1e-12, 1e12, 1.0, "At the sphere's centre, facing the lamp"
+        ),
+        "width_m": Parameter("Radius", "m", 0.0, 1.0, 0.0, "Of what hides the sphere from the camera"),
+        "profile[][0]": Parameter("Angle off the axis", "°", 0.0, 90.0, 0.0, "Of the lamp"),
+        "profile[][1]": Parameter("Relative intensity", "", 1e-6, 1e6, 1.0, "At this angle"),
+        "reflectance": Parameter("Reflectance", "", 1e-4, 2.0, 0.99, "Of the white reference, π f_r"),
+        "angle_deg": Parameter("Angle", "°", -360.0, 360.0, 0.0, "Of the lamp, 0 in front of the camera"),
+    }
+)
+"""The numbers of a session, by the last part of their place where it is unique."""
 
 SECONDS = Parameter("Exposure time", "s", 1e-7, 36_000.0, 0.01, "Of a photograph")
 

@@ -244,7 +244,7 @@ def test_it_shares_no_code_with_the_reconstruction() -> None:
     )
     found = subprocess.run([sys.executable, "-c", asked], check=True, capture_output=True, text=True).stdout
     inside = {name.removeprefix("brdf_suite.acquisition.").split(".")[0] for name in found.split()}
-    assert inside == {"simulator", "session", "session_values", "session_store"}
+    assert inside == {"simulator", "session", "session_camera", "session_values", "session_store"}
 
 
 def test_the_reconstruction_knows_no_simulator() -> None:
