@@ -89,6 +89,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         default=57_600,
         help="pairs of directions that are drawn of a paint; default: 57600",
     )
+    command.add_argument("--overwrite", action="store_true", help="replace OUT where it is there")
     command.add_argument("--json", action="store_true", help="print one JSON object")
     command.set_defaults(run=run)
 
@@ -104,6 +105,8 @@ def run(options: argparse.Namespace) -> int:
             options.output,
             f"a product of textures goes into a {PAINT_ENDING} or a {TABLE_ENDING}; give it one of these endings",
         )
+    if options.output.exists() and not options.overwrite:
+        raise FileError(options.output, "is there already; give another name, or --overwrite")
     chosen = FactoringOptions(
         factors=options.factors,
         resolution=options.resolution,

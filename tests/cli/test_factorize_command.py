@@ -60,6 +60,17 @@ def test_factors_and_settings_are_taken_and_a_table_is_written(tmp_path: Path, c
     assert near(whole, "matte_grey") < 0.3
 
 
+def test_a_file_that_is_there_is_replaced_only_when_that_is_asked_for(tmp_path: Path, capsys) -> None:
+    out = tmp_path / "a.brdftable"
+    out.write_bytes(b"mine")
+    arguments = ["factorize", "matte_grey", "-o", str(out), "--pairs", "900", "--resolution", "8"]
+    assert main(arguments) == FAILED
+    assert "--overwrite" in capsys.readouterr().err
+    assert out.read_bytes() == b"mine"
+    assert main([*arguments, "--overwrite"]) == 0
+    assert isinstance(read_measured(out), Factored)
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
