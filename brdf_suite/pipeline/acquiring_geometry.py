@@ -82,7 +82,16 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
         figures: dict[str, Any] = {"outline_rms_px": outline.rms_px}
         if not road.options.refine:
             return FoundGeometry(picture, outline, (), None, outline.geometry, figures, notices, left_out)
-        refinement = calibrate_geometry(outline, find, part(progress, 0.8, 1.0))
+        try:
+            refinement = calibrate_geometry(outline, find, part(progress, 0.8, 1.0))
+        except AcquisitionError as error:
+            # A matt sphere has none; what the session states of the lamp is then all there is.
+            notices += (
+                f"Light and sphere could not be corrected by highlights, and stand as stated: {error}",
+            )
+            return FoundGeometry(
+                picture, outline, tuple(highlights), None, outline.geometry, figures, notices, left_out
+            )
     figures |= {
         "highlights": len(highlights),
         "highlight_rms_px": refinement.rms_px,

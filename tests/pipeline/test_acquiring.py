@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 
 from brdf_suite.acquisition.session_store import write_session
-from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
+from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings, simulate
+from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.errors import AcquisitionError, Cancelled, FileError, ValueRangeError
 from brdf_suite.files.measured.brdftable import read_brdftable
 from brdf_suite.files.measured.merl import read_merl
@@ -28,6 +29,7 @@ from brdf_suite.pipeline.acquiring_coverage import (
 )
 from brdf_suite.pipeline.acquiring_options import Acquired, AcquireOptions
 from brdf_suite.pipeline.acquiring_output import acquire, acquire_partial, work_path
+from brdf_suite.pipeline.acquiring_simulated import SimulatorSource
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -305,3 +307,23 @@ def test_steps_out_of_order_say_which_comes_first(folder: Path) -> None:
     road.options = AcquireOptions(bins=BINS, positions=(99,))
     with pytest.raises(ValueRangeError, match="positions 0 to 11"):
         road.calibrate()
+
+
+def test_a_matt_sphere_stands_as_stated() -> None:
+    matt = CookTorrance(CookTorrancePaint("chalk", (0.5, 0.5, 0.5)))
+    settings = SimulatorSettings(
+        size=(176, 176),
+        positions=6,
+        exposures=4,
+        longest_s=0.002,
+        curve="srgb",
+        board=False,
+        white=False,
+        dark=False,
+        flat_field=False,
+    )
+    road = Acquisition(SimulatorSource(Simulator(matt, settings, "chalk")), OPTIONS)
+    road.calibrate()
+    assert road.refinement is None
+    assert road.geometry == road.outline.geometry
+    assert any("stand as stated" in sentence for sentence in road.notices)
