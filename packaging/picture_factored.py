@@ -4,7 +4,7 @@
 
 NAME is a measured file in FOLDER/brdf without its ending; cayman and krylon_blue if left out. The upper row evaluates
 the measured reflectance at every pixel, the lower one is the renderer's, from the textures that ``brdf-suite
-factorize --smoothness 6`` gives. Columns differ by where the lamps stand. Differences are printed: over all lit
+factorize`` gives. Columns differ by where the lamps stand. Differences are printed: over all lit
 pixels, and over those farther than 12° from every lamp's half vector, which are not of the peak.
 """
 
@@ -26,7 +26,7 @@ from brdf_suite.documents.view_settings import Lamp, LightColour, Sparkle, Surfa
 from brdf_suite.files.png import write_png
 from brdf_suite.pipeline.any_fit import fit_reflectance
 from brdf_suite.pipeline.direct_lamps import half_angles_deg, lamp_radiance
-from brdf_suite.pipeline.factoring import FactoringOptions, factor_any
+from brdf_suite.pipeline.factoring import factor_any
 from brdf_suite.pipeline.measuring import load_measurable
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_environment
@@ -41,8 +41,6 @@ GAP = 4
 FINER = 2
 """Places along a pixel's edge that are evaluated; the means are taken of what the screen shows."""
 PEAK_DEG = 12.0
-SMOOTHNESS = 6.0
-"""With 1,439 samples, of which few are near grazing, less leaves faint streaks on krylon_blue."""
 STEPS_DEG = (0.0, 50.0, 100.0)
 
 LAMPS = (
@@ -82,7 +80,7 @@ def view_of(shared: Path) -> View:
 def pictures(path: Path, view: View, size: tuple[int, int]) -> tuple[list[list[Floats]], dict[str, float]]:
     """Return two rows of radiance pictures, measured and factored, FINER times as fine, and what they differ by."""
     item = load_measurable(path)
-    fit = fit_reflectance(item.name, factor_any(path, FactoringOptions(smooth=SMOOTHNESS)).value)
+    fit = fit_reflectance(item.name, factor_any(path).value)
     fine = (size[0] * FINER, size[1] * FINER)
     rows: list[list[Floats]] = [[], []]
     away: list[NDArray[np.bool_]] = []

@@ -146,7 +146,7 @@ def main() -> int:
         views = dict(VIEWS)
         if "viewer_lamps" in wanted and MEASURED.is_file():
             factored = f"{scratch}/krylon_blue.brdfpaint"
-            told = ["factorize", str(MEASURED), "--smoothness", "6", "-o", factored]
+            told = ["factorize", str(MEASURED), "-o", factored]
             run([sys.executable, "-m", "brdf_suite.cli.main", *told], environment)
             views["viewer_lamps"] = (LAMPS_ALONE, [factored, "--theme", "dark"])
         for name, (view, command) in views.items():
