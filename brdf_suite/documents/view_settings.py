@@ -200,11 +200,11 @@ class Relief:
     """
 
     normal_map: str | None = None
-    tangent_map: str | None = None
     normal_strength: float = PARAMETERS["relief.normal_strength"].default
     normal_width_mm: float = PARAMETERS["relief.normal_width_mm"].default
     orange_peel: float = PARAMETERS["relief.orange_peel"].default
     orange_peel_mm: float = PARAMETERS["relief.orange_peel_mm"].default
+    tangent_map: str | None = None
 
     def __post_init__(self) -> None:
         check_path(self.normal_map, "normal_map")
