@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -38,20 +39,28 @@ def find_response(road: Acquisition, progress: Progress | None = None) -> FoundR
 
     camera = road.session.camera
     kind = "linear" if road.options.response == "linear" else camera.response
-    chosen = road.positions
-    first = first_readable(road.stack, chosen)
-    if first.codes.dtype == np.float32:
-        return FoundResponse(None, None, {"response": "photographs are linear (float files)"})
     dark = road.series("dark")
-    samples = ResponseSamples(first.exposures_s, camera.bit_depth)
     mask = road.mask(None)
-    places = spread(len(chosen), POSITIONS)
-    for n, place in enumerate(places):
+    chosen = road.positions
+    places = [chosen[place] for place in spread(len(chosen), POSITIONS)]
+    # Codes of one exposure stand in one column, so positions that lack different photographs may not be mixed.
+    by_times: dict[tuple[float, ...], ResponseSamples] = {}
+    positions: Counter[tuple[float, ...]] = Counter()
+    for n, k in enumerate(places):
         report(progress, 0.6 * n / len(places), "reading for the response")
-        stack = road.readable(chosen[place])
-        # Another number of exposures: some are missing, and the whole ones tell more.
-        if stack is not None and len(stack.exposures_s) == len(first.exposures_s):
-            samples.add(stack.codes, mask)
+        stack = road.readable(k)
+        if stack is None and not by_times and n == len(places) - 1:
+            stack = first_readable(road.stack, chosen)
+        if stack is None:
+            continue
+        if stack.codes.dtype == np.float32:
+            return FoundResponse(None, None, {"response": "photographs are linear (float files)"})
+        times = tuple(float(time) for time in stack.exposures_s)
+        if times not in by_times:
+            by_times[times] = ResponseSamples(times, camera.bit_depth)
+        by_times[times].add(stack.codes, mask)
+        positions[times] += 1
+    samples = by_times[max(by_times, key=lambda times: (positions[times], len(times)))]
     with road.clock.step("calibrate"):
         fit = calibrate_response(
             samples,

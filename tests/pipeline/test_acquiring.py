@@ -261,6 +261,20 @@ def test_a_half_copied_folder_gives_what_it_can(own: Path, tmp_path: Path) -> No
     assert np.median(errors(found.table)) < 0.05
 
 
+def test_positions_that_lack_different_photographs_give_the_same_response(
+    own: Path, whole: tuple[Acquired, Path]
+) -> None:
+    road = Acquisition.open(own, OPTIONS)
+    for k, exposure in ((0, 1), (3, 5), (6, 3)):
+        (own / road.session.positions[k].photographs[exposure]).unlink()
+    found = road.calibrate_response()
+    assert found is not None
+    expected = whole[0].calibration.response
+    assert expected is not None
+    codes = slice(300, 3600)
+    np.testing.assert_allclose(np.log(found.exposure[:, codes] / expected.exposure[:, codes]), 0.0, atol=0.02)
+
+
 def test_nothing_readable_is_told_with_its_reason(own: Path, tmp_path: Path) -> None:
     road = Acquisition.open(own, OPTIONS)
     for position in road.session.positions:
