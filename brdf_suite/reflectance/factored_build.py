@@ -53,7 +53,9 @@ def factored_of(
         )
         if pair is not None and len(rest) == len(factors):
             p = kept[pair[0].name]
-            rest = [factor for factor in rest if factor not in pair]
+            # One of each: a map that is read twice by the light stays once beside p.
+            for factor in pair:
+                rest.remove(factor)
     half = next((factor for factor in rest if factor.projection.name in ("h", "|h|")), None)
     if half is not None:
         q = kept[half.name]

@@ -9,11 +9,13 @@ from hypothesis import strategies as st
 
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import spherical
+from brdf_suite.geometry.factor_words import parse_factors
 from brdf_suite.geometry.parabolic import parabolic_direction, parabolic_place, texel_directions
 from brdf_suite.geometry.warps import half_vector
 from brdf_suite.reflectance.factor_density import direction_density, map_density
 from brdf_suite.reflectance.factor_map import MapFactor
 from brdf_suite.reflectance.factored import Factored
+from brdf_suite.reflectance.factored_build import factored_of
 
 
 def look_up(values: np.ndarray, w: np.ndarray) -> np.ndarray:
@@ -180,3 +182,18 @@ def test_a_factor_of_the_light_alone_is_not_reciprocal() -> None:
     assert Factored(_bumpy(), _RING).reciprocal
     assert not Factored(_bumpy(), _RING, more=(MapFactor("|wi|", _RING),)).reciprocal
     assert Factored(_bumpy(), _RING, more=(MapFactor("|wi|", _RING), MapFactor("|wo|", _RING))).reciprocal
+
+
+@pytest.mark.parametrize(
+    "words", ["p:wo p:wi p:wo p:wi q:h q:h", "p:wo p:wo p:wi", "q:|h| p:|wo| p:|wo| p:|wi|"]
+)
+def test_no_factor_is_lost_however_often_a_map_is_read(words: str) -> None:
+    factors = parse_factors(words)
+    rng = np.random.default_rng(6)
+    maps = {
+        one.name: (0.5 + rng.random((6,) * one.projection.axes + (3,))).astype(np.float32) for one in factors
+    }
+    wi, wo = (spherical(np.arccos(rng.random(50)), rng.uniform(0, 6, 50)) for _ in "ab")
+    wanted = np.prod([MapFactor(one.projection.name, maps[one.name]).at(wi, wo) for one in factors], axis=0)
+    found = factored_of(factors, maps, 1.0, logarithmic=False)
+    np.testing.assert_allclose(found.eval(wi, wo), wanted, rtol=1e-6)
