@@ -130,7 +130,10 @@ def factorize_with_peak(
     if len(kept) > _MOST_IN_ROUNDS:
         drawn = np.random.default_rng(len(kept)).permutation(len(kept))[:_MOST_IN_ROUNDS]
         few, few_share = kept.part(drawn), share[drawn]
-    clamped = _clamped(few.values, float(np.quantile(_grey(few.values), _FIRST_QUANTILE)))
+    grey = _grey(few.values)
+    # Of those that reflect at all: where few do, the quantile of all would leave nothing.
+    lit = grey[grey > 0.0]
+    clamped = _clamped(few.values, float(np.quantile(lit, _FIRST_QUANTILE)) if lit.size else 0.0)
     rough = body.fit(few, clamped, few_share).product
     for number in range(_ROUNDS - 1):
         held = _grey(rough.eval(few.wi, few.wo))

@@ -99,6 +99,15 @@ def test_one_nan_is_left_out_and_changes_nothing_else(place: str) -> None:
     np.testing.assert_array_equal(found.product.logs["q"], same.product.logs["q"])
 
 
+def test_few_samples_that_reflect_among_zeros_are_not_taken_for_nothing() -> None:
+    samples = drawn(800)
+    values = np.zeros((800, 3))
+    values[::15] = 0.3
+    whole, _ = factorize_with_peak(Samples(samples.wi, samples.wo, values), factors=MEASURED_FACTORS)
+    assert good(whole.product)
+    assert whole.eval(samples.wi, samples.wo).max() > 1e-3
+
+
 @pytest.mark.parametrize("bad", ["few", "one direction", "zeros", "negative", "nan", "nothing"])
 def test_the_peak_apart_stands_the_same(bad: str) -> None:
     samples = drawn(3 if bad == "few" else 300)
