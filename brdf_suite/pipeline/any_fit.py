@@ -26,6 +26,7 @@ from brdf_suite.fitting.lobes.fitter import LobeFitter
 from brdf_suite.fitting.lobes.undivided import fit_undivided
 from brdf_suite.fitting.lobes.undivided_samples import PLANE_GAMMAS_DEG
 from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.pipeline.factored_maps import TOO_MANY, too_many_maps
 from brdf_suite.pipeline.fit_errors import (
     AngleError,
     HeldOut,
@@ -223,7 +224,8 @@ def fit_reflectance(
         if layers is None
         else _of_layers(name, reflectance, layers, basis)
     )
-    return replace(found, notices=(*notices, *found.notices))
+    told = (TOO_MANY,) if too_many_maps(reflectance) else ()
+    return replace(found, notices=(*notices, *found.notices, *told))
 
 
 def _named(path: Path, fit: Callable[[], AnyFit]) -> AnyFit:

@@ -7,30 +7,47 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from brdf_suite.realtime.factored_values import FactorCoat, FactoredMaps, FactorMap, FactorTerm
+from brdf_suite.realtime.factored_values import (
+    LARGEST_LOG,
+    MOST_FACTORS,
+    MOST_MAPS,
+    FactorCoat,
+    FactoredMaps,
+    FactorMap,
+    FactorTerm,
+)
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
+    from brdf_suite.reflectance.factor_map import Map, MapFactor
     from brdf_suite.reflectance.factored import Factored
 
 _OVER_LARGEST = 4.0
 """A product may be as much above the largest sample before it is bent; there it still loses only 0.1 %."""
 _HIGHEST_CEILING = 1e4
+TOO_MANY = (
+    f"Its product has more than {MOST_MAPS} maps, too many to be drawn by: lamps light the lobes instead."
+)
 
 
 def is_factored(reflectance: Reflectance) -> bool:
     """Whether lamps on it are shaded by its factors: it is factored, with a clearcoat or without."""
     from brdf_suite.reflectance.factored import Factored
 
-    return isinstance(getattr(reflectance, "base", reflectance), Factored)
+    return isinstance(getattr(reflectance, "base", reflectance), Factored) and not too_many_maps(reflectance)
 
 
 def maps_of(reflectance: Reflectance | None) -> FactoredMaps | None:
-    """Return the maps of what is factored, with a clearcoat or without; None of all else, which its lobes shade."""
+    """Return the maps of what is factored, with a clearcoat or without; None of all else, which its lobes shade.
+
+    So they do where there are more maps than a shader has textures for (:func:`too_many_maps`).
+    """
     # Not on the start-up path: a paint without factors has no need of them.
     from brdf_suite.reflectance.factored import Factored
     from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
 
+    if too_many_maps(reflectance):
+        return None
     if isinstance(reflectance, Coated) and isinstance(reflectance.base, Factored):
         even = mean_fresnel(reflectance.ior)
         red, green, blue = reflectance.base_albedo.tolist()
@@ -40,27 +57,64 @@ def maps_of(reflectance: Reflectance | None) -> FactoredMaps | None:
     return factored_maps(reflectance) if isinstance(reflectance, Factored) else None
 
 
+def too_many_maps(reflectance: object) -> bool:
+    """Whether it is factored, with a clearcoat or without, into more maps than a shader has textures for."""
+    from brdf_suite.reflectance.factored import Factored
+
+    base = getattr(reflectance, "base", reflectance)
+    if not isinstance(base, Factored):
+        return False
+    maps, terms = _read(base)
+    return len(maps) > MOST_MAPS or sum(len(term.factors) for term in terms) > MOST_FACTORS
+
+
 def factored_maps(value: Factored) -> FactoredMaps:
     """Return the products of ``value`` with one map for each array, as logarithms where they are read as such.
 
     The ceiling is four times the largest sample that was factored, or 10⁴/sr where that is not known.
+
+    Raises
+    ------
+    ValueRangeError
+        There are more maps than are drawn (:func:`too_many_maps`).
     """
-    names: dict[tuple[int, bool, int], str] = {}
-    maps: dict[str, FactorMap] = {}
-    terms = []
-    for alpha, factors in value.terms:
-        read = []
-        for factor in factors:
-            # Factors that share an array share a texture; the arrays live as long as ``value``.
-            key = (id(factor.values), factor.logarithmic, factor.values.ndim)
-            if key not in names:
-                names[key] = f"map_{len(names)}"
-                held = np.log(factor.values) if factor.logarithmic else factor.values
-                maps[names[key]] = FactorMap(held, factor.logarithmic)
-            read.append((names[key], factor.projection))
-        terms.append(FactorTerm(np.asarray(alpha), tuple(read)))
+    maps, terms = _read(value)
     largest = value.facts.get("largest")
     ceiling = _HIGHEST_CEILING
     if isinstance(largest, (int, float)) and np.isfinite(largest) and largest > 0.0:
         ceiling = min(_OVER_LARGEST * float(largest), _HIGHEST_CEILING)
-    return FactoredMaps(maps, tuple(terms), ceiling)
+    return FactoredMaps(maps, terms, ceiling)
+
+
+def _read(value: Factored) -> tuple[dict[str, FactorMap], tuple[FactorTerm, ...]]:
+    """Return the maps by name and the terms. A map that is the same everywhere goes into α: it needs no texture."""
+    names: dict[tuple[int, bool, int], str] = {}
+    maps: dict[str, FactorMap] = {}
+    terms = []
+    even = all(_is_even(factor.values) for _, factors in value.terms for factor in factors)
+    for scale, factors in value.terms:
+        alpha, read = np.asarray(scale, np.float64), []
+        for factor in factors:
+            if not even and _is_even(factor.values):
+                alpha = alpha * factor.values.reshape(-1, 3)[0]
+                continue
+            # Factors that share an array share a texture; the arrays live as long as ``value``.
+            key = (id(factor.values), factor.logarithmic, factor.values.ndim)
+            if key not in names:
+                names[key] = f"map_{len(names)}"
+                maps[names[key]] = FactorMap(_held(factor), factor.logarithmic)
+            read.append((names[key], factor.projection))
+        terms.append(FactorTerm(alpha, tuple(read)))
+    return maps, tuple(terms)
+
+
+def _is_even(values: Map) -> bool:
+    flat = values.reshape(-1, 3)
+    return bool((flat == flat[0]).all())
+
+
+def _held(factor: MapFactor) -> Map:
+    """The values as they are interpolated; what is darker than single precision can tell is as good as black."""
+    if not factor.logarithmic:
+        return factor.values
+    return np.clip(np.log(factor.values), -LARGEST_LOG, LARGEST_LOG)

@@ -125,6 +125,27 @@ def test_every_projection_finds_its_place(lit, wanted, projection):
         assert relative(lit(factored_maps(value)), wanted(value.eval)).max() < 2e-3
 
 
+def test_maps_that_say_nothing_need_no_texture_and_too_many_leave_the_lamps_to_the_lobes(lit, wanted):
+    names = ("|wi|", "|wo|", "wi.wo", "w.h", "sqrt|h|", "|h|")
+    more = tuple(MapFactor(name, waves(8, seed=seed), True) for seed, name in enumerate(names))
+    two = np.broadcast_to(np.float32(2.0), (2, 3))
+    value = Factored(two, two, 0.1, more=more)
+    maps = maps_of(value)
+    assert len(maps.maps) == 6
+    assert relative(lit(maps), wanted(value.eval)).max() < 2e-3
+    # Darker than the shader's numbers can tell.
+    black = replace(
+        value, more=(MapFactor("|h|", np.full((8, 3), 1e-37, np.float32) * waves(8, seed=1), True),)
+    )
+    assert lit(maps_of(black)).max() < 1e-20
+    seventh = (MapFactor("|h|", waves(8, seed=9), True),)
+    assert maps_of(replace(value, more=more + seventh)) is None
+    assert maps_of(Coated(replace(value, more=more + seventh), ior=1.5, spread=0.7)) is None
+    # All the same everywhere: still something to draw.
+    flat = Factored(two, two, 0.1)
+    assert relative(lit(maps_of(flat)), wanted(flat.eval)).max() < 2e-3
+
+
 def test_lamps_add_up_in_one_pass_and_one_below_the_horizon_adds_nothing(lit):
     maps = factored_maps(Factored(waves(16, 16, seed=1), waves(16, 16, seed=2), 0.3))
     together = lit(maps)
