@@ -19,10 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.acquisition.jpeg_pixels import jpeg_parts, jpeg_pixels
-from brdf_suite.acquisition.png_pixels import SIGNATURE, png_parts, png_pixels
+from brdf_suite.acquisition.png_pixels import SIGNATURE, Content, png_parts, png_pixels
 from brdf_suite.acquisition.raw_pixels import RAW_ENDINGS, raw_facts, raw_pixels
-from brdf_suite.acquisition.tiff_fields import Content, exposure_of, first_folder
-from brdf_suite.acquisition.tiff_pixels import check_whole, is_own, layout, tiff_pixels
+from brdf_suite.acquisition.tiff_pages import exposure_of, first_page
+from brdf_suite.acquisition.tiff_pixels import tiff_facts, tiff_pixels
 from brdf_suite.errors import FileError
 
 _Path = str | os.PathLike[str]
@@ -75,7 +75,7 @@ def read_photograph(path: _Path) -> Photograph:
         if facts.kind == "png":
             codes: NDArray[Any] = png_pixels(content, path)
         elif facts.kind == "tiff":
-            codes = _tiff(content, path)
+            codes = tiff_pixels(path)
         elif facts.kind == "jpeg":
             codes = jpeg_pixels(content[:], path)
         elif facts.kind == "raw":
@@ -118,10 +118,7 @@ def _facts(content: Content, path: _Path) -> PhotographFacts:
         time = None if parts.exif is None else _exposure(parts.exif.removeprefix(b"Exif\0\0"), path)
         return PhotographFacts(kind, parts.width, parts.height, parts.bits, time)
     if kind == "tiff":
-        fields, _ = first_folder(content, path)
-        check_whole(content, fields, path)
-        width, height, _, bits, floats = layout(fields, path)
-        return PhotographFacts(kind, width, height, None if floats else bits, _exposure(content, path))
+        return PhotographFacts(kind, *tiff_facts(path))
     if kind == "jpeg":
         jpeg = jpeg_parts(content[:], path)
         return PhotographFacts(
@@ -154,34 +151,13 @@ def _kind(start: bytes, path: _Path) -> Kind:
     )
 
 
-def _exposure(block: Content, path: _Path) -> float | None:
+def _exposure(block: bytes, path: _Path) -> float | None:
     """The time that an EXIF block tells; a damaged block tells none, as the pixels do not depend on it."""
     try:
-        return exposure_of(block, path)
+        with first_page(block, path) as page:
+            return exposure_of(page)
     except FileError:
         return None
-
-
-def _tiff(content: Content, path: _Path) -> NDArray[Any]:
-    if is_own(first_folder(content, path)[0], path):
-        return tiff_pixels(content, path)
-    try:
-        import cv2  # of the optional extra, and slow to import
-    except ModuleNotFoundError as error:
-        reason = "is packed in a way that OpenCV reads; install it with pip install 'brdf-suite[acquisition]'"
-        raise FileError(path, f"{reason}, or write it without compression") from error
-    # OpenCV would tell of damage on the standard error as well; the user is told once, below.
-    level = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
-    try:
-        pixels = cv2.imdecode(np.frombuffer(content[:], np.uint8), cv2.IMREAD_UNCHANGED)
-    except cv2.error as error:
-        raise FileError(path, "is a TIFF that OpenCV cannot unpack; write it without compression") from error
-    finally:
-        cv2.utils.logging.setLogLevel(level)
-    if pixels is None:
-        raise FileError(path, "is a TIFF that cannot be unpacked; write it without compression")
-    coloured: NDArray[Any] = pixels[..., None] if pixels.ndim == 2 else pixels[..., 2::-1]
-    return coloured
 
 
 def _float_pixels(kind: Kind, path: _Path) -> NDArray[np.float32]:

@@ -5,6 +5,7 @@ Written here because none of the imaging libraries that are always there reads 1
 
 from __future__ import annotations
 
+import mmap
 import os
 import struct
 import zlib
@@ -14,10 +15,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.tiff_fields import Content
 from brdf_suite.errors import FileError
 
 _Path = str | os.PathLike[str]
+Content = bytes | mmap.mmap
+"""Of a file: as bytes, or mapped, so that only what is asked for is read."""
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}

@@ -1,148 +1,152 @@
-"""The pixels of a TIFF: 8 or 16 bits or floats, grey or RGB, in strips or tiles, plain or deflated.
+"""The pixels of a TIFF by tifffile: 8 or 16 bits or floats, grey or RGB, in strips or tiles, plain or deflated.
 
-Written here because none of the imaging libraries that are always there reads 16-bit RGB. Other packings (LZW, JPEG
-in TIFF) are left to OpenCV where it is installed.
+Other packings (LZW, JPEG in TIFF) are left to OpenCV where it is installed. What tifffile lets pass is asked for
+here: strips that reach beyond the file's end or hold less than their pixels, and sizes that no memory holds.
 """
 
 from __future__ import annotations
 
+import math
 import os
 import zlib
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.tiff_fields import Content, Fields, first_folder
+from brdf_suite.acquisition.tiff_pages import exposure_of, first_page
 from brdf_suite.errors import FileError
+
+if TYPE_CHECKING:
+    from tifffile import TiffPage
 
 _Path = str | os.PathLike[str]
 
-WIDTH, HEIGHT, BITS, COMPRESSION, PHOTOMETRIC = 256, 257, 258, 259, 262
-_STRIPS, _CHANNELS, _ROWS, _STRIP_BYTES, _PLANES, _PREDICTOR = 273, 277, 278, 279, 284, 317
-_TILE_WIDTH, _TILE_HEIGHT, _TILES, _TILE_BYTES, _FORMAT = 322, 323, 324, 325, 339
-
 MOST_PIXELS = 1 << 28
 _MOST_CHANNELS = 5
-_PLAIN, _DEFLATED = (1,), (8, 32946)
+_PLAIN, _DEFLATED = 1, (8, 32946)
+_NEEDED = (256, 257, 258)
+_PHOTOMETRIC = 262
+_DEFLATE_RATIO = 1032
+"""That deflate packs at most to 1."""
+_FREE_SIZE = 1 << 28
+"""Bytes that a strip may unpack to without a look at what it does."""
 
 
-def layout(fields: Fields, path: _Path) -> tuple[int, int, int, int, bool]:
-    """Return width, height, channels, bits, and whether its numbers are floats."""
-    width, height = (int(_one(fields, tag, path)) for tag in (WIDTH, HEIGHT))
-    channels = int(_one(fields, _CHANNELS, path, 1))
-    bits = int(_one(fields, BITS, path, 1))
-    floats = _one(fields, _FORMAT, path, 1) == 3
-    if width < 1 or height < 1 or width * height > MOST_PIXELS:
-        raise FileError(path, f"is {width} × {height} pixels; up to {MOST_PIXELS:,} are read")
-    if not 1 <= channels <= _MOST_CHANNELS:
-        raise FileError(path, f"has {channels} channels; up to {_MOST_CHANNELS} are read")
-    return width, height, channels, bits, floats
+def tiff_facts(path: _Path) -> tuple[int, int, int | None, float | None]:
+    """Return width, height, bits (None of floats), and the exposure time in seconds or None.
+
+    Raises
+    ------
+    FileError
+        It is damaged, cut off, too large, or no photograph.
+    """
+    with first_page(path, path) as page:
+        _check_layout(page, path)
+        try:
+            time = exposure_of(page)
+        except (ArithmeticError, LookupError, TypeError, ValueError):
+            time = None  # a damaged block tells none, as the pixels do not depend on it
+        bits = None if int(page.sampleformat) == 3 else int(page.bitspersample)
+        return page.imagewidth, page.imagelength, bits, time
 
 
-def check_whole(content: Content, fields: Fields, path: _Path) -> None:
-    """Raise :class:`FileError` where the pixels reach beyond the file's end."""
-    for places, sizes in ((_STRIPS, _STRIP_BYTES), (_TILES, _TILE_BYTES)):
-        if places in fields:
-            offsets, counts = _numbers(fields, places, path, ()), _numbers(fields, sizes, path, ())
-            end = max((int(a + b) for a, b in zip(offsets, counts, strict=False)), default=0)
-            if end > len(content):
-                raise FileError(
-                    path, f"ends at byte {len(content):,}, its pixels at {end:,}; it was not copied whole"
-                )
-
-
-def is_own(fields: Fields, path: _Path) -> bool:
-    """Say whether the packing is one of those that are read here."""
-    packing = _one(fields, COMPRESSION, path, 1)
-    predictor = _one(fields, _PREDICTOR, path, 1)
-    whole_bytes = layout(fields, path)[3] in (8, 16, 32)
-    kind = _one(fields, PHOTOMETRIC, path, 2)
-    return packing in (*_PLAIN, *_DEFLATED) and predictor in (1, 2) and whole_bytes and kind in (1, 2)
-
-
-def tiff_pixels(content: Content, path: _Path) -> NDArray[Any]:
+def tiff_pixels(path: _Path) -> NDArray[Any]:
     """Return the pixels (h, w, channels) of the first picture, as they stand in the file.
 
     Raises
     ------
     FileError
-        It is damaged, cut off, or packed in a way that is not read here.
+        As :func:`tiff_facts`, and where it is packed in a way that needs OpenCV, which is not installed.
     """
-    fields, order = first_folder(content, path)
-    if not is_own(fields, path):
-        raise FileError(path, "is packed in a way that is read by OpenCV alone", "field Compression")
-    check_whole(content, fields, path)
-    width, height, channels, bits, floats = layout(fields, path)
-    kind = np.dtype(
-        {(8, False): "u1", (16, False): "u2", (32, True): "f4", (16, True): "f2"}.get((bits, floats), "V")
-    )
-    if kind.kind == "V":
-        raise FileError(path, f"has {bits} bits a channel; 8, 16, or floats are read", "field BitsPerSample")
-    apart = _one(fields, _PLANES, path, 1) == 2 and channels > 1
-    tiled = _TILES in fields
-    rows = int(_one(fields, _TILE_HEIGHT if tiled else _ROWS, path, height))
-    columns = int(_one(fields, _TILE_WIDTH, path, width)) if tiled else width
-    if rows < 1 or columns < 1:
-        raise FileError(path, "has strips of no rows; it is damaged")
-    if tiled and rows * columns > MOST_PIXELS:
-        raise FileError(path, f"has tiles of {columns} × {rows} pixels; it is damaged")
-    rows = min(rows, height) if not tiled else rows
-    offsets = _numbers(fields, _TILES if tiled else _STRIPS, path)
-    counts = _numbers(fields, _TILE_BYTES if tiled else _STRIP_BYTES, path)
-    across, down = -(-width // columns), -(-height // rows)
-    planes = channels if apart else 1
-    if min(len(offsets), len(counts)) < across * down * planes:
+    with first_page(path, path) as page:
+        _check_layout(page, path)
+        own = page.compression in (_PLAIN, *_DEFLATED) and page.predictor in (1, 2)
+        own = own and page.bitspersample in (8, 16, 32)
+        if own and page.tags.valueof(_PHOTOMETRIC, default=2) in (1, 2):
+            return _unpacked(page, path)
+    return _by_opencv(path)
+
+
+def _check_layout(page: TiffPage, path: _Path) -> None:
+    """Raise :class:`FileError` where the picture is no photograph's size, or its pixels are not all in the file."""
+    # Of depth, too: tifffile leaves out a field that is cut off, and would take the depth for a single bit.
+    if any(tag not in page.tags for tag in _NEEDED):
+        raise FileError(path, "lacks the fields of its size and depth; it is damaged or no photograph")
+    width, height, channels = page.imagewidth, page.imagelength, page.samplesperpixel
+    if not 0 < width * height <= MOST_PIXELS or min(width, height) < 1:
+        raise FileError(path, f"is {width} × {height} pixels; up to {MOST_PIXELS:,} are read")
+    if not 1 <= channels <= _MOST_CHANNELS:
+        raise FileError(path, f"has {channels} channels; up to {_MOST_CHANNELS} are read")
+    if page.imagedepth != 1:
+        raise FileError(path, f"is a volume of {page.imagedepth} pictures; a photograph is one")
+    needed, size = math.prod(page.chunked), page.parent.filehandle.size
+    if min(len(page.dataoffsets), len(page.databytecounts)) < needed:
         raise FileError(path, "names fewer strips than its pixels need; it is damaged")
-    pixels = np.zeros((height, width, channels), kind)
-    for index in range(across * down * planes):
-        plane, place = divmod(index, across * down)
-        top, left = (place // across) * rows, (place % across) * columns
-        high = rows if tiled else min(rows, height - top)
-        start = int(offsets[index])
-        inner = 1 if apart else channels
-        wanted = high * columns * inner
-        packed = content[start : start + int(counts[index])]
-        part = _unpacked(packed, wanted * kind.itemsize, fields, path)
-        if len(part) < wanted * kind.itemsize:
-            raise FileError(path, "has a strip that is too short; it is damaged", f"byte {start}")
-        block = (
-            np.frombuffer(part, np.dtype(order + kind.str[1:]), wanted)
-            .reshape(high, columns, inner)
-            .astype(kind)
-        )
-        if _one(fields, _PREDICTOR, path, 1) == 2:
-            block = np.cumsum(block, axis=1, dtype=kind)
-        target = pixels[top : top + high, left : left + columns]
-        shown = block[: target.shape[0], : target.shape[1]]
-        if apart:
-            target[..., plane] = shown[..., 0]
-        else:
-            target[...] = shown
-    return pixels
+    end = max(at + count for at, count in zip(page.dataoffsets, page.databytecounts, strict=False))
+    if end > size:
+        raise FileError(path, f"ends at byte {size:,}, its pixels at {end:,}; it was not copied whole")
 
 
-def _unpacked(raw: bytes, size: int, fields: Fields, path: _Path) -> bytes:
-    if _one(fields, COMPRESSION, path, 1) in _PLAIN:
-        return raw
+def _unpacked(page: TiffPage, path: _Path) -> NDArray[Any]:
+    if page.dtype is None or page.dtype.str[1:] not in ("u1", "u2", "f2", "f4"):
+        reason = f"has numbers of {page.bitspersample} bits in a form that is not read; write 8 or 16 bits, or floats"
+        raise FileError(path, reason, "field SampleFormat")
+    if math.prod(page.chunks) > MOST_PIXELS * _MOST_CHANNELS:
+        raise FileError(path, f"has tiles of {page.tilewidth} × {page.tilelength} pixels; it is damaged")
+    # A strip of no bytes is a hole to tifffile, and plain strips in a row are read without regard to their ends.
+    short = page.compression == _PLAIN and sum(page.databytecounts) < page.nbytes
+    if short or min(page.databytecounts) < 1 or min(page.dataoffsets) < 8:
+        raise FileError(path, "has a strip that is too short; it is damaged")
+    if page.compression in _DEFLATED:
+        _check_unpacked_size(page, path)
     try:
-        # No more than the strip holds: what unpacks to more is a bomb.
-        return zlib.decompressobj().decompress(raw, size)
-    except zlib.error as error:
-        raise FileError(path, f"has a strip that cannot be unpacked ({error})") from error
+        stored = page.asarray(squeeze=False)  # (planes, 1, h, w, channels in a plane)
+    except (ValueError, NotImplementedError, zlib.error) as error:
+        raise FileError(path, f"has a strip that cannot be unpacked ({error}); it is damaged") from error
+    return np.moveaxis(stored[:, 0], 0, -1).reshape(page.imagelength, page.imagewidth, -1)
 
 
-def _numbers(
-    fields: Fields, tag: int, path: _Path, default: tuple[float, ...] | None = None
-) -> tuple[float, ...]:
-    value = fields.get(tag, default)
-    if not isinstance(value, tuple):
-        raise FileError(path, f"lacks the field {tag}; it is damaged or no photograph")
-    return value
+def _check_unpacked_size(page: TiffPage, path: _Path) -> None:
+    """Raise :class:`FileError` at a strip that unpacks to more than its pixels, where that could fill the memory.
+
+    Without imagecodecs tifffile unpacks whatever a strip holds.
+    """
+    assert page.dtype is not None
+    wanted = math.prod(page.chunks) * page.dtype.itemsize
+    for at, count in zip(page.dataoffsets, page.databytecounts, strict=False):
+        if count * _DEFLATE_RATIO <= max(_FREE_SIZE, wanted):
+            continue
+        page.parent.filehandle.seek(at)
+        try:
+            length = len(
+                zlib.decompressobj().decompress(page.parent.filehandle.read(count), wanted + _FREE_SIZE)
+            )
+        except zlib.error as error:
+            raise FileError(path, f"has a strip that cannot be unpacked ({error}); it is damaged") from error
+        if length == wanted + _FREE_SIZE:
+            raise FileError(
+                path, "has a strip that unpacks to more than its pixels; it is damaged", f"byte {at}"
+            )
 
 
-def _one(fields: Fields, tag: int, path: _Path, default: float | None = None) -> float:
-    value = _numbers(fields, tag, path, None if default is None else (default,))
-    if not value:
-        raise FileError(path, f"has an empty field {tag}; it is damaged")
-    return value[0]
+def _by_opencv(path: _Path) -> NDArray[Any]:
+    try:
+        import cv2  # of the optional extra, and slow to import
+    except ModuleNotFoundError as error:
+        reason = "is packed in a way that OpenCV reads; install it with pip install 'brdf-suite[acquisition]'"
+        raise FileError(path, f"{reason}, or write it without compression") from error
+    # OpenCV would tell of damage on the standard error as well; the user is told once, below.
+    level = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
+    try:
+        packed = np.frombuffer(Path(path).read_bytes(), np.uint8)
+        pixels = cv2.imdecode(packed, cv2.IMREAD_UNCHANGED)
+    except cv2.error as error:
+        raise FileError(path, "is a TIFF that OpenCV cannot unpack; write it without compression") from error
+    finally:
+        cv2.utils.logging.setLogLevel(level)
+    if pixels is None:
+        raise FileError(path, "is a TIFF that cannot be unpacked; write it without compression")
+    coloured: NDArray[Any] = pixels[..., None] if pixels.ndim == 2 else pixels[..., 2::-1]
+    return coloured

@@ -13,10 +13,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import tifffile
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from PIL import Image
 
+from brdf_suite.acquisition import tiff_pixels
 from brdf_suite.acquisition.photographs import exif_time, photograph_facts, read_photograph
 from brdf_suite.acquisition.simulator.writing import exif, write_photograph
 from brdf_suite.errors import FileError
@@ -149,6 +151,51 @@ def test_a_jpeg_and_its_time(tmp_path: Path) -> None:
     assert found.facts.kind == "jpeg"
     assert found.facts.exposure_s == pytest.approx(1 / 60, rel=1e-6)
     assert np.abs(found.codes.astype(int) - 120).max() <= 1
+
+
+def test_times_in_the_exif_folder_of_a_tiff(tmp_path: Path) -> None:
+    path = tmp_path / "a.tif"
+    for tags, expected in (
+        ({33434: 0.0125}, 0.0125),  # ExposureTime
+        ({37377: 5.0}, 1 / 32),  # ShutterSpeedValue, to base 2
+        ({33434: 0.0, 37377: 3.0}, 1 / 8),
+        ({33437: 2.8}, None),  # an aperture
+    ):
+        told = Image.Exif()
+        told[0x8769] = tags
+        Image.fromarray(CODES_8).save(path, exif=told.tobytes())
+        assert exif_time(path) == (None if expected is None else pytest.approx(expected, rel=1e-6))
+
+
+def test_a_strip_that_unpacks_to_more_than_its_pixels_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "a.tif"
+    bomb = zlib.compress(bytes(4_000_000))
+    tifffile.imwrite(path, CODES_16, photometric="rgb", compression="zlib", rowsperstrip=11, metadata=None)
+    content = bytearray(path.read_bytes())
+    with tifffile.TiffFile(path) as tiff:
+        for code, value in ((273, len(content)), (279, len(bomb))):
+            tag = tiff.pages.first.tags[code]
+            struct.pack_into("<I", content, tag.valueoffset, value)
+    path.write_bytes(bytes(content) + bomb)
+    monkeypatch.setattr(tiff_pixels, "_FREE_SIZE", 1 << 16)
+    with pytest.raises(FileError, match="unpacks to more than its pixels"):
+        read_photograph(path)
+
+
+def test_a_strip_that_is_too_short_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "a.tif"
+    for packing, words in (("none", "too short"), ("zlib", "cannot be unpacked")):
+        tifffile.imwrite(path, CODES_16, photometric="rgb", compression=packing, metadata=None)
+        content = bytearray(path.read_bytes()) + bytes(600)  # so that there is something to read beyond
+        with tifffile.TiffFile(path) as tiff:
+            for code in (257, 278):  # taller than it is, as one strip
+                tag = tiff.pages.first.tags[code]
+                struct.pack_into("<H" if tag.dtype == 3 else "<I", content, tag.valueoffset, 20)
+        path.write_bytes(content)
+        with pytest.raises(FileError, match=words):
+            read_photograph(path)
 
 
 def test_float_pictures(tmp_path: Path) -> None:

@@ -17,16 +17,18 @@ from brdf_suite.acquisition.simulator.sensor import Codes
 from brdf_suite.errors import FileError
 
 _EXPOSURE_TIME, _EXIF_FOLDER = 0x829A, 0x8769
-_SHORT, _LONG, _RATIONAL = 3, 4, 5
+_RATIONAL = 5
 
 
 def write_photograph(path: str | os.PathLike[str], codes: Codes, exposure_s: float) -> None:
     """Write codes (h, w, 3), uint8 or uint16, as PNG or, with the ending ``.tif``, as TIFF."""
     target = Path(path)
-    content = _tiff(codes, exposure_s) if target.suffix == ".tif" else _png(codes, exposure_s)
     try:
         # Not forced to the disk: thousands of files, and the session that makes them count comes last.
-        target.write_bytes(content)
+        if target.suffix == ".tif":
+            _write_tiff(target, codes, exposure_s)
+        else:
+            target.write_bytes(_png(codes, exposure_s))
     except OSError as error:
         raise FileError(path, f"cannot be written ({error.strerror})") from error
 
@@ -46,43 +48,22 @@ def _png(codes: Codes, exposure_s: float) -> bytes:
 
 def exif(exposure_s: float) -> bytes:
     """Return the EXIF block (a TIFF of no picture) that holds an exposure time."""
-    # Header, one entry that leads to the EXIF folder, whose one entry leads to the fraction.
-    head = b"II*\0" + struct.pack("<I", 8)
-    leading = struct.pack("<HHHIII", 1, _EXIF_FOLDER, _LONG, 1, 26, 0)
-    return (
-        head
-        + leading
-        + struct.pack("<HHHIII", 1, _EXPOSURE_TIME, _RATIONAL, 1, 44, 0)
-        + _fraction(exposure_s)
-    )
+    from PIL.Image import Exif  # deferred, as most of the suite needs no Pillow
+    from PIL.TiffImagePlugin import IFDRational
+
+    block = Exif()
+    block[_EXIF_FOLDER] = {_EXPOSURE_TIME: IFDRational(*_fraction(exposure_s))}
+    return block.tobytes().removeprefix(b"Exif\0\0")
 
 
-def _fraction(seconds: float) -> bytes:
+def _fraction(seconds: float) -> tuple[int, int]:
     found = Fraction(seconds).limit_denominator(10_000_000)
-    return struct.pack("<II", found.numerator, found.denominator)
+    return found.numerator, found.denominator
 
 
-def _tiff(codes: Codes, exposure_s: float) -> bytes:
-    height, width, _ = codes.shape
-    entries = 11
-    after = 8 + 2 + 12 * entries + 4
-    bits_at, exif_at = after, after + 6
-    data_at = exif_at + 18 + 8
-    pixels = np.ascontiguousarray(codes.astype(codes.dtype.newbyteorder("<"))).tobytes()
-    fields = [
-        (256, _LONG, 1, width),
-        (257, _LONG, 1, height),
-        (258, _SHORT, 3, bits_at),
-        (259, _SHORT, 1, 1),
-        (262, _SHORT, 1, 2),
-        (273, _LONG, 1, data_at),
-        (277, _SHORT, 1, 3),
-        (278, _LONG, 1, height),
-        (279, _LONG, 1, len(pixels)),
-        (284, _SHORT, 1, 1),
-        (_EXIF_FOLDER, _LONG, 1, exif_at),
-    ]
-    folder = struct.pack("<H", entries) + b"".join(struct.pack("<HHII", *field) for field in fields)
-    time = struct.pack("<HHHIII", 1, _EXPOSURE_TIME, _RATIONAL, 1, exif_at + 18, 0) + _fraction(exposure_s)
-    bits = struct.pack("<HHH", *(8 * codes.itemsize,) * 3)
-    return b"II*\0" + struct.pack("<I", 8) + folder + struct.pack("<I", 0) + bits + time + pixels
+def _write_tiff(target: Path, codes: Codes, exposure_s: float) -> None:
+    from tifffile import imwrite  # deferred, as PNG needs none of it
+
+    # The time stands beside the picture's size, as TIFF/EP has it, since tifffile writes no EXIF folder.
+    time = (_EXPOSURE_TIME, _RATIONAL, 1, _fraction(exposure_s), True)
+    imwrite(target, codes, photometric="rgb", metadata=None, software=False, extratags=[time])
