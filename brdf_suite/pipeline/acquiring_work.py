@@ -93,9 +93,8 @@ class WorkFile:
         head = _HEAD.pack(tag, len(payload))
         end = self._stream.seek(0, os.SEEK_END)
         try:
-            self._stream.write(head + hashlib.sha256(head + payload).digest())
-            self._stream.write(payload)
-            self._stream.flush()
+            self._write(head + hashlib.sha256(head + payload).digest())
+            self._write(payload)
             os.fsync(self._stream.fileno())
         except OSError as error:
             # Half a record would be cut off when the file is next opened; here it only takes room.
@@ -105,12 +104,19 @@ class WorkFile:
         self.records.append(WorkRecord(tag, values, end + _HEAD.size + _DIGEST, len(payload)))
 
     def empty(self) -> None:
-        """Forget everything."""
-        self._stream.seek(0)
-        self._stream.truncate(0)
-        self._stream.write(MAGIC)
-        self._stream.flush()
+        """Forget everything; raises FileError where the disk is full or refuses."""
+        try:
+            self._stream.seek(0)
+            self._stream.truncate(0)
+            self._write(MAGIC)
+        except OSError as error:
+            raise FileError(self.path, f"cannot be written: {error.strerror or error}") from error
         self.records = []
+
+    def _write(self, content: bytes) -> None:
+        rest = memoryview(content)
+        while rest:
+            rest = rest[self._stream.write(rest) :]
 
     def _read(self) -> None:
         """List the whole records and cut off what follows them."""
@@ -168,7 +174,8 @@ def open_work(path: Path) -> Iterator[WorkFile]:
         # Not "a": what a kill left half written is cut off.
         mode = "r+b" if path.exists() else "w+b"
         try:
-            stream = path.open(mode)
+            # Without a buffer: what a full disk refused would be written once more when the file is closed.
+            stream = path.open(mode, buffering=0)
         except OSError as error:
             raise FileError(path, f"cannot be opened: {error.strerror or error}") from error
         with stream:

@@ -84,3 +84,18 @@ def test_emptied(path: Path) -> None:
         work.empty()
         work.add(POSITION, {"position": 3}, {"sums": SUMS})
     assert positions(path) == [3]
+
+
+def test_a_full_disk_is_told_with_the_file_and_leaves_what_was_whole(path: Path) -> None:
+    resource = pytest.importorskip("resource")
+    whole = path.stat().st_size
+    old = resource.getrlimit(resource.RLIMIT_FSIZE)
+    # A file that may not grow refuses as a full disk does: in the middle of a record.
+    resource.setrlimit(resource.RLIMIT_FSIZE, (whole + 100, old[1]))
+    try:
+        with pytest.raises(FileError, match=r"a\.work.*cannot be written"), open_work(path) as work:
+            work.add(POSITION, {"position": 2}, {"sums": np.ones((100, 3), np.float32)})
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, old)
+    assert path.stat().st_size == whole
+    assert positions(path) == [0, 1]
