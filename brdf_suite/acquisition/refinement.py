@@ -24,7 +24,7 @@ import numpy.typing as npt
 from brdf_suite.acquisition.refined_fit import HighlightSeries, fit_rig, outliers_of, stray
 from brdf_suite.acquisition.refined_movement import Movement, find_movements
 from brdf_suite.acquisition.refined_parameters import PARAMETERS, Refined, apply, priors
-from brdf_suite.acquisition.sphere_geometry import Geometry
+from brdf_suite.acquisition.sphere_geometry import Geometry, unit
 from brdf_suite.acquisition.sphere_highlight import Highlight
 from brdf_suite.acquisition.sphere_outline import Outline
 from brdf_suite.errors import AcquisitionError
@@ -32,6 +32,7 @@ from brdf_suite.geometry.directions import Floats
 from brdf_suite.progress import Progress, part, report
 
 _LEAST_HIGHLIGHTS = 4
+_LEAST_COSINE = 0.02
 
 Valid = npt.NDArray[np.bool_]
 
@@ -57,7 +58,9 @@ class Refinement:
     outliers
         (n,) highlights that do not belong.
     rms_px, rms_deg
-        Root mean square over the others: of the distance in pixels, of the angle in degrees.
+        Root mean square over the others, each counted by one over its variance: of the distance in pixels, of the
+        angle in degrees. Without it the few highlights next to the outline, where a pixel is ten degrees of the
+        light, would say nearly all.
     before_px, before_deg
         The same of the stated geometry with the outline's centre.
     movements
@@ -192,6 +195,7 @@ def refine(
     found = apply(start, fit.x)
     degrees = _degrees(found, series.angles, series.seen)
     before = series.residuals(np.zeros(len(PARAMETERS)))
+    sigma_deg = series.sigma * _degrees_per_pixel(found, series.seen)
     return Refinement(
         geometry=found,
         parameters=tuple(
@@ -203,10 +207,10 @@ def refine(
         residuals_px=fit.off,
         residuals_deg=degrees,
         outliers=outliers,
-        rms_px=_rms(length[~outliers]),
-        rms_deg=_rms(degrees[~outliers]),
-        before_px=_rms(np.linalg.norm(before, axis=-1)),
-        before_deg=_rms(_degrees(start, series.angles, series.seen)),
+        rms_px=_rms(length[~outliers], series.sigma[~outliers]),
+        rms_deg=_rms(degrees[~outliers], sigma_deg[~outliers]),
+        before_px=_rms(np.linalg.norm(before, axis=-1), series.sigma),
+        before_deg=_rms(_degrees(start, series.angles, series.seen), sigma_deg),
         movements=movements,
     )
 
@@ -253,12 +257,7 @@ def _longest(positions: npt.NDArray[np.intp], movements: Sequence[Movement]) -> 
 
 def _degrees(geometry: Geometry, angles: Floats, seen: Floats) -> Floats:
     """Return the angle (n,) in degrees between the light and where the highlight's pixel mirrors the camera to."""
-    rays = geometry.lens.rays(seen)
-    along = rays @ geometry.centre
-    rest = along * along - (geometry.centre @ geometry.centre - geometry.radius_m**2)
-    points = (along - np.sqrt(np.maximum(rest, 0.0)))[:, None] * rays
-    normals = (points - geometry.centre) / geometry.radius_m
-    normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+    rays, points, normals = _met(geometry, seen)
     mirrored = rays - 2.0 * np.einsum("ni,ni->n", rays, normals)[:, None] * normals
     way = geometry.light(angles) - points
     way /= np.linalg.norm(way, axis=-1, keepdims=True)
@@ -267,5 +266,23 @@ def _degrees(geometry: Geometry, angles: Floats, seen: Floats) -> Floats:
     return angle
 
 
-def _rms(values: Floats) -> float:
-    return math.sqrt(float(np.mean(values * values))) if len(values) else math.nan
+def _degrees_per_pixel(geometry: Geometry, seen: Floats) -> Floats:
+    """Return by how many degrees (n,) the mirrored direction turns for a pixel towards the outline."""
+    rays, _, normals = _met(geometry, seen)
+    cosine = np.maximum(-np.einsum("ni,ni->n", rays, normals), _LEAST_COSINE)
+    turn: Floats = np.degrees(2.0 / (math.tan(geometry.outline_angle) * geometry.lens.fx * cosine))
+    return turn
+
+
+def _met(geometry: Geometry, pixels: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return the rays of pixels (n, 2), the points where they meet the sphere, and its normals there, (n, 3) each."""
+    rays = geometry.lens.rays(pixels)
+    along = rays @ geometry.centre
+    rest = along * along - (geometry.centre @ geometry.centre - geometry.radius_m**2)
+    points = (along - np.sqrt(np.maximum(rest, 0.0)))[:, None] * rays
+    return rays, points, unit(points - geometry.centre)
+
+
+def _rms(values: Floats, sigma: Floats) -> float:
+    """Return the root mean square, each value counted by one over the square of its standard error ``sigma``."""
+    return math.sqrt(float(np.average(values * values, weights=sigma**-2.0))) if len(values) else math.nan

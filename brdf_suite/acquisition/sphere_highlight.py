@@ -4,14 +4,20 @@ The brightest pixel is not that place. With f_r = D(n·h) F G / (cosθi cosθo) 
 to D alone, as F and G hardly change over a highlight that is seen and lit from nearly the same directions; and D of an
 isotropic paint is even about the half vector. So the centre of gravity of radiance · cosθo above a share of its peak,
 over the solid angle of the *normals* (a pixel covers 1/cosθo of it), is the half vector, whatever the width of the
-lobes. The falling off of the light with the distance is taken out before. How far that place wanders with the share
-tells how far it can be trusted.
+lobes. The falling off of the light with the distance is taken out before.
+
+How far that place wanders with the share tells how far it can be trusted. Near the outline a narrow highlight is
+foreshortened to a pixel or two, and stands on the broader lobes' own brightness: then there is no other share to ask,
+or few columns to weigh, and the standard error grows to that of a place of which nothing but the pixel is known.
+
+A clipped peak keeps its place: all is cut off at the least that its clipped pixels show, so that what is left of it is
+as even about the half vector as the whole.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -29,6 +35,7 @@ _LEAST_COSINE = 0.12
 _LEAST_PIXELS = 4
 _WIDEST_DEG = 20.0
 _FLOOR_PX = 0.03
+_ONE_PIXEL_PX = 1.0 / math.sqrt(12.0)  # standard deviation of a place of which only the pixel is known
 
 Valid = npt.NDArray[np.bool_]
 
@@ -63,10 +70,12 @@ def find_highlight(
     geometry: Geometry,
     k: int,
     valid: Valid | None = None,
+    clipped: Valid | None = None,
 ) -> Highlight | None:
     """Return the highlight of position ``k`` in its merged photograph (h, w, 3) or (h, w).
 
-    ``valid`` (h, w) is False where the mask hides something; clipped pixels may stay, their radiance is a lower bound.
+    ``valid`` (h, w) is False where the mask hides something. ``clipped`` (h, w) is True where the radiance is only a
+    lower bound; such pixels are used where ``valid`` lets them.
     None where none is seen, where it reaches the outline, the lamp's shadow or what is masked, or where the paint has
     no highlight.
     """
@@ -78,7 +87,7 @@ def find_highlight(
     half = max(_WINDOW * math.tan(geometry.outline_angle) * geometry.lens.fx, _LEAST_WINDOW)
     middle = start
     for _ in range(_CLIMBS):
-        window = _Window.around(middle, half, value, geometry, light, valid)
+        window = _Window.around(middle, half, value, geometry, light, valid, clipped)
         if window is None:
             return None
         peak = window.peak()
@@ -87,30 +96,34 @@ def find_highlight(
         middle = window.pixels[peak]
     else:
         return None
-    places: list[tuple[Floats, float, int] | None] = []
+    window = window.levelled(peak)
+    places: list[_Spot | None] = []
     for levels in _LEVELS:
         lower = [window.centre(peak, level) for level in levels]
-        if lower[0] is None:
+        first = lower[0]
+        if first is None:
             continue
         places = lower
-        if lower[0][2] >= _ENOUGH_PIXELS:
+        if first.pixels >= _ENOUGH_PIXELS:
             break
     if not places or places[0] is None:
         return None
-    normal, spread, count = places[0]
+    normal, spread, count = places[0].normal, places[0].spread, places[0].pixels
     pixel = geometry.lens.pixels(geometry.centre + geometry.radius_m * normal)
     others = [
-        geometry.lens.pixels(geometry.centre + geometry.radius_m * place[0])
+        geometry.lens.pixels(geometry.centre + geometry.radius_m * place.normal)
         for place in places[1:]
         if place is not None
     ]
-    wander = max((float(np.linalg.norm(other - pixel)) for other in others), default=1.0)
+    wander = max((float(np.linalg.norm(other - pixel)) for other in others), default=0.0)
+    # Without the others, cut by the outline or lost in a broader lobe, only the pixel is known; with one, something.
+    alone = _ONE_PIXEL_PX * (1.0 - len(others) / (len(places) - 1)) ** 2
     if math.degrees(spread) > _WIDEST_DEG:
         return None
     return Highlight(
         position=k,
         pixel=(float(pixel[0]), float(pixel[1])),
-        sigma_px=math.hypot(_FLOOR_PX, wander),
+        sigma_px=math.hypot(_FLOOR_PX, wander, alone, _ONE_PIXEL_PX / places[0].across ** 3),
         spread_deg=math.degrees(spread),
         pixels=count,
     )
@@ -125,6 +138,7 @@ class _Window:
     cos_o: Floats
     usable: Valid
     strength: Floats
+    clipped: Valid
 
     @classmethod
     def around(
@@ -135,6 +149,7 @@ class _Window:
         geometry: Geometry,
         light: Floats,
         valid: Valid | None,
+        clipped: Valid | None,
     ) -> _Window | None:
         """Return the window of ``half`` pixels to each side, or None outside of the picture."""
         low = np.maximum(np.floor(middle - half), 0).astype(int)
@@ -158,7 +173,24 @@ class _Window:
         seen = value[rows, columns].astype(float)
         usable &= np.isfinite(seen)
         strength = np.where(usable, seen * cos_o * distance2, 0.0)
-        return cls(pixels.astype(float), normals, cos_o, usable, strength)
+        bound = np.zeros(usable.shape, bool) if clipped is None else clipped[rows, columns] & usable
+        return cls(pixels.astype(float), normals, cos_o, usable, strength, bound)
+
+    def levelled(self, peak: tuple[int, int]) -> _Window:
+        """Return the window cut off at the least that a clipped pixel of the peak at ``peak`` shows.
+
+        A clipped pixel's strength is its cosθo, which falls to the outline: the peak would lean. Cut off at one height
+        it is even about the half vector again.
+        """
+        from scipy.ndimage import label
+
+        labels, _ = label(self.clipped, np.ones((3, 3)))
+        row, column = peak
+        near = np.unique(labels[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2])
+        bound = np.isin(labels, near[near > 0])
+        if not bound.any():
+            return self
+        return replace(self, strength=np.minimum(self.strength, self.strength[bound].min()))
 
     def peak(self) -> tuple[int, int]:
         """Return row and column of the brightest pixel where nine together are brightest."""
@@ -177,8 +209,8 @@ class _Window:
         margin = max(2, min(rows, columns) // 10)
         return not (margin <= place[0] < rows - margin and margin <= place[1] < columns - margin)
 
-    def centre(self, peak: tuple[int, int], level: float) -> tuple[Floats, float, int] | None:
-        """Return (normal, RMS angle, pixels) of what is brighter than ``level`` of the peak and touches it."""
+    def centre(self, peak: tuple[int, int], level: float) -> _Spot | None:
+        """Return what is brighter than ``level`` of the peak and touches it."""
         from scipy.ndimage import binary_dilation, label, uniform_filter
 
         top = float(uniform_filter(self.strength, 3, mode="constant")[peak])
@@ -199,4 +231,24 @@ class _Window:
         normals = self.normals[spot]
         middle = unit(weight @ normals)
         off = np.linalg.norm(normals - middle, axis=-1)
-        return middle, math.sqrt(float(weight @ (off * off))), int(np.count_nonzero(spot))
+        from_middle = self.pixels[spot] - weight @ self.pixels[spot]
+        narrow = float(np.linalg.eigvalsh(from_middle.T @ (weight[:, None] * from_middle))[0])
+        return _Spot(
+            middle,
+            math.sqrt(float(weight @ (off * off))),
+            int(np.count_nonzero(spot)),
+            math.sqrt(1.0 + 12.0 * max(narrow, 0.0)),
+        )
+
+
+@dataclass(frozen=True)
+class _Spot:
+    """The pixels above a level: their middle's normal (3,), RMS angle to it, their number.
+
+    ``across``: pixels side by side where the spot is narrowest, as wide as an even row of the same variance.
+    """
+
+    normal: Floats
+    spread: float
+    pixels: int
+    across: float

@@ -72,7 +72,8 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
                 merged = road.merged_stack(stack, k)
             if merged is None:
                 continue
-            seen = find_highlight(merged.radiance, tried, k, merged.good | merged.saturated)
+            clipped = merged.saturated
+            seen = find_highlight(merged.radiance, tried, k, merged.good | clipped, clipped)
             if seen is not None:
                 highlights.append(seen)
         return list(highlights)

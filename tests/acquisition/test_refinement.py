@@ -189,6 +189,71 @@ def test_a_clipped_highlight_keeps_its_place(rig: Rig, outline: Outline) -> None
     assert np.linalg.norm(np.subtract(found.pixel, whole.pixel)) < 0.15
 
 
+def test_a_clipped_broad_highlight_does_not_lean_from_the_outline() -> None:
+    angles = (94.0, 101.0, 108.0, 115.0, 120.0)
+    settings = SimulatorSettings(size=(_SIDE, _SIDE), angles_deg=angles, board=False, white=False)
+    simulator = Simulator(CookTorrance(TABLE_1["table1_blue_matte"]), settings)
+    stated = geometry_of_session(simulator.session, (_SIDE, _SIDE))
+    told: list[float] = []
+    untold: list[float] = []
+    for k, expected in enumerate(stated.highlights(angles)):
+        picture = simulator.radiance(k).mean(axis=-1)
+        x, y = np.round(expected).astype(int)
+        top = 0.4 * float(picture[y - 3 : y + 4, x - 3 : x + 4].max())
+        cut = np.minimum(picture, top)
+        for found, clipped in ((told, picture > top), (untold, None)):
+            highlight = find_highlight(cut, stated, k, None, clipped)
+            assert highlight is not None
+            found.append(highlight.pixel[0] - expected[0])
+    # Of a clipped pixel the cosine alone is left, which falls towards the outline.
+    assert np.mean(untold) < -0.03
+    assert abs(np.mean(told)) < 0.6 * abs(np.mean(untold))
+
+
+def _narrow_spot(geometry: Geometry, k: int) -> np.ndarray:
+    """A clear coat's peak, 0.7° wide, on an even lobe of a fiftieth of it; pixels are means over their squares."""
+    parts, near = 12, 16
+    column, row = np.round(geometry.highlights(_ANGLES[k])).astype(int) - near
+    normal = geometry.highlight_normals(geometry.light(_ANGLES[k]))[0]
+    fine = (np.arange(2 * near * parts) + 0.5) / parts - 0.5
+    rays = geometry.lens.rays(np.stack(np.meshgrid(column + fine, row + fine), axis=-1))
+    along = rays @ geometry.centre
+    rest = along * along - (geometry.centre @ geometry.centre - geometry.radius_m**2)
+    normals = unit((along - np.sqrt(np.maximum(rest, 0.0)))[..., None] * rays - geometry.centre)
+    cosine = np.maximum(-np.einsum("...i,...i", normals, rays), 1e-3)
+    peak = np.exp(-(((normals - normal) ** 2).sum(axis=-1)) / 0.012**2)
+    value = np.where(rest > 0.0, (peak + 0.02) / cosine, 0.0)
+    picture = np.zeros((_SIDE + 2 * near, _SIDE + 2 * near))
+    window = value.reshape(2 * near, parts, 2 * near, parts).mean(axis=(1, 3))
+    picture[row : row + 2 * near, column : column + 2 * near] = window
+    return picture[:_SIDE, :_SIDE]
+
+
+def test_next_to_the_outline_a_highlight_says_how_little_it_knows(rig: Rig, outline: Outline) -> None:
+    geometry = replace(rig.stated, light_height_m=0.0)
+    sigma = []
+    for angle in (60.0, 132.0):
+        k = _ANGLES.index(angle)
+        spot = find_highlight(_narrow_spot(geometry, k), geometry, k)
+        assert spot is not None
+        off = np.linalg.norm(spot.pixel - geometry.highlights(angle))
+        assert off < 2.0 * spot.sigma_px
+        sigma.append(spot.sigma_px)
+    assert sigma[1] > 2.0 * sigma[0]
+
+    rows = rig.find(outline.geometry)
+    without = refine(outline.geometry, outline, rows)
+    k = _ANGLES.index(132.0)
+    ((x, y),) = without.geometry.highlights([_ANGLES[k]])
+    rest = [row for row in rows if row.position != k]
+    found = refine(outline.geometry, outline, [*rest, Highlight(k, (x + 0.25, y), 0.3, 1.0, 6)])
+    assert not found.outliers.any()
+    # A quarter of a pixel is much of a degree there; the others say how well the light is known.
+    assert found.residuals_deg[found.positions == k][0] > 0.6
+    assert found.rms_deg < without.rms_deg + 0.05
+    assert found.rms_px < without.rms_px + 0.02
+
+
 def test_a_highlight_in_a_wrong_place_is_named_and_left_out(
     rig: Rig, outline: Outline, refinement: Refinement
 ) -> None:
