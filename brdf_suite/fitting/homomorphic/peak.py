@@ -56,6 +56,8 @@ _TRUSTED = 0.7
 """Of the logarithm, how far below the body a sample may lie and keep half its weight."""
 _MOST_IN_ROUNDS = 20_000
 _FIRST_QUANTILE = 0.9
+_PEAK_WITHIN_DEG = 30.0
+"""Of the half vector from the normal: where half the light (by both cosines) of what stands out is, if it is a peak."""
 _STANDS_OUT = 2.0
 """Times the body: what weighs fully in the fit of the peak."""
 _BESIDE_WEIGHT = 0.1
@@ -261,6 +263,9 @@ def _peak(
     if not (_grey(samples.values) > cut * _grey(body)).any():
         return None
     tilt = np.degrees(np.arccos(np.clip(warps.half_vector(samples.wi, samples.wo)[:, 2], -1.0, 1.0)))
+    light = np.maximum(over, 0.0) * samples.wi[:, 2] * samples.wo[:, 2]
+    if float(light[tilt < _PEAK_WITHIN_DEG].sum()) < 0.5 * float(light.sum()):
+        return None
     order = np.argsort(tilt)
     held = np.cumsum(np.maximum(over[order], 0.0))
     last = tilt[order][min(int(np.searchsorted(held, _REACH_SHARE * held[-1])), len(order) - 1)]

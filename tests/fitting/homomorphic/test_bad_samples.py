@@ -108,6 +108,22 @@ def test_few_samples_that_reflect_among_zeros_are_not_taken_for_nothing() -> Non
     assert whole.eval(samples.wi, samples.wo).max() > 1e-3
 
 
+def test_a_rise_at_grazing_is_no_peak() -> None:
+    rng = np.random.default_rng(4)
+    wi, wo = even_directions(3000, rng), even_directions(3000, rng)
+    forward = (wi * wo)[:, :2].sum(axis=1) < -0.6
+    rise = np.where(forward, 40.0 * np.exp(-wi[:, 2] * wo[:, 2] / 0.01), 0.0)
+    values = np.repeat(0.3 * (1.0 + rise)[:, None], 3, axis=1)
+    whole, _ = factorize_with_peak(Samples(wi, wo, values), factors=MEASURED_FACTORS, smooth=1.0)
+    assert values.max() > 5.0 * np.median(values)
+    assert whole.peak is None
+    # The same light in one direction is a peak.
+    near = (wi + wo)[:, 2] > 0.97 * np.linalg.norm(wi + wo, axis=1)
+    values = np.where(near[:, None], 30.0, 0.3) * np.ones((1, 3))
+    whole, _ = factorize_with_peak(Samples(wi, wo, values), factors=MEASURED_FACTORS, smooth=1.0)
+    assert whole.peak is not None
+
+
 @pytest.mark.parametrize("bad", ["few", "one direction", "zeros", "negative", "nan", "nothing"])
 def test_the_peak_apart_stands_the_same(bad: str) -> None:
     samples = drawn(3 if bad == "few" else 300)
