@@ -276,6 +276,11 @@ class MeasuredBins:
         shape = light.shape[:-1]
         flat_light, flat_view = (np.ascontiguousarray(w.reshape(-1, 3).T) for w in (light, view))
         above = (flat_light[2] > 0.0) & (flat_view[2] > 0.0)
+        if table.coverage is not None:
+            # Holes between the readings of photographs are everywhere, and filled; drawn, they would hide all else.
+            from brdf_suite.fitting.lobes.undivided_samples import measured_pairs
+
+            return (above & measured_pairs(table, flat_light.T, flat_view.T)).reshape(shape)
         places = table.grid.index_of(flat_light, flat_view)
         h, d, p = (
             np.minimum(place.astype(np.intp), size - 1)

@@ -9,7 +9,7 @@ from threading import Event
 import numpy as np
 import pytest
 from brdf_lobe_visualizer import sources_control
-from brdf_lobe_visualizer.sources import MOST_AT_ONCE, kind_of, names, open_source
+from brdf_lobe_visualizer.sources import MOST_AT_ONCE, MeasuredBins, kind_of, names, open_source
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QPushButton, QWidget
@@ -22,6 +22,7 @@ from brdf_suite.files.measured import write_measured
 from brdf_suite.geometry.directions import illumination, mirror
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.registry import MODELS
+from brdf_suite.reflectance.tabulated.coverage import Coverage
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.resources import resource
@@ -99,6 +100,18 @@ def test_the_holes_of_a_table_are_told_from_what_was_measured(holed_table) -> No
         assert bool(subject.measured(light, mirror(light))) is known
     many = subject.measured(light, np.stack([mirror(light)] * 3).reshape(3, 1, 3))
     assert many.shape == (3, 1)
+
+
+def test_between_the_readings_of_photographs_a_table_counts_as_measured() -> None:
+    full = IsotropicTable.from_reflectance(Lambertian((0.5, 0.5, 0.5)), HalfAngleGrid(12, 12, 36))
+    samples = np.zeros(full.values.shape[:3], np.float32)
+    samples.reshape(-1)[::5] = 1.0
+    samples[:, 9:] = 0.0
+    measured = MeasuredBins(
+        IsotropicTable(full.values, samples == 0.0, coverage=Coverage(samples, 0.0 * samples))
+    )
+    light = illumination(np.array([20.0, 30.0, 50.0, 80.0]))
+    assert measured(light, mirror(light)).tolist() == [True, True, True, False]
 
 
 def test_a_palette_shows_its_first_paints_and_lists_them_all(tmp_path) -> None:

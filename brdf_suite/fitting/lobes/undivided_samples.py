@@ -340,7 +340,11 @@ def differs_with_azimuth(reflectance: Reflectance) -> bool:
 
 
 def measured_pairs(reflectance: Reflectance, wi: Floats, wo: Floats) -> Bools:
-    """Return whether each pair (p,) rests on measured bins alone; what is not a table with holes always does."""
+    """Return whether each pair (p,) rests on measured bins alone; what is not a table with holes always does.
+
+    Photographs of a sphere leave holes between measured bins everywhere, which its readings filled: few of the pairs
+    in a table with coverage have no hole about them, and one measured bin of the eight is enough there.
+    """
     if (
         not isinstance(reflectance, IsotropicTable)
         or reflectance.holes is None
@@ -348,11 +352,11 @@ def measured_pairs(reflectance: Reflectance, wi: Floats, wo: Floats) -> Bools:
     ):
         return np.ones(len(wi), np.bool_)
     places = reflectance.grid.index_of(np.ascontiguousarray(wi.T), np.ascontiguousarray(wo.T))
-    touched = np.zeros(len(wi), np.bool_)
+    touched = np.zeros(len(wi), np.intp)
     # The eight bins between whose centres a look-up lies: held at the ends of θh and θd, round along φd.
     bins = reflectance.holes.shape
     low = [np.floor(place - 0.5).astype(np.intp) for place in places]
     for step in itertools.product((0, 1), repeat=3):
         h, d, p = (base + more for base, more in zip(low, step, strict=True))
-        touched |= reflectance.holes[np.clip(h, 0, bins[0] - 1), np.clip(d, 0, bins[1] - 1), p % bins[2]]
-    return ~touched
+        touched += reflectance.holes[np.clip(h, 0, bins[0] - 1), np.clip(d, 0, bins[1] - 1), p % bins[2]]
+    return touched == 0 if reflectance.coverage is None else touched < 8

@@ -25,6 +25,7 @@ from brdf_suite.fitting.lobes.undivided_samples import rows_of_reflectance, rows
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination, spherical
 from brdf_suite.reflectance.models.lambertian import Lambertian
+from brdf_suite.reflectance.tabulated.coverage import Coverage
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
@@ -297,6 +298,21 @@ def test_holes_of_a_table_are_not_fitted() -> None:
     assert fit.relative_error.max() < 1e-4
     assert any("not measured" in notice for notice in fit.notices)
     assert fit_undivided(IsotropicTable(values)).relative_error.max() > 0.6
+
+
+def test_a_table_of_photographs_is_fitted_though_holes_lie_between_all_of_its_bins() -> None:
+    """One bin in seven was measured, and what lies between was filled in."""
+    matt = IsotropicTable.from_reflectance(Lambertian((0.5, 0.3, 0.2)), HalfAngleGrid(90, 90, 36))
+    samples = np.zeros(matt.values.shape[:3], np.float32)
+    samples.reshape(-1)[::7] = 1.0
+    samples[:, 80:] = 0.0
+    values = np.array(matt.values)
+    values[:, 82:] = 7.0
+    coverage = Coverage(samples, np.zeros_like(samples))
+    fit = fit_undivided(IsotropicTable(values, samples == 0.0, coverage=coverage))
+    np.testing.assert_allclose(fit.weights.kd * np.pi, (0.5, 0.3, 0.2), rtol=1e-4)
+    # Where nothing at all was measured nearby, it is left out still.
+    assert any("not measured" in notice for notice in fit.notices)
 
 
 @pytest.mark.parametrize(("last", "split"), [(90, True), (34, False), (3, False)])
