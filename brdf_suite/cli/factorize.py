@@ -98,7 +98,13 @@ def run(options: argparse.Namespace) -> int:
     """Factor, write and tell."""
     from brdf_suite.documents.store import PAINT_ENDING
     from brdf_suite.errors import FileError
-    from brdf_suite.pipeline.factoring import TABLE_ENDING, FactoringOptions, factor_any, save_factored
+    from brdf_suite.pipeline.factoring import (
+        TABLE_ENDING,
+        FactoringOptions,
+        check_target,
+        factor_any,
+        save_factored,
+    )
 
     if options.output.suffix.lower() not in (PAINT_ENDING, TABLE_ENDING):
         raise FileError(
@@ -107,6 +113,7 @@ def run(options: argparse.Namespace) -> int:
         )
     if options.output.exists() and not options.overwrite:
         raise FileError(options.output, "is there already; give another name, or --overwrite")
+    check_target(options.output)
     chosen = FactoringOptions(
         factors=options.factors,
         resolution=options.resolution,
@@ -140,5 +147,5 @@ def _told(found: FactoredFit, output: Path) -> str:
     if symmetric:
         verb = "is" if len(symmetric) == 1 else "are"
         lines.append(f"{' and '.join(symmetric)} {verb} radially symmetric; --radial keeps the radius alone")
-    lines.append(f"{found.compression:.0f} samples a texel; written to {output}")
+    lines.append(f"{found.compression:.3g} samples a texel; written to {output}")
     return "\n".join(lines)

@@ -13,7 +13,7 @@ import numpy as np
 from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.documents.factored import PARAMETERS, FactoredPaint
 from brdf_suite.documents.store import PAINT_ENDING, save_paint
-from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.errors import FileError, FittingError, ValueRangeError
 from brdf_suite.fitting.homomorphic.accuracy import Accuracy, accuracy
 from brdf_suite.fitting.homomorphic.factorization import Factorization
 from brdf_suite.fitting.homomorphic.factorize import (
@@ -158,7 +158,10 @@ def factor_any(
     """
     report(progress, 0.0, "reading")
     item = load_measurable(name_or_path)
-    return factor_reflectance(item.name, item.reflectance, options, progress=part(progress, 0.1, 1.0))
+    try:
+        return factor_reflectance(item.name, item.reflectance, options, progress=part(progress, 0.1, 1.0))
+    except FittingError as error:
+        raise FittingError(f"{item.name}: {error}") from error
 
 
 def factor_reflectance(
@@ -344,6 +347,15 @@ def _normalized(product: Factorization) -> tuple[dict[str, Floats], Floats]:
     return maps, alpha
 
 
+def check_target(path: str | os.PathLike[str]) -> None:
+    """Raise :class:`FileError` where nothing can be written: its folder is missing, or what is there is no file."""
+    target = Path(path)
+    if not target.absolute().parent.is_dir():
+        raise FileError(target, "its folder is not there; make it first")
+    if target.exists() and not target.is_file():
+        raise FileError(target, "is there already and is no file; give another name")
+
+
 def save_factored(found: FactoredFit, path: str | os.PathLike[str], *, name: str | None = None) -> None:
     """Write a factored fit as a ``.brdfpaint`` with its textures beside it, or as a ``.brdftable``.
 
@@ -353,6 +365,8 @@ def save_factored(found: FactoredFit, path: str | os.PathLike[str], *, name: str
         The ending is neither, or a file cannot be written.
     """
     target = Path(path)
+    # Before the textures are written, which would be left behind.
+    check_target(target)
     if target.suffix.lower() == TABLE_ENDING:
         from brdf_suite.files.measured.brdftable import write_brdftable
 

@@ -12,9 +12,11 @@ from brdf_suite.cli.main import FAILED, main
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.store import load_any_paint
 from brdf_suite.files.measured import read_measured
+from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.fitting.homomorphic.samples import even_directions
 from brdf_suite.pipeline.measuring import load_measurable
 from brdf_suite.reflectance.factored import Factored
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 
 def pairs(count: int = 500) -> tuple[np.ndarray, np.ndarray]:
@@ -90,3 +92,25 @@ def test_what_is_wrong_is_named_and_nothing_is_written(
     assert main(["factorize", *(word.format(tmp_path) for word in arguments)]) == FAILED
     assert said in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+def test_no_textures_are_left_where_the_paint_cannot_be_written(tmp_path: Path, capsys) -> None:
+    out = tmp_path / "folder.brdfpaint"
+    out.mkdir()
+    assert main(["factorize", "matte_grey", "-o", str(out), "--pairs", "900", "--overwrite"]) == FAILED
+    assert "folder.brdfpaint" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.rglob("*")] == ["folder.brdfpaint"]
+
+
+def test_a_file_of_zeros_is_named_and_few_samples_are_told_as_few(tmp_path: Path, capsys) -> None:
+    wi, wo = pairs(6)
+    dark, few = tmp_path / "dark.brdftable", tmp_path / "few.brdftable"
+    write_brdftable(ScatteredSamples(wi, wo, np.zeros((6, 3))), dark)
+    assert main(["factorize", str(dark), "-o", str(tmp_path / "a.brdfpaint")]) == FAILED
+    said = capsys.readouterr().err
+    assert "dark.brdftable" in said
+    assert "nothing to factor" in said
+    write_brdftable(ScatteredSamples(wi, wo, np.full((6, 3), 0.2)), few)
+    assert main(["factorize", str(few), "-o", str(tmp_path / "b.brdfpaint")]) == 0
+    # 6 samples, 80 texels
+    assert "0.075 samples a texel" in capsys.readouterr().out
