@@ -105,7 +105,7 @@ def test_the_holes_of_a_table_are_told_from_what_was_measured(holed_table) -> No
 def test_between_the_readings_of_photographs_a_table_counts_as_measured() -> None:
     full = IsotropicTable.from_reflectance(Lambertian((0.5, 0.5, 0.5)), HalfAngleGrid(12, 12, 36))
     samples = np.zeros(full.values.shape[:3], np.float32)
-    samples.reshape(-1)[::5] = 1.0
+    samples.reshape(-1)[::3] = 1.0
     samples[:, 9:] = 0.0
     measured = MeasuredBins(
         IsotropicTable(full.values, samples == 0.0, coverage=Coverage(samples, 0.0 * samples))
