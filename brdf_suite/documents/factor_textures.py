@@ -170,7 +170,7 @@ def _checked(textures: TextureFile, told: str | os.PathLike[str]) -> bytes:
     if hashlib.sha256(content).hexdigest() != textures.sha256:
         raise DocumentError(
             told,
-            f"{path.name} is not the file that the paint was saved with; factor it again, or bring that file back",
+            f"the maps in {path.name} are not those that the paint was saved with; factor it again, or bring them back",
             "textures.sha256",
         )
     return content

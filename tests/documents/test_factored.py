@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -74,7 +75,8 @@ def test_other_textures_are_not_taken_for_those_that_were_meant(tmp_path: Path) 
     file = Path(paint.textures.path)
     content = file.read_bytes()
     file.write_bytes(content[:-1] + bytes([content[-1] ^ 1]))
-    with pytest.raises(DocumentError, match="not the file"):
+    # Windows begin a sentence with it, and would change the name of a file.
+    with pytest.raises(DocumentError, match=rf": the maps in {re.escape(file.name)} are not those"):
         read_textures(paint)
     file.unlink()
     with pytest.raises(FileError, match=r"textures .* cannot be read"):
