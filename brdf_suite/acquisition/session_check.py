@@ -13,6 +13,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from brdf_suite.acquisition.photograph_series import MASK_FILE
 from brdf_suite.acquisition.photographs import PhotographFacts, photograph_facts
 from brdf_suite.acquisition.position_order import check_positions
 from brdf_suite.acquisition.session import Session
@@ -51,6 +52,8 @@ def check_session(
     """
     seen = _Seen()
     files = session.files()
+    if session.mask is None and (Path(folder) / MASK_FILE).is_file():
+        files += (("mask", MASK_FILE),)
     by_header = part(progress, 0.0, 0.5) if pictures else progress
     for i, (place, name) in enumerate(files):
         if i % 16 == 0:
@@ -63,6 +66,8 @@ def check_session(
             seen.findings.append(Finding(severity, error.path, error.reason, place, position, exposure))
     _sizes(folder, seen)
     _depths(folder, session, seen)
+    _floats(folder, seen)
+    _calibrations(folder, session, seen)
     _times(folder, session, seen)
     _curve(folder, session, seen)
     if pictures:
@@ -125,6 +130,58 @@ def _depths(folder: _Path, session: Session, seen: _Seen) -> None:
             )
             _add(seen, folder, _severity_of_loss(place), place, reason)
             del seen.facts[place]
+
+
+def _floats(folder: _Path, seen: _Seen) -> None:
+    """Floats and codes are in different units, so what is not of the kind of most positions is left out."""
+    kinds = {
+        place: facts.bits is None
+        for place, (_, facts) in seen.facts.items()
+        if not place.endswith("mask") and not place.startswith("camera.board")
+    }
+    counts = Counter(kind for place, kind in kinds.items() if place.startswith("positions["))
+    if not counts:
+        return
+    (most, _), *_ = counts.most_common(1)
+    for place, floats in kinds.items():
+        if floats != most:
+            own, others = ("floats", "whole codes") if floats else ("whole codes", "floats")
+            reason = f"holds {own}, and the other photographs hold {others}, in another unit"
+            _add(seen, folder, _severity_of_loss(place), place, reason)
+            del seen.facts[place]
+    if most and "dark[0]" in seen.facts:
+        _add(seen, folder, "warning", "dark[0]", "is not taken off: of floats black is taken to be 0")
+
+
+def _calibrations(folder: _Path, session: Session, seen: _Seen) -> None:
+    """What session.json names for calibration must be there, if only in part, and show what it says."""
+    fields = {
+        "dark": session.dark,
+        "white": session.white.photographs if session.white else (),
+        "flat_field": session.flat_field.photographs if session.flat_field else (),
+        "camera.board": session.camera.board.photographs if session.camera.board else (),
+    }
+    for name, files in fields.items():
+        start = f"{name}[" if name == "dark" else f"{name}.photographs["
+        if not files or any(place.startswith(start) for place in seen.facts):
+            continue
+        own = [finding for finding in seen.findings if finding.place.startswith(start)]
+        seen.findings = [finding for finding in seen.findings if finding not in own]
+        reason = (
+            f"{own[0].reason}; none of the {len(files)} photographs of {name} can be used: "
+            f"bring them, or take {name} out of session.json"
+        )
+        seen.findings.append(Finding("fatal", own[0].path, reason, own[0].place))
+    white = next((facts for place, facts in seen.facts.items() if place.startswith("white.")), None)
+    if session.white is not None and white is not None:
+        left, top, width, height = session.white.region
+        file, facts = white
+        if left + width > facts.width or top + height > facts.height:
+            reason = (
+                f"has {facts.width} × {facts.height} pixels, and the region {left}, {top}, {width}, {height} "
+                "(left, top, width, height) goes beyond them"
+            )
+            seen.findings.append(Finding("fatal", str(Path(folder) / file), reason, "white.region"))
 
 
 def _times(folder: _Path, session: Session, seen: _Seen) -> None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +14,9 @@ from brdf_suite.cli.output import print_json, progress_bar
 if TYPE_CHECKING:
     from brdf_suite.pipeline.acquiring import Acquisition
     from brdf_suite.pipeline.acquiring_options import Acquired
+
+_MOST_ALIKE = 6
+"""Notices that are told one by one, where they differ in names and numbers alone."""
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -115,6 +120,21 @@ def _tell(found: Acquired, output: Path) -> None:
         )
     for one in found.positions_failed:
         print(f"left out: position {one.position}: {one.reason}")
-    for sentence in found.notices:
+    for sentence in _summed_up(found.notices):
         print(f"note: {sentence}")
     print(f"written to {output}")
+
+
+def _summed_up(notices: Sequence[str]) -> list[str]:
+    """Return the notices; of many that differ in names and numbers alone, the first and how many more there are."""
+    alike: dict[str, list[str]] = {}
+    for sentence in notices:
+        _, colon, reason = sentence.partition(": ")
+        alike.setdefault(re.sub(r"\d[\d.]*", "#", reason) if colon else sentence, []).append(sentence)
+    told: list[str] = []
+    for same in alike.values():
+        if len(same) <= _MOST_ALIKE:
+            told += same
+        else:
+            told.append(f"{same[0]} And {len(same) - 1} more photographs alike (--json names all).")
+    return told

@@ -133,7 +133,10 @@ class Acquisition:
     def series(self, kind: SeriesKind) -> Stack | None:
         """Read a calibration series; None where the session has none."""
         with self.clock.step("read"):
-            return self.source.series(kind)
+            found = self.source.series(kind)
+        for finding in () if found is None else found.findings:
+            self.notice(f"{finding}.")
+        return found
 
     def mask(self, k: int | None) -> Bools | None:
         """Return which pixels (rows, columns) may be used at position ``k``, or at all; None: all."""
@@ -183,6 +186,8 @@ class Acquisition:
             self.intrinsics = calibrate_intrinsics(
                 pictures, board.columns, board.rows, board.square_m, progress
             )
+        for name, reason in self.intrinsics.left_out:
+            self.notice(f"{name}: {reason}.")
         self._figures["lens_rms_px"] = self.intrinsics.rms_px
         return self.intrinsics
 

@@ -130,12 +130,15 @@ class FolderSource:
         return None if found is None else _stack(found, [])
 
     def board(self) -> list[tuple[str, Codes]]:
-        """Read the board's photographs as grey pictures."""
+        """Read the board's photographs as grey pictures; those that the check found unreadable are left out."""
         from brdf_suite.acquisition.photographs import read_photograph
 
         board = self.session.camera.board
+        lost = {finding.place for finding in self._checked}
         found = []
-        for name in () if board is None else board.photographs:
+        for k, name in enumerate(() if board is None else board.photographs):
+            if f"camera.board.photographs[{k}]" in lost:
+                continue
             codes = read_photograph(self.folder / name).codes
             found.append((name, np.ascontiguousarray(codes[..., 1])))
         return found

@@ -28,6 +28,7 @@ from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings, simul
 from brdf_suite.acquisition.simulator.writing import write_photograph
 from brdf_suite.errors import Cancelled, FileError
 from brdf_suite.files.exr import write_exr
+from brdf_suite.pipeline.acquiring_source import FolderSource
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 
@@ -118,6 +119,45 @@ def test_a_position_of_which_nothing_is_left_is_lost(folder: Path) -> None:
         raise_fatal(_check(folder))
     with pytest.raises(FileError, match="is missing"):
         read_position(folder, read_session(folder), 0)
+
+
+def test_a_calibration_of_which_nothing_is_left_is_fatal(folder: Path) -> None:
+    """What session.json names is either there or taken out of it by hand; a part of it is enough."""
+    (folder / "board/03.png").unlink()
+    (told,) = _check(folder)
+    assert (told.severity, told.place) == ("warning", "camera.board.photographs[3]")
+    source = FolderSource(folder, read_session(folder))
+    assert [name for name, _ in source.board()] == [f"board/{k:02d}.png" for k in range(12) if k != 3]
+    for name, place in (("dark", "dark[0]"), ("white", "white.photographs[0]")):
+        shutil.rmtree(folder / name)
+        told = _check(folder)[-1]
+        assert (told.severity, told.place) == ("fatal", place)
+        assert f"take {name} out of session.json" in told.reason
+
+
+def test_a_region_of_the_white_beyond_the_picture_is_fatal(folder: Path) -> None:
+    session = read_session(folder)
+    assert session.white is not None
+    write_session(replace(session, white=replace(session.white, region=(40, 30, 40, 10))), folder)
+    (told,) = _check(folder)
+    assert (told.severity, told.place) == ("fatal", "white.region")
+    assert "64 × 48 pixels, and the region 40, 30, 40, 10" in told.reason
+
+
+def test_the_mask_that_lies_in_the_folder_is_checked_too(folder: Path) -> None:
+    Image.new("L", (32, 24), 255).save(folder / "mask.png")
+    (told,) = _check(folder)
+    assert (told.severity, told.place) == ("fatal", "mask")
+    assert "is 32 × 24 pixels, and the others are 64 × 48" in told.reason
+
+
+def test_floats_among_whole_codes_are_left_out(folder: Path) -> None:
+    text = (folder / "session.json").read_text()
+    (folder / "session.json").write_text(text.replace("light_0001/02.png", "light_0001/02.exr"))
+    write_exr(folder / "light_0001/02.exr", np.ones((48, 64, 3), np.float32))
+    (told,) = _check(folder)
+    assert (told.severity, told.position, told.exposure) == ("exposure", 1, 2)
+    assert "holds floats, and the other photographs hold whole codes" in told.reason
 
 
 def test_exchanged_files_are_seen_by_their_exif(folder: Path) -> None:

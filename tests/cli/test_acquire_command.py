@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from brdf_suite.cli.acquire import _summed_up
 from brdf_suite.cli.main import main
 from brdf_suite.files.measured.registry import read_measured
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -78,3 +79,13 @@ def test_where_the_table_goes_must_be_said(
     assert main(["acquire", str(tmp_path), "-o", str(tmp_path / "a.brdftable")]) == 1
     assert "session.json" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_many_notices_alike_are_summed_up() -> None:
+    alike = [
+        f"light_{k:04d}/05.png: stated as 0.02 s, but its pixels show about 0.0{k + 20} s." for k in range(9)
+    ]
+    other = ["The scale is unknown.", "dark/00.png: is missing."]
+    told = _summed_up([*alike, *other])
+    assert told == [f"{alike[0]} And 8 more photographs alike (--json names all).", *other]
+    assert _summed_up(alike[:3]) == alike[:3]
