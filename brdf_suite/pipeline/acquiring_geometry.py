@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
@@ -64,9 +64,9 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
     geometry = replace(geometry, irradiance_rgb=irradiance)
     highlights: list[Highlight] = []
 
-    def find(tried: Geometry) -> list[Highlight]:
+    def find(tried: Geometry, among: tuple[int, ...] = shiny) -> list[Highlight]:
         highlights.clear()
-        for k in shiny:
+        for k in among:
             merged = kept.get(k)
             if merged is None and (stack := road.readable(k)) is not None:
                 merged = road.merged_stack(stack, k)
@@ -84,7 +84,7 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
         if not road.options.refine:
             return FoundGeometry(picture, outline, (), None, outline.geometry, figures, notices, left_out)
         try:
-            refinement = calibrate_geometry(outline, find, part(progress, 0.8, 1.0))
+            refinement = calibrate_geometry(outline, find, part(progress, 0.8, 0.9))
         except AcquisitionError as error:
             # A matt sphere has none; what the session states of the lamp is then all there is.
             notices += (
@@ -93,6 +93,20 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
             return FoundGeometry(
                 picture, outline, tuple(highlights), None, outline.geometry, figures, notices, left_out
             )
+        if refinement.movements:
+            before = list(highlights)
+            try:
+                union, outline, refinement = _where_it_stood(
+                    road, refinement, geometry, shiny, find, part(progress, 0.9, 1.0)
+                )
+            except AcquisitionError as error:
+                highlights[:] = before
+                notices += (
+                    f"The sphere's outline is that of all positions, before and after it moved: {error}",
+                )
+            else:
+                picture = np.asarray(union.picture, np.float32)
+                figures["outline_rms_px"] = outline.rms_px
     figures |= {
         "highlights": len(highlights),
         "highlight_rms_px": refinement.rms_px,
@@ -112,6 +126,29 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
         notices,
         left_out,
     )
+
+
+def _where_it_stood(
+    road: Acquisition,
+    refinement: Refinement,
+    geometry: Geometry,
+    shiny: tuple[int, ...],
+    find: Callable[[Geometry, tuple[int, ...]], list[Highlight]],
+    progress: Progress | None,
+) -> tuple[Union, Outline, Refinement]:
+    """Return what the longest part without movement tells alone: a sum over two places has a blurred outline."""
+    from brdf_suite.acquisition.refinement import calibrate_geometry
+    from brdf_suite.acquisition.sphere_outline import find_outline
+
+    moved = frozenset(refinement.moved_positions)
+    chosen = tuple(k for k in road.positions if k not in moved)
+    angles = tuple(position.angle_deg for position in road.session.positions)
+    union, _ = _read(road, union_positions(angles, chosen), (), part(progress, 0.0, 0.5))
+    outline = find_outline(union, geometry, road.mask(None))
+    among = tuple(k for k in shiny if k not in moved)
+    again = calibrate_geometry(outline, lambda tried: find(tried, among), part(progress, 0.5, 1.0))
+    movements = sorted((*refinement.movements, *again.movements), key=lambda row: row.before)
+    return union, outline, replace(again, movements=tuple(movements))
 
 
 def _read(

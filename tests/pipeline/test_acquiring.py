@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from brdf_suite.acquisition.lens import Lens
 from brdf_suite.acquisition.session_store import write_session
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings, simulate
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
@@ -103,6 +104,31 @@ def test_the_table_is_near_the_paint(whole: tuple[Acquired, Path]) -> None:
     assert json.loads(json.dumps(told)) == told
     assert not work_path(output).exists()
     assert [file.name for file in output.parent.iterdir()] == [output.name]
+
+
+def test_a_sphere_that_moves_is_measured_where_it_stood_longest() -> None:
+    settings = SimulatorSettings(
+        size=(112, 112),
+        angles_deg=tuple(8.0 * k for k in range(1, 17)),
+        exposures=4,
+        curve="linear",
+        moved=(5, 2.0, 1.0),
+        board=False,
+        white=False,
+    )
+    simulator = Simulator(CookTorrance(TABLE_1["table1_polaris_silver"]), settings)
+    road = Acquisition(SimulatorSource(simulator), OPTIONS)
+    road.calibrate()
+    assert road.geometry is not None
+    assert road.refinement is not None
+    assert road.refinement.moved_positions == tuple(range(5))
+    assert set(road.left_out) == set(range(5))
+    assert any("has moved by" in notice for notice in road.notices)
+    # In the sum over all positions the outline is a quarter of a pixel aside.
+    x, y, z = simulator.truth["sphere_centres_m"][5]  # type: ignore[index]  # the truth is plain JSON
+    expected = Lens.of(simulator.optics.lens).pixels(np.array((x, -y, settings.camera_distance_m - z)))
+    off = road.geometry.lens.pixels(road.geometry.centre) - expected
+    assert np.linalg.norm(off) < 0.17
 
 
 def test_the_file_keeps_coverage_and_facts(whole: tuple[Acquired, Path]) -> None:
