@@ -66,11 +66,11 @@ class ReflectanceBalls:
         drawing = self._drawing
         material = drawing.materials.find(name, Modes(view.fresnel, view.look_up), drawing.environment.ladder)
         made_of = (self._factors.made(name), material.made_for, view.lamps, view.fresnel)
-        key = (*made_of, camera.view_to_world.tobytes())
+        middle = 0.5 * (np.asarray(drawing.mesh.bounds.minimum) + np.asarray(drawing.mesh.bounds.maximum))
+        key = (*made_of, camera.view_to_world.tobytes(), middle.tobytes())
         if self._drawn.get(name) == key:
             return
         context = drawing.objects.context
-        middle = 0.5 * (np.asarray(drawing.mesh.bounds.minimum) + np.asarray(drawing.mesh.bounds.maximum))
         words = words | {BALL, "LAMPS", "DARK"} | (surface_features(view) & {"FRESNEL_RAISED"})
         with graphics_errors(context, f"drawing a ball of {name}"):
             texture, framebuffer = self._picture(name)

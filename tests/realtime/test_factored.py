@@ -229,6 +229,17 @@ def test_a_reflectance_ball_stands_for_all_lamps_far_away(renderer, lit, scenes)
     assert renderer.counters.buffer_writes == writes
 
 
+def test_a_ball_is_drawn_anew_where_another_surface_stands_elsewhere(renderer, lit, scenes):
+    maps = factored_maps(Factored(waves(16, seed=1), waves(16, seed=2), 0.3))
+    ball = replace(NEAR, lamp_shading="ball")
+    lamp = [Lamp("point", position=(0.1, 0.0, 0.1), strength=0.1)]
+    aside = scenes.sphere(radius=0.03, centre=(-0.06, 0.0, 0.0))
+    lit(maps, lamp, scenes.sphere(radius=0.03), ball)
+    renderer.set_mesh([aside])
+    kept = renderer.render_image(replace(ball, lamps=tuple(lamp)), SIZE, 1, display=LINEAR)[..., :3]
+    np.testing.assert_array_equal(kept, lit(maps, lamp, aside, ball))
+
+
 def test_on_a_round_surface_the_picture_is_the_one_of_the_reflectance_itself(renderer, lit, scenes):
     peak = (MapFactor("sqrt|h|", waves(64, seed=3, low=0.01, high=8.0), True),)
     value = Factored(waves(32, seed=1), waves(32, seed=2), 0.3, peak=peak, logarithmic=True)
