@@ -19,6 +19,7 @@ edits by up to 7 ΔE00 at the very angle that was moved.
 from __future__ import annotations
 
 import hashlib
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -135,7 +136,7 @@ def _coat_between(paint: Layered) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class Database:
-    """Paints of a search and ``sha256``, the hash of their files (names and bytes)."""
+    """Paints of a search and ``sha256``, the hash of their files (names and contents)."""
 
     paints: tuple[PaintTargets, ...]
     sha256: str
@@ -198,8 +199,21 @@ def _hash_of(folder: Path, files: list[Path]) -> str:
     digest = hashlib.sha256(repr(("edits", EDITS, LEAST_EDIT)).encode())
     for path in files:
         digest.update(path.relative_to(folder).as_posix().encode() + b"\0")
-        digest.update(hashlib.sha256(path.read_bytes()).digest())
+        digest.update(hashlib.sha256(_content(path)).digest())
     return digest.hexdigest()
+
+
+def _content(path: Path) -> bytes:
+    """Return what a paint's file says, without the version it says it in: a new version is no other paint."""
+    raw = path.read_bytes()
+    try:
+        told = json.loads(raw)
+    except ValueError:  # it is told when it is read; here it is only not what was searched
+        return raw
+    if not isinstance(told, dict):
+        return raw
+    told.pop("version", None)
+    return json.dumps(told, sort_keys=True).encode()
 
 
 def _edited(paint: AnyPaint, share: float) -> Layered | None:

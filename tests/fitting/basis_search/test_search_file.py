@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -36,6 +37,21 @@ def test_the_packaged_search_and_a_running_one_are_read(tmp_path: Path) -> None:
 
 def test_the_hash_of_a_folder_is_that_of_its_database(few_paints: Path, few: Database) -> None:
     assert database_sha256(few_paints) == few.sha256
+
+
+def test_a_paint_is_the_same_in_another_version_of_its_file_and_not_with_another_name(
+    few_paints: Path, tmp_path: Path
+) -> None:
+    copy = tmp_path / "copy"
+    shutil.copytree(few_paints, copy)
+    path = next(copy.rglob("*.brdfpaint"))
+    paint = json.loads(path.read_text())
+    path.write_text(json.dumps({**paint, "version": paint["version"] + 1}))
+    assert database_sha256(copy) == database_sha256(few_paints)
+    path.write_text(json.dumps({**paint, "notes": "another"}))
+    assert database_sha256(copy) != database_sha256(few_paints)
+    path.write_bytes(b"\xff no paint")
+    assert len(database_sha256(copy)) == 64  # told by who reads it
 
 
 @pytest.mark.parametrize(
