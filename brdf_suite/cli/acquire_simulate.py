@@ -105,7 +105,7 @@ def _simulate(options: argparse.Namespace) -> int:
         "light_offset_deg": options.light_offset,
         "light_height_offset_m": options.light_height_offset,
         "centre_offset_px": options.centre_offset and tuple(options.centre_offset),
-        "moved": options.moved and (int(options.moved[0]), options.moved[1], options.moved[2]),
+        "moved": options.moved and _moved(options.moved),
         "noise": False if options.no_noise else None,
         "arm": options.arm or None,
         "profile": options.profile or None,
@@ -135,3 +135,13 @@ def _simulate(options: argparse.Namespace) -> int:
         f"{len(session.exposures_s)} exposures each; what is true stands in truth.json"
     )
     return 0
+
+
+def _moved(given: list[float]) -> tuple[int, float, float]:
+    """Return the position, which must be a whole number, and the shift."""
+    from brdf_suite.errors import SuiteError
+
+    position, right, down = given
+    if not position.is_integer():
+        raise SuiteError(f"--moved: a position is a whole number, the first is 0; {position:g} is none.")
+    return int(position), right, down

@@ -66,10 +66,13 @@ def test_what_was_done_is_told_as_json(tmp_path: Path, capsys: pytest.CaptureFix
         (["--simulate", "table1_blue", "{made}"], "is not empty"),
         (["--simulate", "table1_blue", "{new}", "--bits", "40"], "bit_depth"),
         (["--simulate", "table1_blue", "{new}", "--moved", "900", "1", "1"], "moved"),
+        (["--simulate", "table1_blue", "{new}", "--moved", "nan", "1", "1"], "a whole number"),
+        (["--simulate", "table1_blue", "{new}", "--moved", "3", "inf", "1"], "moved"),
+        (["--simulate", "table1_blue", "{new}", "--centre-offset", "nan", "1"], "centre_offset_px"),
         (["--template", "{made}"], "not overwritten"),
         (["--template", "--simulate", "table1_blue", "{new}"], "not both"),
     ],
-    ids=["paint", "occupied", "bits", "moved", "template", "both"],
+    ids=["paint", "occupied", "bits", "moved", "half", "far", "offset", "template", "both"],
 )
 def test_what_cannot_be_is_told_in_a_line(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], options: list[str], words: str

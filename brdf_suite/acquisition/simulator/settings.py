@@ -131,6 +131,14 @@ class SimulatorSettings:
             raise ValueRangeError("longest_s", "must be longer than the shortest exposure")
         if self.moved is not None and not 0 < self.moved[0] < len(self.angles()):
             raise ValueRangeError("moved", f"position {self.moved[0]} is not one of the later ones")
+        shifts = {
+            "centre_offset_px": self.centre_offset_px,
+            "moved": () if self.moved is None else self.moved[1:],
+        }
+        for name, shift in shifts.items():
+            # A NaN is not within either.
+            if not all(abs(pixels) <= max(self.size) for pixels in shift):
+                raise ValueRangeError(name, f"{max(self.size)} pixels, the picture's size, are the most")
 
     def angles(self) -> tuple[float, ...]:
         """Return the lamp's angles in degrees, as the session states them."""
