@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import threading
 from dataclasses import replace
 from pathlib import Path
 
@@ -25,8 +26,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from brdf_suite.acquisition import session_template
 from brdf_suite.acquisition.photograph_series import read_mask
 from brdf_suite.acquisition.session_store import read_session, write_session
+from brdf_suite.acquisition.session_template import write_template
 
 CONTROLS = (QAbstractButton, QAbstractItemView, QAbstractSlider, QAbstractSpinBox, QComboBox)
 
@@ -157,19 +160,28 @@ def test_a_folder_without_a_session_leaves_the_open_one(opened, tmp_path, qtbot)
 
 
 def test_a_new_folder_gets_the_template_and_one_that_has_a_session_is_refused(
-    assistant, tmp_path, folder, qtbot
+    assistant, tmp_path, folder, qtbot, monkeypatch
 ):
     target = tmp_path / "new"
+    threads = []
+
+    def told(path):
+        threads.append(threading.current_thread())
+        return write_template(path)
+
+    monkeypatch.setattr(session_template, "write_template", told)
     with qtbot.waitSignal(assistant.bench.opened):
         assistant.sessions.make(target)
     assert (target / "session.json").exists()
     assert assistant.bench.folder == target
+    # It looks into every photograph of the folder, for which no window should wait.
+    assert threading.main_thread() not in threads
     qtbot.waitUntil(lambda: assistant.bench.is_quiet)
     # Its photographs are still to be taken: every one is listed as missing.
     assert assistant.window.session.problems.topLevelItemCount() > 0
     before = (folder / "session.json").read_bytes()
     assistant.sessions.make(folder)
-    assert "open" in shown_keys(assistant)
+    qtbot.waitUntil(lambda: "open" in shown_keys(assistant))
     assert (folder / "session.json").read_bytes() == before
 
 

@@ -78,14 +78,12 @@ class SessionControl(QObject):
 
     def make(self, folder: Path) -> None:
         """Make a folder from the template, and open it."""
-        from brdf_suite.acquisition.session_template import write_template
 
-        try:
-            write_template(folder)
-        except SuiteError as error:
+        def refused(error: Exception) -> None:
             self._bench.say(message_of(error, "open", todo=tr("Nothing was written.")))
-            return
-        self.open(folder)
+
+        # On a thread: it looks into every photograph that lies there.
+        self._bench.run("make", _make, folder, self.open, failed=refused)
 
     def open(self, path: Path) -> None:
         """Read a session by its folder or its session.json, and check it."""
@@ -261,6 +259,14 @@ def edited(session: Session, values: dict[str, float]) -> Session:
         changed.setdefault(part, {})[name] = value / _MM if name.endswith("_m") else value
     parts = {part: replace(getattr(session, part), **numbers) for part, numbers in changed.items()}
     return replace(session, **parts)
+
+
+def _make(folder: Path, progress: Progress) -> Path:
+    from brdf_suite.acquisition.session_template import write_template
+
+    report(progress, 0.0, tr("Reading {folder}").format(folder=folder.name))
+    write_template(folder)
+    return folder
 
 
 def _open(folder: Path, progress: Progress) -> _Opened:
