@@ -18,9 +18,9 @@ _Path = str | os.PathLike[str]
 
 _EXPOSURE_TIME, _SHUTTER_SPEED, _EXIF = 33434, 37377, 34665
 
-# Damage that tifffile notices goes to its log, and without a handler to the standard error; the user is told once, by
-# the error.
-logging.getLogger("tifffile").addHandler(logging.NullHandler())
+# What tifffile misses in a file goes to its log: damage, of which the error tells the user once, and every field that
+# an EXIF block, being no image, has not. A session of thousands of photographs would fill the programs' logs with it.
+logging.getLogger("tifffile").setLevel(logging.CRITICAL)
 
 
 @contextmanager
