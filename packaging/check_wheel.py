@@ -14,7 +14,7 @@ import venv
 import zipfile
 from pathlib import Path
 
-from pip_progress import PipError, run_pip
+from installer import Installer, InstallError
 
 ROOT = Path(__file__).resolve().parent.parent
 LOCK = ROOT / "packaging" / "lock.txt"
@@ -70,10 +70,8 @@ def main() -> int:
         venv.create(folder / "env", with_pip=True)
         binaries = folder / "env" / "bin"
         try:
-            run_pip(
-                binaries / "python", ["install", "-c", str(LOCK), str(wheel)], folder / "install.log", folder
-            )
-        except PipError as failure:
+            Installer(binaries / "python", LOCK, folder / "install.log", folder).install(str(wheel))
+        except InstallError as failure:
             print(f"{failure}\n{wheel.name} could not be installed", file=sys.stderr)
             return 1
         clean = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "VIRTUAL_ENV"))}

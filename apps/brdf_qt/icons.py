@@ -1,16 +1,12 @@
-"""Icons of one family (Phosphor), drawn from the font that QtAwesome ships.
+"""Icons of one family (Phosphor), drawn from the packaged icon font.
 
-Only the font file and its table of names are taken: importing QtAwesome itself costs about 0.1 s at
-start-up, reading these two files about 5 ms. The glyphs take the palette's text colour when painted, so a
-change of theme needs no new icons.
+The glyphs take the palette's text colour when painted, so a change of theme needs no new icons.
 """
 
 from __future__ import annotations
 
 import json
 from functools import cache
-from importlib.util import find_spec
-from pathlib import Path
 
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtGui import (
@@ -26,21 +22,17 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QApplication
 
 from brdf_suite.errors import FileError
+from brdf_suite.resources import resource
 
 
 @cache
 def _family() -> tuple[str, dict[str, str]]:
     """Return the font family and {name: character}; once a process, after the application is made."""
-    spec = find_spec("qtawesome")
-    if spec is None or spec.origin is None:
-        raise FileError("qtawesome", "the icon font is missing; install brdf-suite again")
-    fonts = Path(spec.origin).parent / "fonts"
-    font = next(iter(sorted(fonts.glob("phosphor-*.ttf"))), None)
-    table = next(iter(sorted(fonts.glob("phosphor-charmap-*.json"))), None)
-    if font is None or table is None:
-        raise FileError(fonts, "the icon font Phosphor is missing; install brdf-suite again")
+    font = resource("icons", "phosphor.ttf")
     families = QFontDatabase.applicationFontFamilies(QFontDatabase.addApplicationFont(str(font)))
-    names = json.loads(table.read_text(encoding="utf-8"))
+    if not families:
+        raise FileError(font, "is not a font that can be loaded; install brdf-suite again")
+    names = json.loads(resource("icons", "phosphor.json").read_text(encoding="utf-8"))
     return families[0], {name: chr(int(code, 16)) for name, code in names.items()}
 
 

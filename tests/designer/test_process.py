@@ -24,7 +24,6 @@ SLOW = {
     "OpenImageIO",
     "scipy.optimize",
     "mitsuba",
-    "qtawesome",
     "superqt",
     "PIL",
 }

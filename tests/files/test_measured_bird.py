@@ -57,7 +57,14 @@ def test_units_and_groups_of_bird(tmp_path: Path) -> None:
     ("change", "words"),
     [
         ({"theta_i": {"unit": "grad", "values": [1]}}, "data.theta_i.unit"),
+        ({"theta_i": {"unit": ["deg"], "values": [1]}}, "data.theta_i.unit"),
+        ({"theta_i": {"unit": "deg", "values": 3}}, "data.theta_i.values"),
+        ({"theta_i": {"unit": "deg", "values": []}}, "data.theta_i.values"),
+        ({"theta_i": {"values": [1]}}, "data.theta_i: does not follow the BRDF schema: 'unit'"),
+        ({"theta_i": [1, 2]}, "data.theta_i: "),
         ({"theta_i": None}, "'theta_i' is a required property"),
+        ({"polarization_i": {"notation": "x", "values": ["s"]}}, "data.polarization_i.notation"),
+        ({"polarization_i": {"notation": "sp"}}, "'values' is a required property"),
         ({"phi_r": {"unit": "deg", "values": [1, 2]}}, "data.phi_r.values: has 2 entries where BRDF has 4"),
         ({"BRDF": {"unit": "1/sr", "values": [1, 2, "x", 4]}}, "data.BRDF.values[2]"),
         ({"BRDF": {"unit": "1/sr", "values": [1, 2, float("nan"), 4]}}, "data.BRDF.values[2]"),
@@ -71,6 +78,16 @@ def test_bad_bird_files_name_the_field(tmp_path: Path, change: dict[str, Any], w
     with pytest.raises(FileError) as caught:
         read_measured(written(tmp_path, "a.json", bird(**change)))
     assert words in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "document", [[], {"data": {}}, {"metadata": 1, "data": {}}, {"metadata": {}, "data": []}]
+)
+def test_a_document_of_another_shape_is_refused(tmp_path: Path, document: Any) -> None:
+    with pytest.raises(FileError, match=r"does not follow the BRDF schema|format"):
+        read_measured(
+            written(tmp_path, "a.json", document if isinstance(document, str) else json.dumps(document))
+        )
 
 
 def test_json_that_is_none_names_the_line(tmp_path: Path) -> None:

@@ -27,7 +27,6 @@ SLOW = {
     "OpenImageIO",
     "scipy.optimize",
     "mitsuba",
-    "qtawesome",
     "superqt",
     "PIL",
 }

@@ -256,7 +256,7 @@ def lightest(image) -> int:
 def test_the_shared_room_imports_no_program_and_nothing_slow():
     code = (
         "import sys, brdf_qt.main_window, brdf_qt.document_files, brdf_qt.recovery, brdf_qt.parameters;"
-        "bad = {'pyqtgraph','scipy','trimesh','moderngl','OpenImageIO','colour','qtawesome','superqt',"
+        "bad = {'pyqtgraph','scipy','trimesh','moderngl','OpenImageIO','colour','superqt',"
         "'brdf_designer','brdf_viewer'} & set(sys.modules); print(sorted(bad))"
     )
     done = subprocess.run(
