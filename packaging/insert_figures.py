@@ -8,7 +8,8 @@ A figure of docs/measurements.json stands in README.md, CONTRIBUTING.md or docs/
 
 The marker names benchmark and figure; behind them may follow the number of significant digits (default 2) and a unit
 that the value is converted to (``s``, ``ms``, ``%``; ``bare`` for the number alone): ``<!--figure a.b 3 ms-->``.
-A table stands between ``<!--table NAME-->`` and ``<!--/table-->``; NAME is a key of ``TABLES``.
+A table stands between ``<!--table NAME-->`` and ``<!--/table-->``; NAME is a key of ``TABLES``. A marker that begins
+behind a backtick is text.
 ``--check`` changes nothing and fails where a document differs.
 """
 
@@ -23,9 +24,11 @@ from pathlib import Path
 from typing import Any
 
 CHECKOUT = Path(__file__).resolve().parent.parent
-FIGURE = re.compile(r"<!--figure\s+(?P<name>\S+?)(?P<format>(?:\s+\S+?)*?)\s*-->(?P<text>[^<\n]*)<!--/-->")
-TABLE = re.compile(r"<!--table\s+(?P<name>\S+?)-->\n(?P<text>.*?)<!--/table-->", re.DOTALL)
-OPENING = re.compile(r"<!--\s*(figure|table)\b")
+FIGURE = re.compile(
+    r"(?<!`)<!--figure\s+(?P<name>\S+?)(?P<format>(?:\s+\S+?)*?)\s*-->(?P<text>[^<\n]*)<!--/-->"
+)
+TABLE = re.compile(r"(?<!`)<!--table\s+(?P<name>\S+?)-->\n(?P<text>.*?)<!--/table-->", re.DOTALL)
+OPENING = re.compile(r"(?<!`)<!--\s*(figure|table)\b")
 FACTORS = {("s", "ms"): 1e3, ("ms", "s"): 1e-3, ("", "%"): 1e2}
 DIGITS = 2
 

@@ -47,13 +47,13 @@ def test_a_renewed_measurement_reaches_every_document(
         shutil.copy(path, tmp_path / path.relative_to(checkout))
     kept_path = tmp_path / "docs" / "measurements.json"
     kept = json.loads(kept_path.read_text(encoding="utf-8"))
-    kept["edit"]["figures"]["edit_overhead_median_ms"]["value"] = 77.77
+    kept["fit"]["figures"]["drag_median_ms"]["value"] = 70.0
     kept_path.write_text(json.dumps(kept), encoding="utf-8")
     found = tool.insert_into_documents(tmp_path, check=True)
     assert found
-    assert all("78 ms" not in path.read_text(encoding="utf-8") for path in found)
+    assert all("70 ms" not in path.read_text(encoding="utf-8") for path in found)
     assert tool.insert_into_documents(tmp_path) == found
-    assert all("-->78 ms<!--/-->" in path.read_text(encoding="utf-8") for path in found)
+    assert all("-->70 ms<!--/-->" in path.read_text(encoding="utf-8") for path in found)
     assert tool.insert_into_documents(tmp_path, check=True) == []
 
 
@@ -73,6 +73,11 @@ def test_a_renewed_measurement_reaches_every_document(
 def test_a_figure_is_written_as_its_marker_asks(tool: ModuleType, marker: str, text: str) -> None:
     before = f"took <!--figure {marker}-->9 s<!--/--> and\n"
     assert tool.filled(before, KEPT, "a.md") == f"took <!--figure {marker}-->{text}<!--/--> and\n"
+
+
+def test_a_marker_that_is_quoted_is_text(tool: ModuleType) -> None:
+    quoted = "write `<!--figure BENCH.KEY-->` and `<!--/-->`\n"
+    assert tool.filled(quoted, KEPT, "a.md") == quoted
 
 
 @pytest.mark.parametrize(
