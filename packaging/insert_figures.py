@@ -23,6 +23,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from brdf_suite.errors import SuiteError
+
 CHECKOUT = Path(__file__).resolve().parent.parent
 FIGURE = re.compile(
     r"(?<!`)<!--figure\s+(?P<name>\S+?)(?P<format>(?:\s+\S+?)*?)\s*-->(?P<text>[^<\n]*)<!--/-->"
@@ -33,7 +35,7 @@ FACTORS = {("s", "ms"): 1e3, ("ms", "s"): 1e-3, ("", "%"): 1e2}
 DIGITS = 2
 
 
-class MarkerError(Exception):
+class MarkerError(SuiteError):
     """A marker that cannot be filled; the message names file and line."""
 
 

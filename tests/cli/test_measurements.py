@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
+from brdf_suite.cli import bench
 from brdf_suite.cli.bench import appendix, measure
 from brdf_suite.cli.measurements import Bound, Result, Section, page, renew_section
 from brdf_suite.errors import SuiteError
@@ -41,17 +43,36 @@ def test_the_page_is_made_of_the_kept_figures(checkout: Path) -> None:
     assert page(checkout / "docs") == (checkout / "docs" / "measurements.md").read_text(encoding="utf-8")
 
 
+def test_bench_writes_its_own_section_and_the_documents_that_quote_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    docs = tmp_path / "docs"
+    docs.mkdir()
+    renew_section(docs, section("other", 1.0))
+    for name in ("README.md", "CONTRIBUTING.md", "docs/page.md"):
+        (tmp_path / name).write_text("It takes <!--figure demo.fast_ms-->?<!--/-->.\n", encoding="utf-8")
+    monkeypatch.setattr(bench, "_CHECKOUT", tmp_path)
+    monkeypatch.setattr(bench, "_DOCS", docs)
+    monkeypatch.setattr(bench, "_load", lambda: {"demo": module(fast_ms=4.0, info=None)})
+    options = argparse.Namespace(name="demo", list=False, all=False, json=True, write=True)
+    assert bench.run(options) == 0
+    assert "-->4.0 ms<!--/-->" in (docs / "page.md").read_text(encoding="utf-8")
+    kept = json.loads((docs / "measurements.json").read_text(encoding="utf-8"))
+    assert list(kept) == ["demo", "other"]
+    assert kept["demo"]["figures"]["fast_ms"]["value"] == 4.0
+
+
 def test_an_appendix_follows_its_table_and_is_replaced_with_it(tmp_path: Path) -> None:
     path = tmp_path / "measurements.md"
-    bench = module()
-    bench.appendix = lambda: "### More\n\n| a |\n|---|\n| 5 |\n"
-    renew_section(tmp_path, section("b", 1.0, appendix(bench)))
+    demo = module()
+    demo.appendix = lambda: "### More\n\n| a |\n|---|\n| 5 |\n"
+    renew_section(tmp_path, section("b", 1.0, appendix(demo)))
     renew_section(tmp_path, section("c", 1.0, appendix(module())))
     text = path.read_text()
     assert text.index("what x of b is") < text.index("### More") < text.index("| 5 |") < text.index("## c")
     assert text.endswith("| what x of c is |\n")
-    bench.appendix = lambda: "### More\n\nNothing."
-    renew_section(tmp_path, section("b", 1.0, appendix(bench)))
+    demo.appendix = lambda: "### More\n\nNothing."
+    renew_section(tmp_path, section("b", 1.0, appendix(demo)))
     text = path.read_text()
     assert text.count("### More") == 1
     assert "| 5 |" not in text
@@ -69,9 +90,9 @@ def test_figures_are_held_against_their_bounds() -> None:
 
 
 def test_tables_go_into_the_object_that_json_prints() -> None:
-    bench = module(fast_ms=4.0, info=None)
-    bench.TABLES = {"info": {"matt": {"albedo": [[0.5, 0.5, 0.5]]}}}
-    answer = measure(bench, None).to_json({})
+    demo = module(fast_ms=4.0, info=None)
+    demo.TABLES = {"info": {"matt": {"albedo": [[0.5, 0.5, 0.5]]}}}
+    answer = measure(demo, None).to_json({})
     assert answer["tables"] == {"info": {"matt": {"albedo": [[0.5, 0.5, 0.5]]}}}
 
 
