@@ -1,4 +1,4 @@
-"""Draw docs/images/measured_*.png and print the tables of docs/measured_fits.md: measured data against their lobes.
+"""Draw docs/images/measured_*.png and write docs/measured_errors.md: measured data against their lobes.
 
     python packaging/plot_measured_fits.py [DATA]
 
@@ -33,6 +33,34 @@ from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 IMAGES = Path(__file__).resolve().parent.parent / "docs" / "images"
+PAGE = IMAGES.parent / "measured_errors.md"
+TEXT = """\
+# Errors of measured data as lobes
+
+Written by `python packaging/plot_measured_fits.py`, over the measured files that [the page on these
+fits](measured_fits.md) describes and the paints of Table 1, with the default basis.
+
+## Errors where the fit did not look
+
+For what can be evaluated everywhere: 4,096 direction pairs, eight lights by 16 × 32 views, even over both hemispheres.
+For scattered samples: each fifth of them by a fit to the other four. "Of the data's" is the cosine-weighted RMS error
+over the cosine-weighted RMS of the data. Where two errors stand under L1, they are of base and coat.
+
+{}
+
+## Colour differences
+
+ΔE00 in the geometries of the trade (D65, 10°); in italics where the fit did not look. Scattered samples are compared
+at the measured direction nearest to each, named by its own angles, and only within 5°.
+
+{}
+
+## Layers and undivided
+
+The paints of Table 1 in both ways, on the same held-out directions.
+
+{}
+"""
 FILES = {
     "cayman.brdf": "Cayman, metallic (Cornell)",
     "krylon_blue.brdf": "Krylon True Blue, frosted (Cornell)",
@@ -129,19 +157,20 @@ def draw_pictures(path: Path, sources: Sequence[str | Path], columns: int) -> No
     sheet.save(path, optimize=True)
 
 
-def print_errors(fits: dict[str, AnyFit]) -> None:
-    """Print a row for each fit."""
-    print(
-        "| | L1, worst channel | RMS, 1/sr | of the data's | cube-root | log | > 5° off: cube-root | log | fit, ms |"
-    )
-    print("|---|---|---|---|---|---|---|---|---|")
+def errors_table(fits: dict[str, AnyFit]) -> list[str]:
+    """Return a row for each fit: its error at the samples and where it did not look."""
+    lines = [
+        "| | L1, worst channel | RMS, 1/sr | of the data's | cube-root | log | > 5° off: cube-root | log |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
     for title, found in fits.items():
         worst = ", ".join(f"{max(errors):.3f}" for errors in found.l1_errors.values())
-        print(f"| {title} | {worst} | {figures(found.held_out)} | {found.fit_seconds * 1e3:.1f} |")
+        lines.append(f"| {title} | {worst} | {figures(found.held_out)} |")
+    return lines
 
 
 def figures(held_out: HeldOut | None) -> str:
-    """The held-out figures as cells."""
+    """Return the held-out figures as cells."""
     if held_out is None:
         return "– | – | – | – | – | –"
     away = held_out.away or held_out.figures
@@ -152,34 +181,37 @@ def figures(held_out: HeldOut | None) -> str:
     )
 
 
-def print_angles(fits: dict[str, AnyFit]) -> None:
-    """Print ΔE00 at each judged geometry; in italics where the fit did not look."""
-    print("| | ΔE00 at light/aspecular angle |")
-    print("|---|---|")
+def angles_table(fits: dict[str, AnyFit]) -> list[str]:
+    """Return ΔE00 at each judged geometry, a row for each fit; in italics where the fit did not look."""
+    lines = ["| | ΔE00 at light/aspecular angle |", "|---|---|"]
     for title, found in fits.items():
         cells = []
         for row in found.angles:
             cell = f"{row.illumination_deg:.0f}/{row.aspecular_deg:.0f}: {row.delta_e_2000:.1f}"
             cells.append(cell if row.fitted else f"*{cell}*")
-        print(f"| {title} | {', '.join(cells)} |")
+        lines.append(f"| {title} | {', '.join(cells)} |")
+    return lines
 
 
-def print_both_ways(fits: dict[str, AnyFit]) -> None:
-    """Print each Cook-Torrance paint as two layers and undivided, on the same held-out directions."""
-    print("| | layers: of the data's RMS | cube-root | undivided: of the data's RMS | cube-root |")
-    print("|---|---|---|---|---|")
+def both_ways_table(fits: dict[str, AnyFit]) -> list[str]:
+    """Return each Cook-Torrance paint as two layers and undivided, on the same held-out directions."""
+    lines = [
+        "| | layers: of the data's RMS | cube-root | undivided: of the data's RMS | cube-root |",
+        "|---|---|---|---|---|",
+    ]
     for title, found in fits.items():
         whole = held_out_errors(found.reflectance, fit_undivided(found.reflectance).weights)
         assert whole is not None
         assert found.held_out is not None
-        print(
+        lines.append(
             f"| {title} | {found.held_out.relative_rms:.2f} | {found.held_out.figures.cube_root_rms:.4f} | "
             f"{whole.relative_rms:.2f} | {whole.figures.cube_root_rms:.4f} |"
         )
+    return lines
 
 
 def main() -> None:
-    """Draw and print everything."""
+    """Draw and write everything."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -187,11 +219,9 @@ def main() -> None:
     data = parser.parse_args().data
     measured = {title: fit_any(data / name) for name, title in FILES.items()}
     paints = {paint.name: fit_any(name) for name, paint in TABLE_1.items()}
-    print_errors({**measured, "One sample (BiRD)": fit_any(data / ONE_SAMPLE), **paints})
-    print()
-    print_angles({**measured, **paints})
-    print()
-    print_both_ways(paints)
+    everything = {**measured, "One sample (BiRD)": fit_any(data / ONE_SAMPLE), **paints}
+    tables = (errors_table(everything), angles_table({**measured, **paints}), both_ways_table(paints))
+    PAGE.write_text(TEXT.format(*("\n".join(lines) for lines in tables)), encoding="utf-8")
     draw_slices(IMAGES / "measured_slices.png", measured, 3)
     draw_slices(IMAGES / "measured_slices_table1.png", paints, 4)
     draw_pictures(IMAGES / "measured_renders.png", [data / name for name in FILES], 3)

@@ -52,21 +52,24 @@ def main(name: str) -> None:
     """Filter, lay out and save."""
     prepared = load_environment(name)
     maps = prefilter(prepared.environment, default_basis().exponents)
-    tiles = [("the environment", unrolled(maps.background)), ("diffuse", unrolled(maps.diffuse))]
-    seen = {id(maps.diffuse), id(maps.background)}
+    tiles = [("the environment", unrolled(maps.background)), ("diffuse, n = 1", unrolled(maps.diffuse))]
     for exponent, item in zip(maps.exponents, maps.lobes, strict=True):
-        if id(item) not in seen:
-            tiles.append((f"n = {exponent:,.0f}, faces of {item.size}²", unrolled(item)))
+        digits = 1 if exponent < 100.0 else 0
+        if item is maps.background:
+            # A lobe sharper than this environment's texels reads the environment itself.
+            tiles[0] = (f"the environment, n = {exponent:,.{digits}f}", tiles[0][1])
+        elif item is not maps.diffuse:
+            tiles.append((f"n = {exponent:,.{digits}f}, faces of {item.size}²", unrolled(item)))
     exposure = 1.0 / float(np.mean(tiles[1][1]))
-    columns = 3
+    columns = 5
     rows = -(-len(tiles) // columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(3.0 * columns, 1.75 * rows))
+    figure, axes = plt.subplots(rows, columns, figsize=(2.5 * columns, 1.5 * rows))
     for place, axis in enumerate(np.ravel(axes)):
         axis.axis("off")
         if place < len(tiles):
             title, picture = tiles[place]
             axis.imshow(shown(picture, exposure))
-            axis.set_title(title, fontsize=9)
+            axis.set_title(title, fontsize=8)
     figure.tight_layout(pad=0.6)
     figure.savefig(TARGET, dpi=80)
     print(f"{TARGET}: {TARGET.stat().st_size // 1000} kB")

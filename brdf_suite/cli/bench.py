@@ -12,73 +12,19 @@ import argparse
 import importlib.util
 import math
 import subprocess
-from collections.abc import Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
 
-from brdf_suite.cli.machine import describe_machine
+from brdf_suite.cli.machine import describe_machine, machine_summary
+from brdf_suite.cli.measurements import Bound, Result, Section, renew_section, today
 from brdf_suite.cli.output import print_json, progress_bar
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.progress import Progress
 
 _CHECKOUT = Path(__file__).resolve().parent.parent.parent
 _FOLDER = _CHECKOUT / "tests" / "benchmarks"
-_MEASUREMENTS = _CHECKOUT / "docs" / "measurements.md"
-_COMPARE = {"<=": lambda value, bound: value <= bound, ">=": lambda value, bound: value >= bound}
-
-
-@dataclass(frozen=True)
-class Bound:
-    """What a figure is held against; ``comparison`` is ``<=``, ``>=`` or ``""`` (information only)."""
-
-    comparison: str
-    bound: float | None
-    unit: str
-    meaning: str
-
-    def text(self) -> str:
-        """Return the bound as people write it."""
-        sign = {"<=": "≤", ">=": "≥"}.get(self.comparison)
-        return "–" if sign is None or self.bound is None else f"{sign} {self.bound:g} {self.unit}".rstrip()
-
-    def holds(self, value: float | None) -> bool | None:
-        """Say whether ``value`` keeps the bound; ``None`` where there is none or no value."""
-        compare = _COMPARE.get(self.comparison)
-        return None if compare is None or value is None or self.bound is None else compare(value, self.bound)
-
-
-@dataclass
-class Result:
-    """The figures of one benchmark run."""
-
-    name: str
-    figures: dict[str, float | None]
-    bounds: dict[str, Bound]
-    notes: dict[str, str] = field(default_factory=dict)
-    tables: dict[str, dict[str, object]] = field(default_factory=dict)
-
-    def to_json(self) -> dict[str, object]:
-        """Return the one object that ``--json`` prints."""
-        answer: dict[str, object] = {
-            "bench": self.name,
-            "machine": describe_machine(),
-            "figures": self.figures,
-        }
-        if self.notes:
-            answer["notes"] = self.notes
-        if self.tables:
-            answer["tables"] = self.tables
-        return answer
-
-    def rows(self) -> Iterator[tuple[str, str, str, str, str]]:
-        """Yield (key, value, bound, kept, meaning) for a table."""
-        for key, value in self.figures.items():
-            bound = self.bounds[key]
-            shown = "not measured" if value is None else f"{value:.4g} {bound.unit}".rstrip()
-            kept = {True: "yes", False: "NO", None: ""}[bound.holds(value)]
-            meaning = bound.meaning + (f" ({self.notes[key]})" if key in self.notes else "")
-            yield key, shown, bound.text(), kept, meaning
+_DOCS = _CHECKOUT / "docs"
+_INSERT_FIGURES = _CHECKOUT / "packaging" / "insert_figures.py"
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -92,7 +38,11 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     command.add_argument("--list", action="store_true", help="name the benchmarks")
     command.add_argument("--all", action="store_true", help="run them all")
     command.add_argument("--json", action="store_true", help="print one JSON object per benchmark")
-    command.add_argument("--write", action="store_true", help="write the figures into docs/measurements.md")
+    command.add_argument(
+        "--write",
+        action="store_true",
+        help="write the figures into docs/measurements.json and .md, and into the documents",
+    )
     command.set_defaults(run=run)
 
 
@@ -113,19 +63,14 @@ def run(options: argparse.Namespace) -> int:
             result = measure(modules[name], progress)
         kept &= all(result.bounds[key].holds(value) is not False for key, value in result.figures.items())
         if options.json:
-            print_json(result.to_json())
+            print_json(result.to_json(describe_machine()))
         else:
             _print_table(result)
         if options.write:
-            from brdf_suite.cli.measurements import write_section
-
-            write_section(
-                _MEASUREMENTS,
-                result.name,
-                (modules[name].__doc__ or "").strip(),
-                list(result.rows()),
-                appendix(modules[name]),
-            )
+            about = (modules[name].__doc__ or "").strip()
+            renew_section(_DOCS, Section(about, machine_summary(), today(), result, appendix(modules[name])))
+    if options.write:
+        load_module(_INSERT_FIGURES).insert_into_documents(_CHECKOUT)
     return 0 if kept else 1
 
 

@@ -21,7 +21,7 @@ def describe_machine() -> dict[str, object]:
     }
 
 
-def summary() -> str:
+def machine_summary() -> str:
     """Return the machine in one short line."""
     machine = describe_machine()
     return f"{machine['processor']}, {machine['cores']} cores, {machine['gl_renderer']}"

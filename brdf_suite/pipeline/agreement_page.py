@@ -112,7 +112,8 @@ def page(cases: Sequence[Case], order: Order) -> str:
         f"Paints in environments, {order.size[0]}×{order.size[1]} pixels, path-traced with {order.samples} samples a "
         "pixel. Object pixels only, coat and Fresnel on, exposure such that the object's median luminance is 0.18, "
         "ΔE00 and FLIP (67 pixels per degree) after the same tone curve. How it is measured, and what each error "
-        "means: [reference.md](reference.md). The path tracer's noise is part of every figure.",
+        "means: [reference.md](reference.md). The path tracer's noise is part of every figure. Written by `brdf-suite "
+        "agreement -o FILE`.",
         "",
     ]
     for title, group in groups(cases):

@@ -1,7 +1,7 @@
 """How long a fit takes and how true it is: from target samples in hand to weights, three channels, base and coat.
 
 The fitter runs with its own limit, as the programs use it. The times leave out sampling the reflectance, as
-the suite defines fit time; docs/fit.md tells what it costs.
+the suite defines fit time.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Print the tables of docs/fit.md on the program and its limit: what each choice in the solver costs and gives.
+"""Print what stands behind docs/fit.md on the program and its limit: what each choice in the solver costs and gives.
 
 python tests/benchmarks/compare_limit.py [--paints N]
 """

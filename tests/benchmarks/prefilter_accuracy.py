@@ -1,7 +1,7 @@
 """How exact prefiltered maps are: against a brute-force sum, under constant light, beside a sun, as looked up.
 
-``python tests/benchmarks/prefilter_accuracy.py FILE…`` prints the table of docs/prefilter.md for environments, and
-without a file that of look-ups.
+``python tests/benchmarks/prefilter_accuracy.py FILE…`` prints the errors of the filter (docs/prefilter.md) for
+environments, and without a file that of look-ups.
 """
 
 from __future__ import annotations
