@@ -1,8 +1,8 @@
-"""Write the packaged resources: paints, meshes and environments.
+"""Write the packaged resources: paints, meshes, environments, and the occlusion of the first surface.
 
 Run without an argument for all of them, or name the kinds::
 
-    python packaging/generate_resources.py [paints] [meshes] [environments]
+    python packaging/generate_resources.py [paints] [meshes] [environments] [occlusion]
 
 Everything is computed, nothing is drawn at random without a fixed seed: the same code writes the same files.
 """
@@ -50,10 +50,26 @@ def environments(folder: Path) -> Iterator[Path]:
         yield path
 
 
+def occlusion(folder: Path) -> Iterator[Path]:
+    """Write what is baked for the surface that a new user sees first, named as it is looked up."""
+    from brdf_suite.files.baked_file import write_baked
+    from brdf_suite.pipeline.occlusion import ENDING, occlusion_key
+    from brdf_suite.pipeline.scene import default_view, load_surface
+    from brdf_suite.surface.occlusion.bake import bake
+
+    mesh = load_surface(default_view().surface)
+    path = folder / f"{occlusion_key(mesh)}{ENDING}"
+    for old in folder.glob(f"*{ENDING}"):
+        old.unlink()
+    write_baked(path, mesh, bake(mesh))
+    yield path
+
+
 KINDS: dict[str, Callable[[Path], Iterator[Path]]] = {
     "paints": paints,
     "meshes": meshes,
     "environments": environments,
+    "occlusion": occlusion,
 }
 
 

@@ -8,7 +8,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeAlias, TypeVar, cast
 
-import numba
+from brdf_suite.errors import SuiteError
+
+try:
+    import numba
+except ImportError as error:
+    raise SuiteError(
+        "Photographs are evaluated by kernels that numba compiles, and numba is not installed: "
+        "the optional part “acquisition” brings it."
+    ) from error
 
 Array: TypeAlias = Any
 """A numpy array in a kernel: numba indexes it to scalars, which numpy's own types do not say."""
@@ -21,7 +29,16 @@ _FREEDOMS = {"reassoc", "contract", "nsz"}
 
 def compiled(function: _Function) -> _Function:
     """Compile a function on its first call, or load it from the disk where that has been done before."""
-    options = {"nogil": True, "fastmath": _FREEDOMS, "error_model": "numpy"}
+    return _compiled(function, fastmath=_FREEDOMS)
+
+
+def compiled_in_order(function: _Function) -> _Function:
+    """As :func:`compiled`, with every sum in the order in which it is written: the same numbers on any machine."""
+    return _compiled(function, fastmath=False)
+
+
+def _compiled(function: _Function, **more: object) -> _Function:
+    options = {"nogil": True, "error_model": "numpy", **more}
     try:
         return cast(_Function, numba.njit(cache=True, **options)(function))
     except RuntimeError:

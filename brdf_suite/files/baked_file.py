@@ -1,4 +1,4 @@
-"""Baked occlusion as a file: a JSON header, arrays, a checksum. For caches, not for exchange.
+"""Baked occlusion as a file: a JSON header, arrays, a checksum. For the cache and the packaged entry, not for exchange.
 
 All numbers are little-endian::
 
@@ -6,8 +6,9 @@ All numbers are little-endian::
     8   4   u32, length of the header in bytes
     12  4   u32, version of this layout
     16  32  SHA-256 of everything from byte 48 on
-    48  …   header: {"ground": [height, x0, z0, x1, z1], "arrays": [{"name", "dtype", "shape"}, …]}, UTF-8
-    …   …   the arrays, C order, one after the other
+    48  …   deflated (zlib): the header,
+            {"ground": [height, x0, z0, x1, z1], "arrays": [{"name", "dtype", "shape"}, …]}, UTF-8,
+            and the arrays, C order, one after the other
 
 Of each part only what is not in the mesh itself is held: the light, and triangles and the vertices on its edges where
 it was cut.
@@ -20,6 +21,7 @@ import json
 import math
 import os
 import struct
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -31,11 +33,12 @@ from brdf_suite.errors import FileError
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart, GroundLight
 
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
 
 _MAGIC = b"BRDFOCCL"
 _START = struct.Struct("<8sII32s")
 _DTYPES = ("<f2", "<f4", "<u4")
+_FASTEST = 1
 _CUT = ("positions", "normals", "uvs")
 
 
@@ -55,7 +58,8 @@ def write_baked(path: str | os.PathLike[str], mesh: Mesh, baked: BakedMesh) -> N
         "arrays": [{"name": n, "dtype": a.dtype.str, "shape": list(a.shape)} for n, a in arrays.items()],
     }
     text = json.dumps(header).encode()
-    body = text + b"".join(np.ascontiguousarray(array).tobytes() for array in arrays.values())
+    content = text + b"".join(np.ascontiguousarray(array).tobytes() for array in arrays.values())
+    body = zlib.compress(content, _FASTEST)
     start = _START.pack(_MAGIC, len(text), FORMAT_VERSION, hashlib.sha256(body).digest())
     with replacing(path) as temporary:
         temporary.write_bytes(start + body)
@@ -71,8 +75,8 @@ def read_baked(path: str | os.PathLike[str], mesh: Mesh) -> BakedMesh:
     """
     data, length = _checked(path)
     try:
-        header = json.loads(data[_START.size : _START.size + length])
-        arrays = _arrays(data, _START.size + length, header["arrays"])
+        header = json.loads(data[:length])
+        arrays = _arrays(data, length, header["arrays"])
         height, x0, z0, x1, z1 = (float(number) for number in header["ground"])
         transfer = arrays["ground"].astype(np.float32)
         parts = tuple(_part(original, number, arrays) for number, original in enumerate(mesh.parts))
@@ -87,7 +91,7 @@ def check_baked(path: str | os.PathLike[str]) -> None:
 
 
 def _checked(path: str | os.PathLike[str]) -> tuple[bytes, int]:
-    """Return the sound content of the file, and the length of its header."""
+    """Return header and arrays of the sound file, and the length of the header."""
     try:
         data = Path(path).read_bytes()
     except OSError as error:
@@ -97,7 +101,10 @@ def _checked(path: str | os.PathLike[str]) -> tuple[bytes, int]:
     _, length, version, checksum = _START.unpack_from(data)
     if version != FORMAT_VERSION or hashlib.sha256(data[_START.size :]).digest() != checksum:
         raise FileError(path, "is damaged, or of another version", "byte 8")
-    return data, length
+    try:
+        return zlib.decompress(data[_START.size :]), length
+    except zlib.error as error:
+        raise FileError(path, f"cannot be unpacked ({error})", f"byte {_START.size}") from error
 
 
 def _arrays(data: bytes, at: int, entries: list[dict[str, Any]]) -> dict[str, NDArray[Any]]:

@@ -1,10 +1,10 @@
 """Whether compiled kernels are at hand, and how they come to be: never in the way of anybody's work.
 
-Numba needs about half a second to be imported and 10 s to compile the kernels, once for a machine. So it is
-imported by the first filtering, and where nothing is compiled yet, that filtering is done in plain numpy while
-another process compiles. The kernels are kept where numba keeps them: beside the source, or in the user's
-cache folder where that cannot be written, or in ``$NUMBA_CACHE_DIR``. ``python -m brdf_suite.lighting.compiled``
-compiles them now.
+Numba comes with the optional part ``speed``; without it plain numpy does all of the work. It needs about half a
+second to be imported and 10 s to compile the kernels, once for a machine. So it is imported by the first filtering,
+and where nothing is compiled yet, that filtering is done in plain numpy while another process compiles. The kernels
+are kept where numba keeps them: beside the source, or in the user's cache folder where that cannot be written, or in
+``$NUMBA_CACHE_DIR``. ``python -m brdf_suite.lighting.compiled`` compiles them now.
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ def _import() -> ModuleType | None:
     try:
         from brdf_suite.lighting import compiled_filter
     except ImportError as error:
-        _log.warning("numba cannot be imported (%s); environments are filtered without it.", error)
+        _log.info("There is no numba (%s); environments are filtered by numpy alone.", error)
         return None
     except RuntimeError as error:  # numba's "cannot cache function: no locator available"
         _log.warning("numba has no folder for its cache (%s); environments are filtered without it.", error)

@@ -145,8 +145,11 @@ def analyse(
         middle[-1] = 0.5  # the equator is its own mirror image
         north, south = north * middle[:, None, None], south * middle[:, None, None]
     # (parity, m, ring, channel as re/im pairs)
-    both = np.stack([north + south, north - south]).transpose(0, 2, 1, 3)
-    pairs = np.ascontiguousarray(both).view(np.float64)
+    both = np.empty((2, orders.shape[1], half, channels), np.complex128)
+    np.add(north, south, out=both[0].transpose(1, 0, 2))
+    np.subtract(north, south, out=both[1].transpose(1, 0, 2))
+    pairs = both.view(np.float64)
+    del weighted, north, south
     scale = LegendreScale(bandlimit)
     starts = range(0, half, _RINGS)
     sums = [np.zeros((bandlimit + 1, bandlimit + 1, 2 * channels)) for _ in range(worker_count())]

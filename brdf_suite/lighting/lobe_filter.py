@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.lighting.compiled import kernels
 from brdf_suite.lighting.cubemap import texel_directions
-from brdf_suite.lighting.harmonics import analyse, synthesise
+from brdf_suite.lighting.harmonics import analyse, synthesise, worker_count
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles, sample
 from brdf_suite.lighting.ring_to_cube import cube_from_rings, rings_for
 from brdf_suite.lighting.zonal import (
@@ -21,6 +23,7 @@ from brdf_suite.progress import Progress, part
 
 _BRIGHT_TEXELS = 16
 _MIN_RINGS = 256
+_LINES = 32  # rings, and lines of the environment's own faces, at once
 _WAIT_RINGS = 2048  # maps that are worth waiting for the kernels
 
 
@@ -48,7 +51,6 @@ class LobeFilter:
         self._theta = ring_angles(self.rings)
         self._weights = fejer_weights(self.rings)
         self._bright: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
-        self._spectrum: NDArray[np.complex128] | None = None
         self._coefficients: NDArray[np.complex128] | None = None
         self._bandlimit = -1
         self._kernels = None if plain else kernels(progress, wait=self.rings >= _WAIT_RINGS)
@@ -86,9 +88,9 @@ class LobeFilter:
         progress: Progress | None = None,
         room: NDArray[np.float32] | None = None,
     ) -> NDArray[np.float32] | NDArray[np.float64]:
-        """Return the lobe map (6, size, size, 3), not clipped; compiled kernels give float32.
+        """Return the lobe map (6, size, size, 3), not clipped; large ones, and those of kernels, are float32.
 
-        They put it into ``room`` (≥ 18·size²,) where that is given.
+        Compiled kernels put it into ``room`` (≥ 18·size²,) where that is given.
         """
         if not 0.0 <= exponent <= self.largest_exponent:
             limit = self.largest_exponent
@@ -116,21 +118,37 @@ class LobeFilter:
         if self._kernels is not None:
             faces: NDArray[np.float32] = self._kernels.resampled(self._radiance, size, room)
             return faces
-        return sample(self._radiance, texel_directions(size))
+        towards = texel_directions(size).reshape(-1, size, 3)
+        faces = np.empty(towards.shape, np.float32)
+
+        def fill(first: int) -> None:
+            lines = slice(first, first + _LINES)
+            faces[lines] = sample(self._radiance, towards[lines])
+
+        with ThreadPoolExecutor(worker_count()) as pool:
+            list(pool.map(fill, range(0, len(towards), _LINES)))
+        return faces.reshape(6, size, size, 3)
 
     def _orders(self, bandlimit: int) -> NDArray[np.complex128]:
         """Return F_m (rings, bandlimit+1, 3); orders above half the columns repeat, as those of points do."""
         columns = self._pixels.shape[1]
-        if self._spectrum is None:
-            self._spectrum = np.fft.rfft(self._pixels.astype(np.float64), axis=1) / columns
         m = np.arange(bandlimit + 1)
         folded = m % columns
         mirrored = folded > columns // 2
-        values = self._spectrum[:, np.where(mirrored, columns - folded, folded)]
-        values[:, mirrored] = values[:, mirrored].conj()
-        first = column_angles(columns)[0]
-        result: NDArray[np.complex128] = values * np.exp(-1j * m * first)[None, :, None]
-        return result
+        source = np.where(mirrored, columns - folded, folded)
+        turned = np.exp(-1j * m * column_angles(columns)[0])[:, None] / columns
+        orders = np.empty((self.rings, bandlimit + 1, 3), dtype=np.complex128)
+
+        def fill(first: int) -> None:
+            # A few rings at a time: large maps shall not need much memory beside them.
+            lines = slice(first, first + _LINES)
+            values = np.fft.rfft(self._pixels[lines].astype(np.float64), axis=1)[:, source]
+            values[:, mirrored] = values[:, mirrored].conj()
+            np.multiply(values, turned, out=orders[lines])
+
+        with ThreadPoolExecutor(worker_count()) as pool:
+            list(pool.map(fill, range(0, self.rings, _LINES)))
+        return orders
 
     def _bright_tail(self, exponent: float, bandlimit: int, size: int) -> NDArray[np.float64]:
         """Return what the cut-off left out of the brightest texels' light, (6, size, size, 3)."""

@@ -13,11 +13,14 @@ Only lobes are treated so, which are smooth; the environment itself stays as it 
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 
 from brdf_suite.lighting.compiled import loaded
 from brdf_suite.lighting.cube_edges import Faces, balance_edges, edge_changes
 from brdf_suite.lighting.face_array import FaceArray, pack_faces
+from brdf_suite.lighting.harmonics import worker_count
 
 BEND_SHARE = 1.0 / 16.0
 """How much of the second differences a texel lies below its value."""
@@ -30,7 +33,14 @@ def pack_lobe(faces: Faces) -> FaceArray:
     if kernels is not None and faces.dtype == np.float32:
         packed: FaceArray = kernels.packed(faces, BEND_SHARE, changes)
         return packed
-    values = faces - BEND_SHARE * bends(faces)
+    values = np.empty_like(faces)
+
+    def lower(face: int) -> None:
+        np.multiply(bends(faces[face]), -BEND_SHARE, out=values[face])
+        values[face] += faces[face]
+
+    with ThreadPoolExecutor(worker_count()) as pool:
+        list(pool.map(lower, range(6)))
     balance_edges(values, changes)
     return pack_faces(values)
 
@@ -45,8 +55,13 @@ def pack_background(faces: Faces) -> FaceArray:
 
 
 def bends(faces: Faces) -> Faces:
-    """Return the sum (6, F, F, 3) of the second differences along rows and columns; at the rim the next texel's."""
-    size = faces.shape[1]
-    places = np.clip(np.arange(size) - 1, 0, size - 3)
-    total: Faces = np.diff(faces, 2, axis=1)[:, places] + np.diff(faces, 2, axis=2)[:, :, places]
+    """Return the sum (..., F, F, 3) of second differences along both sides of a face; at the rim the next texel's."""
+    total = np.zeros_like(faces)
+    for axis in (-3, -2):
+        values, sums = np.moveaxis(faces, axis, 0), np.moveaxis(total, axis, 0)
+        along = values[2:] + values[:-2]
+        along -= 2.0 * values[1:-1]
+        sums[1:-1] += along
+        sums[0] += along[0]
+        sums[-1] += along[-1]
     return total

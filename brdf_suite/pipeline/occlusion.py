@@ -1,7 +1,9 @@
 """Baked occlusion, from disk where it has been baked before.
 
 An entry is named by what it was made from: positions, normals and triangles of the parts, and the version of the
-baking. It lies beside the prefiltered maps, in a folder of its own. Whatever happens to the folder, the caller gets
+baking. That of the surface which a new user sees first is packaged, so that the first picture waits for no baking
+(``packaging/generate_resources.py occlusion`` writes it). The others lie beside the prefiltered
+maps, in a folder of its own. Whatever happens to the folder, the caller gets
 the occlusion; only time is lost.
 """
 
@@ -19,11 +21,14 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.baked_file import FORMAT_VERSION, check_baked, read_baked, write_baked
 from brdf_suite.lighting.cache import default_root
 from brdf_suite.progress import Progress, report
+from brdf_suite.resources import resource_root
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.bake import ALGORITHM_VERSION, bake
 from brdf_suite.surface.occlusion.baked import BakedMesh
 
 ENDING = ".occlusion"
+PACKAGED = "occlusion"
+"""The folder of the packaged entry among the resources."""
 LIMIT_BYTES = 256 * 1024**2
 """What the entries may take together; those unused for longest go."""
 
@@ -53,17 +58,17 @@ def baked_occlusion(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
     Cancelled
         ``progress`` asked for it; nothing is kept.
     """
-    path = occlusion_folder() / f"{occlusion_key(mesh)}{ENDING}"
-    if path.exists():
-        try:
-            found = read_baked(path, mesh)
-        except FileError as error:
-            _log.warning("The kept occlusion is baked anew: %s", error)
-        else:
+    name = f"{occlusion_key(mesh)}{ENDING}"
+    path = occlusion_folder() / name
+    found = _read(resource_root() / PACKAGED / name, mesh)
+    if found is None:
+        found = _read(path, mesh)
+        if found is not None:
             with contextlib.suppress(OSError):  # a read-only folder still serves; only its ages stand still
                 os.utime(path)
-            report(progress, 1.0, "occlusion")
-            return found
+    if found is not None:
+        report(progress, 1.0, "occlusion")
+        return found
     baked = bake(mesh, progress)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -72,6 +77,17 @@ def baked_occlusion(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
     except (OSError, FileError) as error:
         _log.warning("The occlusion is not kept: %s", error)
     return baked
+
+
+def _read(path: Path, mesh: Mesh) -> BakedMesh | None:
+    """Return what a file holds for a mesh; None where it is not there, or damaged."""
+    if not path.exists():
+        return None
+    try:
+        return read_baked(path, mesh)
+    except FileError as error:
+        _log.warning("The kept occlusion is baked anew: %s", error)
+        return None
 
 
 def kept_occlusion() -> list[tuple[Path, int]]:

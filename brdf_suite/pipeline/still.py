@@ -91,7 +91,7 @@ def loaded_scene(
             baked = baked_where_wanted(mesh, view.surface_look, part(progress, 0.6, 1.0))
         except Cancelled:
             raise
-        except SuiteError as error:  # no numba, or nowhere to keep its work: all else can be drawn
+        except SuiteError as error:  # no ray tracer for this machine: all else can be drawn
             told = f"{error} The picture is drawn without occlusion and ground."
             baked, mesh = None, replace(mesh, notes=(*mesh.notes, told))
         scene.set_surface(mesh, baked)

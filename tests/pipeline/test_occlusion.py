@@ -13,11 +13,12 @@ from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.pipeline import occlusion
 from brdf_suite.pipeline.occlusion import baked_occlusion, occlusion_folder, occlusion_key
 from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import default_paint
+from brdf_suite.pipeline.scene import default_paint, load_surface
 from brdf_suite.pipeline.still import loaded_scene
 from brdf_suite.pipeline.surface import baked_where_wanted, load_shaped
 from brdf_suite.surface.forms.panel import panel
 from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.occlusion.bake import bake
 from brdf_suite.surface.occlusion.baked import BakedMesh
 
 
@@ -52,6 +53,21 @@ def test_the_second_time_it_comes_from_disk(
     second = baked_occlusion(facet, lambda fraction, _: told.append(fraction))
     assert np.array_equal(first.parts[0].light, second.parts[0].light)
     assert told == [1.0]
+
+
+def test_the_first_surface_comes_baked_and_as_baking_gives_it(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mesh = load_surface(View().surface)
+    fresh = bake(mesh)
+    forbid_baking(monkeypatch)
+    packaged = baked_occlusion(mesh)
+    assert not folder.exists()  # nothing is copied into the user's cache
+    for one, other in zip(packaged.parts, fresh.parts, strict=True):
+        assert np.array_equal(one.triangles, other.triangles)
+        # Other processors may see a few of all rays pass an edge on the other side.
+        assert np.abs(one.light.astype(float) - other.light.astype(float)).mean() < 1e-4
+    np.testing.assert_allclose(packaged.ground.transfer, fresh.ground.transfer, atol=2e-3)
 
 
 def test_a_damaged_entry_is_baked_anew(facet: Mesh, folder: Path, caplog: pytest.LogCaptureFixture) -> None:

@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -17,7 +12,7 @@ from brdf_suite.surface.mesh import Mesh, Part
 from brdf_suite.surface.occlusion.bake import bake
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
 from brdf_suite.surface.occlusion.floor import open_floor
-from brdf_suite.surface.occlusion.tree import TriangleTree
+from brdf_suite.surface.occlusion.rays import RayScene
 
 Array = np.ndarray
 
@@ -219,13 +214,13 @@ def test_the_same_mesh_gives_the_same_numbers(ball_alone: BakedMesh) -> None:
     assert np.array_equal(one.ground.transfer, other.ground.transfer)
 
 
-def test_the_tree_hits_what_a_search_over_all_triangles_hits() -> None:
+def test_rays_hit_what_a_search_over_all_triangles_hits() -> None:
     rng = np.random.default_rng(0)
     corners = rng.uniform(-1, 1, (300, 1, 3)) + rng.normal(0, 0.15, (300, 3, 3))
     points = rng.uniform(-1.5, 1.5, (200, 3)).astype(np.float32)
     directions = rng.normal(size=(20, 3))
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
-    found = TriangleTree.of(corners).leaves(points, directions, np.zeros(200))
+    found = RayScene(corners).leaves(points, directions, np.zeros(200))
     a, b, c = np.moveaxis(corners, 1, 0)
     for k, d in enumerate(directions):
         p = np.cross(d, c - a)
@@ -264,20 +259,3 @@ def test_a_cancel_is_heard() -> None:
     assert fractions == sorted(fractions)
     assert fractions[-1] < 0.9
     assert len(fractions) > 5
-
-
-def test_kernels_are_compiled_elsewhere_once(tmp_path: Path) -> None:
-    # A fresh folder for numba's work: the first bake has another process compile, the next finds it done.
-    code = (
-        "from brdf_suite.surface.occlusion import compiled as c; told = []; "
-        "c.ready_kernels(lambda fraction, what: told.append(what)); "
-        "print(c._stamp().exists(), 'compiling, once for this machine' in told)"
-    )
-    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
-    runs = [
-        subprocess.run(
-            [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
-        ).stdout.split()
-        for _ in range(2)
-    ]
-    assert runs == [["True", "True"], ["True", "False"]]

@@ -7,16 +7,11 @@ same in any order of work.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, TypeAlias, TypeVar, cast
+from typing import Any
 
-import numba
 import numpy as np
 
-Array: TypeAlias = Any
-"""A numpy array in a kernel: numba indexes it to scalars, which numpy's own types do not say."""
-
-_Function = TypeVar("_Function", bound=Callable[..., Any])
+from brdf_suite.acquisition.compiled_decorator import Array, compiled_in_order
 
 _STEP = np.uint64(0x9E3779B97F4A7C15)
 _FIRST, _SECOND = np.uint64(0xBF58476D1CE4E5B9), np.uint64(0x94D049BB133111EB)
@@ -25,24 +20,20 @@ _NORMAL_FROM = 40.0
 _MOST_COUNTED = 400
 
 
-def _compiled(function: _Function) -> _Function:
-    return cast(_Function, numba.njit(cache=True, nogil=True, error_model="numpy")(function))
-
-
-@_compiled
+@compiled_in_order
 def _mixed(state: Any) -> Any:
     state = (state ^ (state >> np.uint64(30))) * _FIRST
     state = (state ^ (state >> np.uint64(27))) * _SECOND
     return state ^ (state >> np.uint64(31))
 
 
-@_compiled
+@compiled_in_order
 def _uniform(state: Any) -> Any:
     """Return a number within 0…1, both excluded."""
     return (np.float64(_mixed(state) >> np.uint64(11)) + 0.5) * (1.0 / 9007199254740992.0)
 
 
-@_compiled
+@compiled_in_order
 def _electrons(mean: float, read: float, state: Any) -> Any:
     """Draw what is read of ``mean`` electrons: Poisson's number, and the read noise."""
     first, second = _uniform(state + _STEP), _uniform(state + _STEP + _STEP)
@@ -59,7 +50,7 @@ def _electrons(mean: float, read: float, state: Any) -> Any:
     return count + normal * read
 
 
-@_compiled
+@compiled_in_order
 def expose(
     rate: Array,
     gain: Array,

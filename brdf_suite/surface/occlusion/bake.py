@@ -1,6 +1,6 @@
 """Bake the occlusion of a mesh: rays from places on its triangles, fitted by values at its vertices.
 
-1. A tree of boxes over all triangles.
+1. The triangles, made ready for rays by Embree (:mod:`.rays`).
 2. The floor under the mesh (:mod:`.floor`).
 3. Places spread over the triangles (:mod:`.places`), 32 rays each. A ray that leaves counts as light; with the
    floor, one that meets it counts by the light that the floor sees there.
@@ -21,18 +21,17 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
-from brdf_suite.surface.occlusion.compiled import ready_kernels
 from brdf_suite.surface.occlusion.fit import shared_places, vertex_values
 from brdf_suite.surface.occlusion.floor import bake_floor
 from brdf_suite.surface.occlusion.places import Places, spread
+from brdf_suite.surface.occlusion.rays import Ground, RayScene
 from brdf_suite.surface.occlusion.refine import cut
-from brdf_suite.surface.occlusion.tree import Ground, TriangleTree
 
 Float32 = NDArray[np.float32]
 Int64 = NDArray[np.int64]
 Look: TypeAlias = Callable[[Places, Progress | None], Float32]
 
-ALGORITHM_VERSION = 1
+ALGORITHM_VERSION = 2
 """Part of the key of what is kept: to be raised with every change of what baking gives."""
 
 RAYS = 32
@@ -63,30 +62,29 @@ class _Surface:
 
 
 def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
-    """Return ``mesh`` with occlusion at its vertices. The same mesh gives the same numbers on any machine.
+    """Return ``mesh`` with occlusion at its vertices. The same mesh gives the same numbers on the same machine.
 
     Raises
     ------
     Cancelled
         ``progress`` asked for it.
     SuiteError
-        numba, which compiles what follows the rays, cannot be used here.
+        There is no Embree, which traces the rays, for this machine.
     """
     surface = _joined(mesh)
     report(progress, 0.0, "occlusion: sorting the triangles")
     try:
-        ready_kernels(part(progress, 0.0, 0.05))
-        tree = TriangleTree.of(surface.positions[surface.triangles])
-    except (ImportError, RuntimeError) as error:  # RuntimeError: numba finds no folder to keep its work in
+        scene = RayScene(surface.positions[surface.triangles])
+    except ImportError as error:
         raise SuiteError(
-            f"Occlusion cannot be baked: numba, which follows the rays, fails ({error})."
+            f"Occlusion cannot be baked: the ray tracer Embree is not there for this machine ({error})."
         ) from error
     low, high = mesh.bounds()
-    ground = bake_floor(tree, low, high, part(progress, 0.05, 0.3))
+    ground = bake_floor(scene, low, high, part(progress, 0.02, 0.3))
     floor = Ground(ground.height, ground.low, ground.high, ground.share)
 
     def look(places: Places, progress: Progress | None) -> Float32:
-        return tree.gather(
+        return scene.gather(
             places.points, places.normals, places.planes, RAYS, floor, progress, "occlusion of the surface"
         )
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from brdf_suite.geometry.low_harmonics import low_harmonics, turned
 from brdf_suite.progress import Progress
 from brdf_suite.surface.occlusion.baked import GroundLight
-from brdf_suite.surface.occlusion.tree import TriangleTree
+from brdf_suite.surface.occlusion.rays import RayScene
 
 Float64 = NDArray[np.float64]
 
@@ -27,9 +27,7 @@ _RIM = 0.2
 _LIFT = 2e-5
 
 
-def bake_floor(
-    tree: TriangleTree, low: Float64, high: Float64, progress: Progress | None = None
-) -> GroundLight:
+def bake_floor(scene: RayScene, low: Float64, high: Float64, progress: Progress | None = None) -> GroundLight:
     """Return the light on the floor that touches the lowest point of a mesh with the corners ``low``, ``high`` (3,).
 
     The baked field reaches beyond the mesh by its height, and by a tenth of its length, on each side; over the
@@ -48,7 +46,7 @@ def bake_floor(
     count = rows * columns
     turns = np.asarray(2.0 * np.pi * ((np.arange(count) * 0.6180339887498949) % 1.0))
     directions = _cosine_directions(_RAYS)
-    seen = tree.leaves(points.reshape(-1, 3), directions, turns, progress, "occlusion of the floor")
+    seen = scene.leaves(points.reshape(-1, 3), directions, turns, progress, "occlusion of the floor")
     harmonics = low_harmonics(directions, DEGREE) * (np.pi / _RAYS)
     # What is taken from an open floor: exactly nothing where nothing is in the way.
     hidden = (1 - seen).astype(np.float32) @ harmonics.astype(np.float32)

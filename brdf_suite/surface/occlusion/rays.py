@@ -1,0 +1,218 @@
+"""Rays against the triangles of a mesh, traced by Embree, and the light that places see past them.
+
+Places are sampled with cosine-distributed directions, so that a share of the directions is a share of the
+irradiance: stratified in the polar coordinate, by the golden ratio in the azimuth, shifted for every place by a hash
+of its number (Cranley and Patterson 1976) so that neighbours do not err alike.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.progress import Progress, report
+
+Float32 = NDArray[np.float32]
+
+_PLACES_AT_ONCE = 1024
+"""Places in one step of a thread: about 20 ms, so that a cancel takes effect soon."""
+_BELOW = 1e-3
+"""A direction whose cosine to the triangle's plane is less looks into the body and is not counted."""
+_GOLDEN = 0.6180339887498949
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """A level floor at ``height`` (m) and the light that it sees: ``share`` (rows along z, columns along x), 0…1.
+
+    ``low`` and ``high`` are the lowest and highest (x, z) of the texels' outer edges, metres.
+    """
+
+    height: float
+    low: tuple[float, float]
+    high: tuple[float, float]
+    share: Float32
+
+    def share_at(self, x: Float32, z: Float32) -> Float32:
+        """Return how much light the floor sees at (x, z), metres, between its texels; 1 outside."""
+        rows, columns = self.share.shape
+        column = (x - self.low[0]) * (columns / (self.high[0] - self.low[0])) - 0.5
+        row = (z - self.low[1]) * (rows / (self.high[1] - self.low[1])) - 0.5
+        found = np.ones(x.shape, np.float32)
+        inside = (column >= 0.0) & (row >= 0.0) & (column < columns - 1) & (row < rows - 1)
+        i, j = row[inside].astype(np.int64), column[inside].astype(np.int64)
+        s, t = row[inside] - i, column[inside] - j
+        upper = self.share[i, j] * (1.0 - t) + self.share[i, j + 1] * t
+        lower = self.share[i + 1, j] * (1.0 - t) + self.share[i + 1, j + 1] * t
+        found[inside] = upper * (1.0 - s) + lower * s
+        return found
+
+
+class RayScene:
+    """The triangles of a mesh, ready for rays.
+
+    Parameters
+    ----------
+    triangles
+        Corners (k, 3, 3), metres, k ≥ 1.
+
+    Raises
+    ------
+    ImportError
+        There is no Embree for this machine.
+    """
+
+    def __init__(self, triangles: NDArray[Any]) -> None:
+        # Embree's library takes 40 ms to load, and only baking needs it.
+        from embreex.mesh_construction import TriangleMesh
+        from embreex.rtcore_scene import EmbreeScene
+
+        # Robust: a ray through the edge between two triangles hits one of them.
+        self._scene = EmbreeScene(robust=True)
+        self._mesh = TriangleMesh(self._scene, np.ascontiguousarray(triangles, np.float32))
+        # The first rays sort the triangles, which threads must not do at once.
+        self.free(np.zeros((1, 3), np.float32), np.array([[0.0, 1.0, 0.0]], np.float32))
+
+    def free(self, origins: Float32, directions: Float32) -> NDArray[np.bool_]:
+        """Return (n,): whether each ray (n, 3), (n, 3) hits nothing in front of its origin."""
+        return np.asarray(self._scene.run(origins, directions, query="OCCLUDED") < 0)
+
+    def gather(
+        self,
+        points: Float32,
+        normals: Float32,
+        planes: Float32,
+        rays: int,
+        ground: Ground | None = None,
+        progress: Progress | None = None,
+        what: str = "occlusion",
+    ) -> Float32:
+        """Cast ``rays`` from each place and add up those that leave.
+
+        Parameters
+        ----------
+        points, normals, planes
+            (n, 3): where, about which unit normal, and the unit normal of the plane there.
+        ground
+            A floor; a ray that meets it counts by the light that it sees.
+
+        Returns
+        -------
+        (n, 9): share of directions that leave and the sum of those, over the number cast, alone (4) and with the
+        ground (4); last the share of directions above the plane, 0 where the place is no use.
+
+        Raises
+        ------
+        Cancelled
+            ``progress`` asked for it; what runs ends within some hundredths of a second.
+        """
+        count = len(points)
+        result = np.empty((count, 9), np.float32)
+
+        def step(first: int) -> int:
+            part = slice(first, min(first + _PLACES_AT_ONCE, count))
+            directions = _cosine_directions(normals[part], first, rays)
+            cosines = np.einsum("nkd,nd->nk", directions, planes[part])
+            counted = cosines >= _BELOW
+            origins = np.repeat(points[part], rays, axis=0)
+            free = self.free(origins, directions.reshape(-1, 3)).reshape(counted.shape) & counted
+            share = free.astype(np.float32)
+            over = 1.0 / np.maximum(counted.sum(axis=1), 1)
+            result[part, :4] = _sums(share, directions) * over[:, None]
+            if ground is not None:
+                drop = points[part, 1] - np.float32(ground.height)
+                met = free & (directions[..., 1] < 0.0) & (drop > 0.0)[:, None]
+                place, ray = np.nonzero(met)
+                towards = directions[place, ray]
+                distance = drop[place] / -towards[:, 1]
+                at = points[part][place] + distance[:, None] * towards
+                share[place, ray] = ground.share_at(at[:, 0], at[:, 2])
+            result[part, 4:8] = _sums(share, directions) * over[:, None]
+            result[part, 8] = counted.mean(axis=1)
+            return part.stop - part.start
+
+        _in_threads(step, count, progress, what)
+        return result
+
+    def leaves(
+        self,
+        points: Float32,
+        directions: NDArray[np.float64],
+        turns: NDArray[np.float64],
+        progress: Progress | None = None,
+        what: str = "occlusion",
+    ) -> NDArray[np.uint8]:
+        """Return (n, m): 1 where the ray from a point along a direction, turned for that point, hits nothing.
+
+        ``points`` (n, 3); ``directions`` (m, 3), turned about y by ``turns`` (n,), radians.
+        """
+        result = np.empty((len(points), len(directions)), np.uint8)
+        x, y, z = directions.T
+
+        def step(first: int) -> int:
+            part = slice(first, min(first + _PLACES_AT_ONCE, len(points)))
+            cosine, sine = np.cos(turns[part])[:, None], np.sin(turns[part])[:, None]
+            turned = np.empty((part.stop - first, len(directions), 3), np.float32)
+            turned[..., 0], turned[..., 1] = cosine * x + sine * z, y
+            turned[..., 2] = cosine * z - sine * x
+            origins = np.repeat(points[part], len(directions), axis=0)
+            result[part] = self.free(origins, turned.reshape(-1, 3)).reshape(result[part].shape)
+            return part.stop - first
+
+        _in_threads(step, len(points), progress, what)
+        return result
+
+
+def _cosine_directions(normals: Float32, first: int, rays: int) -> Float32:
+    """Return directions (n, rays, 3), dense as the cosine about normals (n, 3); ``first``: the first one's number."""
+    shift_x, shift_y = _shifts(np.arange(first, first + len(normals), dtype=np.uint64))
+    k = np.arange(rays)
+    # The first coordinate is stratified exactly, the second by the golden ratio.
+    u = ((k + shift_x[:, None]) / rays).astype(np.float32)
+    turn = ((k * _GOLDEN + shift_y[:, None]) % 1.0 * (2.0 * np.pi)).astype(np.float32)
+    radius = np.sqrt(u)
+    across, along, up = radius * np.cos(turn), radius * np.sin(turn), np.sqrt(1.0 - u)
+    # A frame about the normal (Duff et al. 2017).
+    nx, ny, nz = normals.T
+    sign = np.copysign(np.float32(1.0), nz)
+    a = -1.0 / (sign + nz)
+    b = nx * ny * a
+    tangent = np.stack([1.0 + sign * nx * nx * a, sign * b, -sign * nx], axis=1)
+    second = np.stack([b, sign + ny * ny * a, -ny], axis=1)
+    frame = np.stack([tangent, second, normals], axis=1)
+    return np.ascontiguousarray(np.stack([across, along, up], axis=2) @ frame, np.float32)
+
+
+def _shifts(numbers: NDArray[np.uint64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return two numbers of 0…1 (n,) that belong to whole numbers and look like chance (a 64-bit mixer)."""
+    z = numbers * np.uint64(0x9E3779B97F4A7C15) + np.uint64(0x9E3779B97F4A7C15)
+    z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    z = z ^ (z >> np.uint64(31))
+    high, low = (z >> np.uint64(32)).astype(np.float64), (z & np.uint64(0xFFFFFFFF)).astype(np.float64)
+    return high / 2.0**32, low / 2.0**32
+
+
+def _sums(share: Float32, directions: Float32) -> Float32:
+    """Return (n, 4): the sum of shares (n, k), and of directions (n, k, 3) times them."""
+    return np.concatenate([share.sum(axis=1)[:, None], (share[:, None] @ directions)[:, 0]], axis=1)
+
+
+def _in_threads(step: Callable[[int], int], count: int, progress: Progress | None, what: str) -> None:
+    """Run ``step(first)`` for all firsts on as many threads as there are processors."""
+    done = 0
+    with ThreadPoolExecutor(max(1, os.cpu_count() or 1)) as threads:
+        steps = [threads.submit(step, first) for first in range(0, count, _PLACES_AT_ONCE)]
+        try:
+            for waiting in steps:
+                done += waiting.result()
+                report(progress, done / count, what)
+        except BaseException:
+            threads.shutdown(cancel_futures=True)
+            raise
