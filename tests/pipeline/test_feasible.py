@@ -159,7 +159,7 @@ def test_it_can_be_stopped(fitter: PaintFitter) -> None:
         nearest_feasible(paint(*BLUE), fitter, progress=stop)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @example([(5.0, 0.0, 0.0), (5.0, 2.0, 0.0), (34.0, 29.0, 14.0)])
 @given(st.lists(st.tuples(st.floats(5, 90), st.floats(-60, 60), st.floats(-60, 60)), min_size=3, max_size=3))
 def test_the_nearest_of_the_cone_is_in_it_and_no_neighbour_is_nearer(asked: list[Lab]) -> None:
