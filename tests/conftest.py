@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, settings
 from pytestqt.qtbot import QtBot
 
 # A shell that starts the tests in the background lets them ignore Ctrl-C, and all processes that they start too.
@@ -17,6 +18,14 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 CHECKOUT = Path(__file__).resolve().parent.parent
+
+# Neither has a limit of time: the speed of a machine decides no test. Runs that name no profile use "ci", which tries
+# the same examples each time; "--hypothesis-profile=nightly" tries ten times as many, with new seeds, and prints how
+# to repeat a failure. A slow test takes a share of "settings.default.max_examples", not a number of its own.
+_untimed = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow], print_blob=True)
+settings.register_profile("ci", _untimed, max_examples=60, derandomize=True, database=None)
+settings.register_profile("nightly", _untimed, max_examples=600)
+settings.load_profile("ci")
 
 
 @pytest.fixture(scope="session")

@@ -7,6 +7,10 @@ point of that cone with the least Σ ΔE00², which the three channels share.
 By Newton's steps: about the present point L*a*b* is taken as linear in x, and ΔE00² as its true gradient with the
 curvature that it has about the asked colour; that makes a least-squares problem with x ≥ 0, solved exactly (Lawson and
 Hanson 1974). A step is shortened until the true sum falls.
+
+Far from the asked colours ΔE00 has jumps (opposite hues) and several minima, where these steps end early. So random
+weights around their end are tried as well, in six sizes; where they find a lower sum, the steps start again from there.
+The random numbers have a fixed seed: equal input gives equal colours.
 """
 
 from __future__ import annotations
@@ -22,6 +26,13 @@ Floats = npt.NDArray[np.float64]
 _MOST_STEPS = 60
 _LENGTHS = tuple(0.5**k for k in range(9))
 _SETTLED = 1e-6
+# The random search: relative sizes of its changes, weights tried at a time, and the gain that counts as one.
+_SEARCH_SIZES = (0.3, 0.1, 0.03, 0.01, 0.003, 0.001)
+_SEARCH_COUNT = 200
+_SEARCH_GAIN = 1e-3
+_MOST_SEARCHES = 30
+# Reflectance factor: a weight that gives less than this changes as much as one that gives this.
+_SEARCH_LEAST_RHO = 0.02
 # L*a*b*: ΔE00 has a kink at 0 difference, and steps of this size see the quadratic about it.
 _PROBE_LAB = 0.25
 _NEAR_LAB = 1e-4
@@ -41,12 +52,26 @@ def nearest_in_cone(columns: Floats, share: Floats, asked: npt.ArrayLike) -> Flo
     x = np.stack(
         [_nnls(columns * start[:, c, None], (wanted[:, c] - share) * start[:, c]) for c in range(3)], axis=1
     )
-    value = _value(columns, share, x, asked)
+    x, value = _descend(columns, share, x, asked, metric)
+    rng = np.random.default_rng(0)
+    for _ in range(_MOST_SEARCHES):
+        near, near_value = _search_around(columns, share, x, value, asked, rng)
+        if near_value >= value:
+            break
+        x, value = _descend(columns, share, near, asked, metric)
+    return np.asarray(working_to_lab(share[:, None] + columns @ x))
+
+
+def _descend(
+    columns: Floats, share: Floats, x: Floats, asked: Floats, metric: Floats
+) -> tuple[Floats, float]:
+    """Return the weights (m, 3) where Newton's steps from ``x`` end, and their Σ ΔE00²."""
+    value = float(_value(columns, share, x, asked))
     for _ in range(_MOST_STEPS):
         candidate = _newton(columns, share, x, asked, metric)
         for length in _LENGTHS:
             trial = x + length * (candidate - x)
-            found = _value(columns, share, trial, asked)
+            found = float(_value(columns, share, trial, asked))
             if found < value:
                 break
         else:
@@ -54,12 +79,30 @@ def nearest_in_cone(columns: Floats, share: Floats, asked: npt.ArrayLike) -> Flo
         gained, x, value = value - found, trial, found
         if gained <= _SETTLED * max(value, _SETTLED):
             break
-    return np.asarray(working_to_lab(share[:, None] + columns @ x))
+    return x, value
 
 
-def _value(columns: Floats, share: Floats, x: Floats, asked: Floats) -> float:
+def _search_around(
+    columns: Floats, share: Floats, x: Floats, value: float, asked: Floats, rng: np.random.Generator
+) -> tuple[Floats, float]:
+    """Return the best weights (m, 3) found by random steps from ``x``, whose Σ ΔE00² is ``value``, and theirs."""
+    least = _SEARCH_LEAST_RHO / np.maximum(columns.max(axis=0), _LEAST_RHO)[:, None]
+    for size in _SEARCH_SIZES:
+        for _ in range(_MOST_STEPS):
+            change = size * rng.standard_normal((_SEARCH_COUNT, *x.shape)) * np.maximum(x, least)
+            near = np.maximum(x + change, 0.0)
+            values = _value(columns, share, near, asked)
+            best = int(values.argmin())
+            if values[best] >= (1.0 - _SEARCH_GAIN) * value:
+                break
+            x, value = near[best], float(values[best])
+    return x, value
+
+
+def _value(columns: Floats, share: Floats, x: Floats, asked: Floats) -> Floats:
+    """Return Σ ΔE00² (...) over the readings for weights ``x`` (..., m, 3)."""
     reached = working_to_lab(share[:, None] + columns @ x)
-    return float((delta_e_2000(asked, reached) ** 2).sum())
+    return np.asarray((delta_e_2000(asked, reached) ** 2).sum(axis=-1))
 
 
 def _newton(columns: Floats, share: Floats, x: Floats, asked: Floats, metric: Floats) -> Floats:

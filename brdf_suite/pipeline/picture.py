@@ -19,7 +19,7 @@ from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.pipeline.surface_images import SurfaceImages, peel_tile
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.captured import Swatch
-from brdf_suite.realtime.context import Context, create_context
+from brdf_suite.realtime.context import Context, create_context, release_context
 from brdf_suite.realtime.factored_values import FactoredMaps
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.light_block import NO_LIGHTS, DistantLights
@@ -163,7 +163,7 @@ class OffscreenScene(SceneRenderer):
             self._size = size
             self._framebuffer = self._context.simple_framebuffer(size)
         except BaseException:
-            self._context.release()
+            release_context(self._context)
             raise
 
     def __enter__(self) -> OffscreenScene:
@@ -174,7 +174,7 @@ class OffscreenScene(SceneRenderer):
     ) -> None:
         self.release()
         self._framebuffer.release()
-        self._context.release()
+        release_context(self._context)
 
     def draw_and_wait(self, view: View) -> None:
         """Draw one frame and return when the GPU has finished it."""
@@ -193,7 +193,7 @@ def gl_renderer_name() -> str:
     try:
         return str(context.info["GL_RENDERER"])
     finally:
-        context.release()
+        release_context(context)
 
 
 def material_weights(

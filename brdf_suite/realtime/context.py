@@ -16,7 +16,14 @@ from moderngl import Context
 
 from brdf_suite.errors import GraphicsError
 
-__all__ = ["Context", "adopt_context", "create_context", "draws_in_software", "graphics_errors"]
+__all__ = [
+    "Context",
+    "adopt_context",
+    "create_context",
+    "draws_in_software",
+    "graphics_errors",
+    "release_context",
+]
 
 REQUIRED_VERSION = 330
 
@@ -54,8 +61,19 @@ def create_context() -> moderngl.Context:
             if reason not in reasons:
                 reasons.append(reason)
             continue
-        return _checked(context)
+        return _checked(context, release_context)
     raise GraphicsError(f"No OpenGL 3.3 context could be made ({'; '.join(reasons)}). {_hint()}.")
+
+
+def release_context(context: moderngl.Context) -> None:
+    """Release a context of :func:`create_context`; after it no context is current in this thread.
+
+    Where a context is destroyed while it is current it stays so. Windows that this process opens later then get no
+    context of their own: GLX makes none current in a thread in which EGL has one (libglvnd).
+    """
+    with context:
+        pass  # leaving the block makes none current
+    context.release()
 
 
 def adopt_context(load: Callable[[str], int] | None = None) -> moderngl.Context:
@@ -78,7 +96,7 @@ def adopt_context(load: Callable[[str], int] | None = None) -> moderngl.Context:
         context = moderngl.create_context(**given)
     except Exception as error:
         raise GraphicsError(f"The window has no usable OpenGL context ({error}). {_hint()}.") from error
-    return _checked(context)
+    return _checked(context, moderngl.Context.release)
 
 
 class _Loader:
@@ -107,11 +125,11 @@ def draws_in_software(context: moderngl.Context) -> bool:
     return any(known in name for known in _SOFTWARE)
 
 
-def _checked(context: moderngl.Context) -> moderngl.Context:
+def _checked(context: moderngl.Context, release: Callable[[moderngl.Context], None]) -> moderngl.Context:
     if context.version_code < REQUIRED_VERSION:
         name = context.info.get("GL_RENDERER", "unknown")
         version = context.info.get("GL_VERSION", str(context.version_code))
-        context.release()
+        release(context)
         raise GraphicsError(f"OpenGL 3.3 is needed, but {name} offers {version}. {_hint()}.")
     return context
 

@@ -53,7 +53,10 @@ class MonotoneRule:
 
 
 def pchip_slopes(width: Floats, secant: Floats) -> Floats:
-    """Return the slopes (n, k) at n knots from interval ``width`` (n-1, 1) and ``secant`` (n-1, k)."""
+    """Return the slopes (n, k) at n knots from interval ``width`` (n-1, 1) and ``secant`` (n-1, k).
+
+    Secants may be of any size, subnormal ones too.
+    """
     count = len(width) + 1
     slope = np.empty((count, secant.shape[1]))
     if count == 2:
@@ -61,12 +64,13 @@ def pchip_slopes(width: Floats, secant: Floats) -> Floats:
         return slope
     left, right = secant[:-1], secant[1:]
     w_left, w_right = 2.0 * width[1:] + width[:-1], width[1:] + 2.0 * width[:-1]
-    same = left * right > 0.0
-    ones = np.ones_like(left)
-    harmonic = (w_left + w_right) / (
-        w_left / np.where(same, left, ones) + w_right / np.where(same, right, ones)
-    )
-    slope[1:-1] = np.where(same, harmonic, 0.0)
+    same = np.sign(left) * np.sign(right) > 0.0
+    flatter_left = np.abs(left) < np.abs(right)
+    flat, steep = np.where(flatter_left, left, right), np.where(flatter_left, right, left)
+    w_flat, w_steep = np.where(flatter_left, w_left, w_right), np.where(flatter_left, w_right, w_left)
+    # In the ratio of the secants: the quotient of a weight and a secant may be larger than any number.
+    ratio = np.where(same, flat / np.where(same, steep, 1.0), 0.0)
+    slope[1:-1] = np.where(same, flat * ((w_left + w_right) / (w_flat + w_steep * ratio)), 0.0)
     slope[0] = _end_slope(width[0], width[1], secant[0], secant[1])
     slope[-1] = _end_slope(width[-1], width[-2], secant[-1], secant[-2])
     return slope
@@ -74,6 +78,6 @@ def pchip_slopes(width: Floats, secant: Floats) -> Floats:
 
 def _end_slope(near: Floats, far: Floats, secant: Floats, following: Floats) -> Floats:
     slope = ((2.0 * near + far) * secant - near * following) / (near + far)
-    slope = np.where(slope * secant <= 0.0, 0.0, slope)
-    turning = (secant * following <= 0.0) & (np.abs(slope) > 3.0 * np.abs(secant))
+    slope = np.where(np.sign(slope) * np.sign(secant) <= 0.0, 0.0, slope)
+    turning = (np.sign(secant) * np.sign(following) <= 0.0) & (np.abs(slope) > 3.0 * np.abs(secant))
     return np.asarray(np.where(turning, 3.0 * secant, slope))

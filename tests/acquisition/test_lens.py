@@ -12,7 +12,7 @@ from brdf_suite.errors import ValueRangeError
 _SMALL = st.floats(-0.15, 0.15)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(k1=_SMALL, k2=_SMALL, p1=st.floats(-0.01, 0.01), p2=st.floats(-0.01, 0.01), k3=_SMALL)
 def test_rays_lead_back_to_their_pixels(k1: float, k2: float, p1: float, p2: float, k3: float) -> None:
     lens = Lens(900.0, 880.0, 310.0, 250.0, k1, k2, p1, p2, k3)

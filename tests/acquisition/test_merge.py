@@ -122,7 +122,7 @@ def test_flat_field_and_dark_frame_are_taken_out(scene: Scene) -> None:
     assert np.median(np.abs(raw.radiance[bright] / scene.radiance[bright] / scale - 1.0)) > 0.05
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=settings.default.max_examples // 4)
 @given(st.floats(0.05, 2000.0), st.integers(2, 16), st.sampled_from([8, 12, 16]))
 def test_any_radiance_is_found_within_its_error(value: float, count: int, bits: int) -> None:
     times = TIMES[-count:]

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import tifffile
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 
@@ -351,7 +351,6 @@ def test_a_damaged_exif_block_is_no_reason_to_refuse_the_picture(tmp_path: Path)
     assert exif_time(path) is None
 
 
-@settings(max_examples=60, deadline=None)
 @given(kind=st.sampled_from(["png", "tif", "jpg", "hdr"]), data=st.data())
 def test_whatever_is_damaged_is_read_or_told(kind: str, data: st.DataObject) -> None:
     content = bytearray(_contents()[kind])

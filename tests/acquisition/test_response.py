@@ -19,7 +19,7 @@ from brdf_suite.acquisition.response import (
 from brdf_suite.errors import ValueRangeError
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.integers(8, 16), st.floats(0.0, 100.0), st.integers(1, 4))
 def test_half_the_scale_is_half_the_exposure(bits: int, black: float, channels: int) -> None:
     response = linear_response(bits, channels, black)

@@ -6,7 +6,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.colorimetry import (
@@ -102,7 +102,6 @@ def test_the_transfer_curve(colour: ModuleType) -> None:
     assert float(srgb_encode(0.18)) == pytest.approx(0.46135612950044164)
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.tuples(st.floats(0.0, 250.0), st.floats(-250.0, 250.0), st.floats(-250.0, 250.0)))
 def test_any_lab_comes_back(lab: tuple) -> None:
     np.testing.assert_allclose(working_to_lab(lab_to_working(lab)), lab, atol=1e-7)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.flop import flop_index
@@ -25,7 +25,6 @@ from brdf_suite.errors import ValueRangeError
 THREE = (15.0, 45.0, 110.0)
 SIX = (-15.0, 15.0, 25.0, 45.0, 75.0, 110.0)
 BLUE = np.array([[62.0, -4.0, -45.0], [25.0, 4.0, -38.0], [9.0, 8.0, -28.0]])
-few = settings(max_examples=60, deadline=None)
 labs = st.tuples(st.floats(1.0, 140.0), st.floats(-90.0, 90.0), st.floats(-90.0, 90.0))
 angle_sets = st.sampled_from([THREE, SIX])
 
@@ -36,7 +35,6 @@ def readings(draw: st.DrawFn) -> tuple[tuple[float, ...], np.ndarray]:
     return angles, np.array([draw(labs) for _ in angles])
 
 
-@few
 @given(labs)
 def test_lch_and_back_is_the_same_colour(lab: tuple[float, float, float]) -> None:
     lch = lab_to_lch(lab)
@@ -45,7 +43,6 @@ def test_lch_and_back_is_the_same_colour(lab: tuple[float, float, float]) -> Non
     assert lch_to_lab(lch) == pytest.approx(lab, abs=1e-9)
 
 
-@few
 @given(readings(), st.floats(0.0, 40.0))
 def test_the_flop_index_is_the_one_asked_for_and_the_face_stays(given_readings, wanted: float) -> None:
     angles, lab = given_readings
@@ -58,7 +55,6 @@ def test_the_flop_index_is_the_one_asked_for_and_the_face_stays(given_readings, 
     assert flop_index(l15, l45, l110).value == pytest.approx(wanted, abs=1e-6)
 
 
-@few
 @given(readings(), st.integers(0, 2), st.floats(-60.0, 60.0))
 def test_a_travel_is_the_one_asked_for_and_the_face_stays(
     given_readings, component: int, wanted: float

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.geometries import (
@@ -82,7 +82,6 @@ def test_travel_by_hand() -> None:
     assert "uncertain" in str(travel([15.0, 110.0], [[50.0, 0.5, 0.0], [20.0, 0.0, 0.5]]).notice)
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.permutations([15.0, 25.0, 45.0, 75.0, 110.0]), st.integers(0, 1000))
 def test_the_order_of_readings_does_not_matter(angles: list, seed: int) -> None:
     table = dict(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.gloss import black_glass, captured, gloss_units, nearest_coat, solve_coat
@@ -61,7 +61,6 @@ def test_black_glass_reads_100() -> None:
         gloss_units(45, 1.5, 0.0)
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.floats(1.0, 118.0), st.floats(0.0, 8.0))
 def test_one_reading_is_met_by_the_rule(gu_20: float, base: float) -> None:
     coat = solve_coat(gu_20 + base, base_gu_20=base)
@@ -69,7 +68,6 @@ def test_one_reading_is_met_by_the_rule(gu_20: float, base: float) -> None:
     assert coat.ior == 1.5 or coat.roughness == 0.002
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.floats(1.31, 1.69), st.floats(0.0021, 0.2))
 def test_two_readings_give_the_coat_back(ior: float, roughness: float) -> None:
     """Of a rough coat the two receptors see nearly the same, so only its gloss is known, not its index."""

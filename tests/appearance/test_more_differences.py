@@ -7,7 +7,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.cam02ucs import (
@@ -94,7 +94,6 @@ def test_conditions_are_checked() -> None:
 labs = st.tuples(st.floats(0.0, 150.0), st.floats(-120.0, 120.0), st.floats(-120.0, 120.0))
 
 
-@settings(max_examples=60, deadline=None)
 @given(labs, labs)
 def test_they_are_finite_and_zero_on_themselves(first: tuple, second: tuple) -> None:
     for difference in (delta_e_76, delta_e_cmc):

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from brdf_suite.appearance.root import bracketed_root
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=2 * settings.default.max_examples)
 @given(st.floats(-5.0, 5.0), st.floats(0.1, 30.0), st.booleans())
 def test_it_finds_the_root_of_steep_and_flat_curves(root: float, steepness: float, falling: bool) -> None:
     sign = -1.0 if falling else 1.0

@@ -9,7 +9,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.colorimetry import WHITE_D65_10, lab_to_working, working_to_lab
@@ -142,7 +142,6 @@ def test_a_grey_is_grey_in_the_working_space() -> None:
     assert np.abs(spectrum_to_working(spectra, observer_deg=2) - rho).max() < 0.1
 
 
-@settings(max_examples=40, deadline=None)
 @given(
     st.lists(st.floats(300.0, 900.0), min_size=1, max_size=12, unique_by=lambda x: round(x)),
     st.floats(0.0, 3.0),

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.difference import delta_e_76, delta_e_2000, delta_e_cmc
@@ -45,7 +45,6 @@ def test_components_by_hand() -> None:
     assert row.hue == pytest.approx(0.6, abs=1e-3)
 
 
-@settings(max_examples=60, deadline=None)
 @given(*[st.tuples(st.floats(0, 120), st.floats(-90, 90), st.floats(-90, 90)) for _ in range(2)])
 def test_the_components_make_up_the_difference(first: tuple, second: tuple) -> None:
     row = judge([45.0], [first], [second], Tolerances({}, difference="76")).angles[0]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.difference import delta_e_2000
@@ -125,7 +125,6 @@ def test_every_text_goes_through_the_translator() -> None:
 labs = st.tuples(st.floats(5.0, 120.0), st.floats(-60.0, 60.0), st.floats(-60.0, 60.0))
 
 
-@settings(max_examples=60, deadline=None)
 @given(labs, labs)
 def test_swapped_colours_swap_the_words_of_lightness_and_chroma(first: tuple, second: tuple) -> None:
     there = [one.word for one in named_differences(first, second)]
@@ -134,7 +133,6 @@ def test_swapped_colours_swap_the_words_of_lightness_and_chroma(first: tuple, se
         assert (word in there) == (OPPOSITE[word] in back)
 
 
-@settings(max_examples=60, deadline=None)
 @given(labs, st.tuples(*[st.floats(-8.0, 8.0)] * 3))
 def test_what_cannot_be_seen_is_not_named_and_what_can_is(lab: tuple, change: tuple) -> None:
     other = tuple(a + b for a, b in zip(lab, change, strict=True))

@@ -129,7 +129,7 @@ STROKES = st.lists(
 
 
 @given(STROKES)
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 def test_every_stroke_is_one_step_and_as_many_undos_give_the_mask_back(strokes):
     history = MaskHistory(np.ones((30, 40), bool))
     states = [history.used.copy()]

@@ -273,7 +273,10 @@ moves = st.one_of(
 )
 
 
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=settings.default.max_examples // 2,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
 @given(way=st.lists(moves, min_size=1, max_size=8))
 def test_any_edits_and_as_many_undos_give_the_identical_paint(kept_host: Host, way: list[tuple]) -> None:
     host = kept_host

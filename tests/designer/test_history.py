@@ -7,7 +7,7 @@ from brdf_designer.assembly import shipped_paint
 from brdf_designer.history import HistoryControl
 from brdf_designer.history_strip import name_lines
 from brdf_qt.document_store import DocumentStore
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -119,7 +119,6 @@ def test_in_a_low_window_it_gives_way(designer, history, qtbot):
     assert low < history.strip.height() - 20
 
 
-@settings(max_examples=40, deadline=None)
 @given(
     values=st.lists(st.integers(0, 4), min_size=1, max_size=8),
     places=st.lists(st.integers(0, 8), max_size=6),

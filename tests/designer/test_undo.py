@@ -129,7 +129,7 @@ def test_each_kind_can_change_the_paint(desk):
         assert edited(desk.paint, kind, value) != desk.paint, kind
 
 
-@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(data=st.data())
 def test_any_edits_and_as_many_undos_give_the_identical_paints(desk, data):
     documents = desk.documents

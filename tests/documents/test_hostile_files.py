@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.documents.migrations import MIGRATIONS, VERSIONS
@@ -234,7 +234,7 @@ values = st.recursive(
 )
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=3 * settings.default.max_examples)
 @given(st.data())
 def test_any_value_at_any_place_is_a_paint_or_a_named_error(data: st.DataObject) -> None:
     document = copy.deepcopy(good())

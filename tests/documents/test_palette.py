@@ -202,7 +202,7 @@ def test_values_check_themselves() -> None:
 
 
 @given(model=st.sampled_from(sorted(CHANNELS)), data=st.data())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 def test_the_numbers_of_every_model_come_back_bit_for_bit(model: str, data: st.DataObject) -> None:
     values = tuple(data.draw(st.floats(max(c.low, -1e3), c.high)) for c in CHANNELS[model])
     colour = FlatColour("x", model, values)  # type: ignore[arg-type]  # a sampled word

@@ -208,10 +208,10 @@ views = st.builds(
         basis=st.sampled_from(COMPARE_BASES),
     ),
 )
-few = settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+in_one_folder = settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
-@few
+@in_one_folder
 @given(paints)
 def test_a_paint_survives_the_file(tmp_path: Path, paint: Paint) -> None:
     path = tmp_path / "a.brdfpaint"
@@ -220,7 +220,7 @@ def test_a_paint_survives_the_file(tmp_path: Path, paint: Paint) -> None:
     assert paint_from_json(json.loads(json.dumps(paint_to_json(paint)))) == paint
 
 
-@few
+@in_one_folder
 @given(cook_torrance_paints)
 def test_a_cook_torrance_paint_survives_the_file(tmp_path: Path, paint: CookTorrancePaint) -> None:
     path = tmp_path / "a.brdfpaint"
@@ -266,7 +266,7 @@ def test_a_bad_field_of_a_cook_torrance_paint_is_named(fields: dict, place: str)
         any_paint_from_json(value, "x")
 
 
-@few
+@in_one_folder
 @given(views)
 def test_a_view_survives_the_file(tmp_path: Path, view: View) -> None:
     path = tmp_path / "a.brdfview"

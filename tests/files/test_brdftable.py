@@ -267,7 +267,7 @@ def test_what_is_not_sound_is_refused_by_place(content: bytes, says: str, tmp_pa
     assert str(path) in str(caught.value)
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=2 * settings.default.max_examples)
 @given(st.integers(0, 2000), st.binary(min_size=1, max_size=8))
 def test_no_changed_byte_is_read(tmp_path_factory: pytest.TempPathFactory, place: int, other: bytes) -> None:
     sound = signed(sound_header(), SOUND)
@@ -281,7 +281,7 @@ def test_no_changed_byte_is_read(tmp_path_factory: pytest.TempPathFactory, place
         read_brdftable(path)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=3 * settings.default.max_examples)
 @given(st.integers(0, 2000), st.binary(min_size=1, max_size=8), st.integers(0, 3))
 def test_damage_with_a_checksum_that_fits_is_refused_or_sound(
     tmp_path_factory: pytest.TempPathFactory, place: int, other: bytes, longer: int

@@ -69,7 +69,7 @@ def test_the_shader_of_materialx_reflects_as_the_fitted_model(tmp_path: Path) ->
     from MaterialX import PyMaterialXGenGlsl, PyMaterialXGenShader
 
     from brdf_suite.geometry.directions import aspecular_view, illumination
-    from brdf_suite.realtime.context import create_context
+    from brdf_suite.realtime.context import create_context, release_context
 
     path = tmp_path / "a.mtlx"
     BY_NAME["openpbr"].write([Subject(PAINT, PAINT)], path, None)
@@ -114,7 +114,7 @@ def test_the_shader_of_materialx_reflects_as_the_fitted_model(tmp_path: Path) ->
             points.render(gl.TRIANGLES, vertices=3)
             found.append(np.frombuffer(target.read(components=3, dtype="f4"), np.float32)[:3])
     finally:
-        gl.release()
+        release_context(gl)
     expected = fit_openpbr(PAINT).eval(wi, wo) * wi[:, 2:]
     ratio = np.array(found) / expected
     assert np.abs(ratio - 1.0).max() < 0.03

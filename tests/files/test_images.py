@@ -270,7 +270,7 @@ def test_faulty_exr_files_are_refused(tmp_path: Path) -> None:
     refuse(file, exr_bytes(tmp_path, chromaticities=(0.3,) * 8), "unusable primaries")
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=3 * settings.default.max_examples)
 @given(st.data())
 def test_mutated_exr_never_crashes(tmp_path_factory: pytest.TempPathFactory, data: st.DataObject) -> None:
     folder = tmp_path_factory.mktemp("mutated")

@@ -191,7 +191,7 @@ def test_a_very_large_image_is_reduced_by_area_as_it_is_read(tmp_path: Path) -> 
     assert any("reduced by area" in note for note in image.notes)
 
 
-@settings(deadline=None, max_examples=12)
+@settings(max_examples=settings.default.max_examples // 4)
 @given(st.integers(MOST_ROWS + 1, 3 * MOST_ROWS), st.integers(1, 9))
 def test_strips_are_asked_for_once_and_in_order(height: int, width: int) -> None:
     asked = []

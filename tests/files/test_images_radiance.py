@@ -162,7 +162,7 @@ def test_faults_are_named(tmp_path: Path, data: bytes, words: str) -> None:
     assert str(file) in str(caught.value)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=4 * settings.default.max_examples)
 @given(st.data())
 def test_mutations_never_crash(tmp_path_factory: pytest.TempPathFactory, data: st.DataObject) -> None:
     coding = data.draw(st.sampled_from([new_coding, old_coding]))

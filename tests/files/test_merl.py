@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.errors import FileError
@@ -284,7 +284,6 @@ def test_missing_files_and_folders_are_told(tmp_path: Path) -> None:
         read_merl(tmp_path)
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.integers(0, 1000), st.binary(min_size=1, max_size=16), st.integers(0, 1400))
 def test_random_damage_is_refused_or_read(
     tmp_path_factory: pytest.TempPathFactory, place: int, other: bytes, cut: int

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.geometry.directions import (
@@ -51,7 +51,6 @@ def test_half_angles_of_the_instrument(gamma: float, theta_h: float, theta_d: fl
     assert math.degrees(found[2]) == pytest.approx(theta_d, abs=1e-12)
 
 
-@settings(max_examples=60, deadline=None)
 @given(polar, azimuth, polar, azimuth)
 def test_half_angles_and_back(ti: float, pi: float, to: float, po: float) -> None:
     wi, wo = spherical(ti, pi), spherical(to, po)
@@ -60,7 +59,6 @@ def test_half_angles_and_back(ti: float, pi: float, to: float, po: float) -> Non
     np.testing.assert_allclose(again_o, wo, atol=1e-12)
 
 
-@settings(max_examples=60, deadline=None)
 @given(polar, azimuth, polar, azimuth, azimuth)
 def test_the_aspecular_angle_turns_with_the_frame(
     ti: float, pi: float, to: float, po: float, turn: float

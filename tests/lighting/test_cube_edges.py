@@ -13,7 +13,7 @@ from brdf_suite.lighting.face_array import FaceArray, pack_faces
 from brdf_suite.lighting.lobe_filter import LobeFilter
 from brdf_suite.lighting.prefilter import face_size, prefilter
 from brdf_suite.lighting.texel_values import pack_lobe
-from brdf_suite.realtime.context import create_context
+from brdf_suite.realtime.context import create_context, release_context
 
 SEAMLESS = 0x884F
 SIZE = 64
@@ -32,7 +32,7 @@ void main() { radiance = textureLod(map, direction, 0.0).rgb; }
 def context() -> Iterator[moderngl.Context]:
     made = create_context()
     yield made
-    made.release()
+    release_context(made)
 
 
 def looked_up(context: moderngl.Context, packed: FaceArray, wanted: np.ndarray) -> np.ndarray:

@@ -1,7 +1,7 @@
 """Cube map directions against OpenGL's own table of the major axis."""
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.lighting.cubemap import texel_directions, texel_solid_angles
@@ -24,7 +24,6 @@ def gl_look_up(direction: np.ndarray, size: int) -> tuple[int, int, int]:
     return face, int(t * size), int(s * size)
 
 
-@settings(max_examples=50, deadline=None)
 @given(st.sampled_from([1, 2, 6, 16]), st.data())
 def test_texel_is_found_where_gl_looks(size: int, data: st.DataObject) -> None:
     face, row, column = (data.draw(st.integers(0, n - 1)) for n in (6, size, size))

@@ -60,7 +60,7 @@ def test_no_light_is_lost(yard: Environment, method: str, count: int) -> None:
     check(yard, directional_lights(yard, count, method), count)
 
 
-@settings(deadline=None, max_examples=25)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(
     st.integers(4, 14),
     st.integers(8, 30),

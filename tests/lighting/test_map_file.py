@@ -46,7 +46,7 @@ def test_it_comes_back_as_it_was(tmp_path: Path) -> None:
     assert read_facts(path)["environment"] == "yard"
 
 
-@settings(deadline=None, max_examples=200)
+@settings(max_examples=4 * settings.default.max_examples)
 @given(at=st.integers(0, len(WHOLE) - 1), bit=st.integers(0, 7))
 def test_a_flipped_bit_anywhere_is_noticed(at: int, bit: int) -> None:
     data = bytearray(WHOLE)

@@ -86,7 +86,7 @@ def test_the_overcast_day_is_neutral_above_and_as_bright_as_it_says(
     assert np.ptp(pixels[29:32], axis=-1).max() > 0.01, "something stands on the horizon"
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(
     height=st.floats(8.0, 80.0),
     azimuth=st.floats(-180.0, 180.0),

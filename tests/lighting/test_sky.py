@@ -127,7 +127,7 @@ def test_luminances_are_those_of_the_world() -> None:
     assert low[0] > low[1] > low[2], "a low sun is red"
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=settings.default.max_examples // 4)
 @given(st.floats(1.0, 89.9), st.floats(-180.0, 180.0), st.sampled_from([32, 64, 256]))
 def test_the_disc_gives_the_same_light_on_every_map(elevation: float, azimuth: float, rows: int) -> None:
     disc = LimbDisc(Sun(elevation, azimuth), 3.0)

@@ -108,7 +108,7 @@ def test_a_lamp_below_gives_a_picture_too() -> None:
     assert made[:32].max() == 0.0
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(
     st.sampled_from(["box", "strip", "ring"]),
     st.tuples(*[st.floats(-3.0, 3.0)] * 3).filter(lambda p: sum(v * v for v in p) > 0.2),

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.lighting import compiled
@@ -44,7 +44,6 @@ def test_light_that_does_not_bend_stays_as_it_is() -> None:
 
 
 @pytest.mark.usefixtures("kernels_compiled")
-@settings(max_examples=40, deadline=None)
 @given(seed=st.integers(0, 2**32 - 1), decades=st.floats(0.0, 12.0), gain=st.floats(1e-30, 1e30))
 def test_half_floats_are_numpys_own(seed: int, decades: float, gain: float) -> None:
     """Also those too small for a whole mantissa, and 0 for what is negative."""

@@ -37,7 +37,7 @@ def test_a_paint_at_more_angles_keeps_its_look(name: str) -> None:
         assert delta_e_2000(one.lab, other.lab) < 0.25
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.sampled_from(THREE_ANGLES), st.lists(st.sampled_from(ONE_LIGHT), min_size=1, max_size=4))
 def test_any_way_through_the_sets_comes_back_to_the_same_readings(name: str, way: list[str]) -> None:
     paint = load_shipped_paint(name)

@@ -38,7 +38,7 @@ def solid_angle(grid) -> float:
     return float(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=-1).sum() / (2.0 * np.pi))
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=settings.default.max_examples // 4)
 @given(st.floats(0.0, 88.0), st.floats(-180.0, 180.0))
 def test_the_grid_covers_the_hemisphere_without_a_seam(theta: float, phi: float) -> None:
     grid = lobe_grid(spherical(np.radians(theta), np.radians(phi)), 64, 128)
@@ -187,7 +187,7 @@ def test_a_brdf_of_zero_gives_a_surface_of_nothing_and_says_so(kind) -> None:
         assert np.isfinite(surface.normals).all()
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.sampled_from(RADIUS_KINDS), st.floats(1e-3, 1e4), st.floats(1.0, 8.0), st.floats(0.05, 1.5))
 def test_the_scale_and_its_inverse(kind, full: float, decades: float, radius: float) -> None:
     scale = RadiusScale(kind, full, decades)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.documents.flat_colour import FlatColour
@@ -51,7 +51,6 @@ PALETTES = st.builds(
 )
 
 
-@settings(max_examples=60, deadline=None)
 @given(PALETTES, PALETTES, PALETTES)
 def test_the_laws(base: Palette, ours: Palette, theirs: Palette) -> None:
     assert merge(base, ours, base).palette == ours
@@ -71,7 +70,6 @@ def test_the_laws(base: Palette, ours: Palette, theirs: Palette) -> None:
     } - {*ours.by_id, *theirs.by_id}
 
 
-@settings(max_examples=40, deadline=None)
 @given(PALETTES, PALETTES)
 def test_a_merge_that_was_taken_over_has_nothing_new(base: Palette, theirs: Palette) -> None:
     ours = replace(base, name="R")

@@ -134,7 +134,7 @@ def test_the_nearest_are_those_of_a_comparison_with_all(columns: Columns, combin
 LAB = st.tuples(st.floats(0.0, 250.0), st.floats(-250.0, 250.0), st.floats(-250.0, 250.0))
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=3 * settings.default.max_examples)
 @given(LAB, LAB)
 def test_the_bound_is_never_above_the_difference(one: tuple[float, ...], other: tuple[float, ...]) -> None:
     assert float(lower_bound(one, other)) <= float(delta_e_2000(one, other)) + 1e-9
@@ -303,7 +303,6 @@ def test_a_large_group_says_rightly_whether_it_is_a_chain(tolerance: float) -> N
     assert groups[0].chained == (widest > tolerance)
 
 
-@settings(max_examples=60, deadline=None)
 @given(LAB, LAB)
 def test_the_weighted_distance_is_never_below_the_difference(
     one: tuple[float, ...], other: tuple[float, ...]

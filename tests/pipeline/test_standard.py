@@ -179,7 +179,7 @@ def test_what_is_not_there_is_told(name: str, tmp_path: Path) -> None:
         load_standards(tmp_path / name if "." in name else name)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.lists(st.tuples(*[st.floats(5.0, 60.0)] * 3), min_size=3, max_size=3), st.floats(0.0, 5.0))
 def test_a_paint_passes_against_itself_and_limits_only_widen(labs: list, limit: float) -> None:
     angles = (15.0, 45.0, 110.0)

@@ -111,7 +111,7 @@ def test_flop_shares_with_more_angles() -> None:
     np.testing.assert_allclose(flop_shares(np.array([45.0, 75.0, 110.0])), [1.0, 2.5 / 32.5, -1.0])
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(
     st.tuples(*[st.tuples(st.floats(20, 80), st.floats(-40, 40), st.floats(-40, 40))] * 3),
     st.floats(0.1, 5.0),
@@ -185,7 +185,7 @@ def test_the_second_paint_is_read_at_the_first_ones_angles(blue: Paint) -> None:
         second_end(five, Standard("instrument", "", blue.measurements))
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(
     st.floats(-0.5, 1.5), st.sampled_from(["red", "fine_silver", "satin_white", "solid_black", "white_pearl"])
 )

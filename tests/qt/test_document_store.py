@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from brdf_qt.document_store import DocumentStore
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 pytestmark = pytest.mark.usefixtures("qapp")
@@ -95,7 +95,6 @@ def test_a_recovered_document_is_unsaved_and_has_no_history():
     assert store.is_clean
 
 
-@settings(max_examples=50, deadline=None)
 @given(st.lists(st.tuples(st.integers(0, 5), st.sampled_from(["edit", "begin", "end"])), max_size=40))
 def test_as_many_undos_as_steps_give_the_first_value(actions):
     store = DocumentStore(0)

@@ -52,7 +52,7 @@ class Clock:
         self.now = end
 
 
-@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(pauses=st.lists(st.integers(0, 1500), min_size=1, max_size=40), in_gesture=st.booleans())
 def test_a_kill_at_any_moment_of_a_drag_loses_less_than_a_second(qapp, own_settings, pauses, in_gesture):
     store = DocumentStore(0)

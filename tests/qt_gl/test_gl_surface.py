@@ -295,3 +295,31 @@ def test_twice_the_pixels_at_twice_the_scale() -> None:
     )
     assert result.stdout.splitlines()[0] == "(400, 300) (400, 300)"
     assert "(400, 300)" in result.stdout.splitlines()[-1]
+
+
+AFTER_A_PICTURE = """
+from brdf_qt.application import surface_format
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
+from PySide6.QtWidgets import QApplication
+
+from brdf_suite.pipeline.picture import OffscreenScene, gl_renderer_name
+
+gl_renderer_name()
+with OffscreenScene((8, 8)):
+    pass
+application = QApplication([])
+widget = QOpenGLWidget()
+widget.setFormat(surface_format(0))
+widget.show()
+while not widget.isVisible() or widget.context() is None:
+    application.processEvents()
+print("valid" if widget.isValid() else "no context")
+"""
+
+
+def test_a_window_has_a_context_after_pictures_without_one() -> None:
+    """In a process of its own: what stays current of such a picture takes OpenGL from all later windows."""
+    done = subprocess.run(
+        [sys.executable, "-c", AFTER_A_PICTURE], capture_output=True, text=True, timeout=240, check=True
+    )
+    assert done.stdout.split() == ["valid"], done.stderr

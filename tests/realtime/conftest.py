@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from brdf_suite.cli.bench import load_module
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.camera import CameraMatrices
-from brdf_suite.realtime.context import create_context
+from brdf_suite.realtime.context import create_context, release_context
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.shader_source import SHADERS, compile_program, compose
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
@@ -28,7 +28,7 @@ EXPONENTS = (8.0, 200.0, 20000.0)
 def session_context() -> Iterator[moderngl.Context]:
     context = create_context()
     yield context
-    context.release()
+    release_context(context)
 
 
 @pytest.fixture

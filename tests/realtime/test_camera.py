@@ -27,7 +27,6 @@ def project(matrix, point):
 
 
 @given(cameras, st.sampled_from([(640, 360), (360, 640), (100, 100)]))
-@settings(max_examples=60, deadline=None)
 def test_framed_object_is_wholly_seen_and_fills_the_picture(camera, size):
     m = cam.matrices(camera, BOX, size)
     seen = np.array([project(m.world_to_clip, c) for c in BOX.corners])
@@ -36,7 +35,7 @@ def test_framed_object_is_wholly_seen_and_fills_the_picture(camera, size):
 
 
 @given(cameras)
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 def test_axes_are_right_handed_and_the_target_is_in_the_middle(camera):
     axes = cam.axes(camera)
     np.testing.assert_allclose(axes.T @ axes, np.eye(3), atol=1e-12)
@@ -64,7 +63,6 @@ def test_field_of_view():
 
 
 @given(st.floats(1e-3, 1e3), st.floats(1e-3, 30))
-@settings(max_examples=40, deadline=None)
 def test_depth_range_holds_the_object_at_any_scale_and_distance(scale, distance):
     box = cam.Bounds((-scale, -scale, -scale), (scale, scale, scale))
     camera = Camera(distance=float(np.clip(distance * scale, 1e-4, 1e6)))
@@ -84,7 +82,7 @@ def test_crop_cuts_out_a_tile():
 
 
 @given(cameras, st.floats(-200, 200), st.floats(-200, 200))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 def test_pan_follows_the_cursor(camera, right, down):
     old = cam.resolve(camera, BOX, SIZE)
     new = cam.pan(camera, BOX, SIZE, right, down)
@@ -159,7 +157,6 @@ def test_a_composed_picture_has_the_object_in_its_middle(size: tuple[int, int]) 
 
 
 @given(cameras, st.floats(0.3, 3.0), st.floats(-0.8, 0.8), st.floats(-0.5, 0.5))
-@settings(max_examples=40, deadline=None)
 def test_a_dolly_keeps_what_is_under_the_cursor_there(camera, factor, right, up):
     start = cam.resolve(camera, BOX, SIZE)
     axes = cam.axes(start)

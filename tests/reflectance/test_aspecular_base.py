@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.geometry.directions import aspecular_angle, aspecular_view, illumination, spherical
@@ -68,7 +68,6 @@ def test_near_specular_scales_the_mirror_direction_and_fades_to_the_first_readin
     )
 
 
-@settings(max_examples=60, deadline=None)
 @given(directions, directions)
 def test_it_is_reciprocal_and_never_negative(wi, wo) -> None:
     base = base_of((1.3, 0.32, 0.09))

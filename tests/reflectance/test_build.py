@@ -52,7 +52,6 @@ def test_measured_back_a_paint_gives_its_own_colours_and_gloss(
         assert total_gloss(built.base, built.coat)[0] == pytest.approx(gu_20, abs=0.05), name
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     st.tuples(st.floats(30.0, 130.0), st.floats(0.25, 0.9), st.floats(0.2, 0.95)),
     st.lists(st.floats(-0.25, 0.25), min_size=6, max_size=6),
@@ -195,7 +194,7 @@ def test_three_readings_of_one_light_are_needed() -> None:
 lab_values = st.tuples(st.floats(0.0, 250.0), st.floats(-250.0, 250.0), st.floats(-250.0, 250.0))
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=2 * settings.default.max_examples)
 @given(
     st.lists(lab_values, min_size=3, max_size=3),
     st.floats(0.0, 200.0),

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.geometry.directions import illumination, mirror, spherical
@@ -70,7 +70,6 @@ def test_a_receptor_catches_what_the_gloss_formula_says(
     assert caught == pytest.approx(math.erf(a / (2.0 * alpha)) * across, abs=0.004)
 
 
-@settings(max_examples=60, deadline=None)
 @given(directions, directions, st.floats(1.3, 1.7), st.floats(0.002, 0.5))
 def test_it_is_reciprocal_grey_and_never_negative(wi, wo, ior: float, roughness: float) -> None:
     lobe = CoatLobe(ior, roughness)

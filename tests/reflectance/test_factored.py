@@ -24,7 +24,7 @@ def look_up(values: np.ndarray, w: np.ndarray) -> np.ndarray:
     return MapFactor("wi", values).at(flat, flat).reshape(w.shape)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.floats(0.0, 1.57), st.floats(-3.1, 3.1))
 def test_a_direction_comes_back_from_its_place(theta: float, phi: float) -> None:
     w = spherical(theta, phi)

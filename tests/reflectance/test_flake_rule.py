@@ -47,7 +47,7 @@ def test_it_flattens_towards_the_mirror_direction() -> None:
     np.testing.assert_allclose(rule(np.array(0.0)), 2.35, atol=0.005)
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=2 * settings.default.max_examples)
 @given(st.floats(0.0, 0.5), st.floats(0.01, 3.0), st.floats(0.09, 0.6), st.floats(1.4, 1.6))
 def test_a_known_bell_comes_back(ground: float, height: float, m: float, ior: float) -> None:
     bell = np.exp(-squared_tilt(ANGLES, LIGHT, ior) / m**2)
@@ -59,7 +59,7 @@ def test_a_known_bell_comes_back(ground: float, height: float, m: float, ior: fl
     np.testing.assert_allclose(rule.height, height, rtol=1e-5)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.floats(0.0, 0.5), st.floats(0.1, 3.0), st.floats(0.1, 0.5))
 def test_more_angles_are_fitted_by_least_squares(ground: float, height: float, m: float) -> None:
     angles = np.radians([15.0, 25.0, 45.0, 75.0, 110.0])

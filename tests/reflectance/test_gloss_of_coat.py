@@ -6,7 +6,7 @@ import pickle
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.gloss import gloss_units
@@ -22,7 +22,6 @@ BLUE = Paint(
 )
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.floats(1.4, 1.65), st.floats(0.003, 0.03))
 def test_a_coat_is_found_again_from_its_readings(ior: float, roughness: float) -> None:
     gloss = gloss_of_coat(BLUE, ior, roughness)

@@ -73,7 +73,7 @@ def test_a_diffuser_by_hand() -> None:
     assert report.travel.length == pytest.approx(0.0, abs=1e-9)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(
     st.floats(0.0, 2.0),
     st.floats(0.0, 80.0),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import dblquad
 
@@ -20,7 +20,6 @@ def grids(seed: int, ny: int, nx: int, count: int = 3) -> np.ndarray:
     return values
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.integers(0, 10_000), SIZES, SIZES)
 def test_sampling_and_inverting_undo_each_other(seed: int, ny: int, nx: int) -> None:
     density = GridDensity(grids(seed, ny, nx))

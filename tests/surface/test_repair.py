@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.surface.forms import sphere
@@ -122,7 +122,6 @@ def test_box_projection_stretches_by_at_most_root_three() -> None:
     assert smallest.min() >= 1000.0 / np.sqrt(3.0) * (1.0 - 1e-9)
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.lists(st.floats(-5.0, 5.0), min_size=9, max_size=9))
 def test_angles_of_a_triangle_sum_to_pi_and_its_normal_is_upright(values: list[float]) -> None:
     positions = np.array(values).reshape(3, 3)

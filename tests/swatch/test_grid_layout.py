@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from brdf_color_swatch.grid_layout import GAP, GridLayout, Part
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 counts = st.lists(st.integers(0, 9), max_size=5)
@@ -17,7 +17,6 @@ def layout_of(counts: list[int], width: int) -> GridLayout:
     return GridLayout(parts, (40, 50), width)
 
 
-@settings(max_examples=40, deadline=None)
 @given(counts, st.integers(10, 400), st.integers(0, 399), st.integers(0, 900))
 def test_a_point_finds_the_swatch_that_lies_there(counts: list[int], width: int, x: int, y: int) -> None:
     layout = layout_of(counts, width)
@@ -31,7 +30,6 @@ def test_a_point_finds_the_swatch_that_lies_there(counts: list[int], width: int,
     assert (near is None) == (layout.count == 0)
 
 
-@settings(max_examples=40, deadline=None)
 @given(counts, st.integers(100, 400), st.integers(0, 600), st.integers(1, 300))
 def test_what_is_seen_is_all_that_touches_the_window(
     counts: list[int], width: int, top: int, high: int

@@ -45,7 +45,7 @@ def edit(kind: str, number: int, stores: list[Store], history: History) -> bool:
     return history.apply(kind, [(store, made)])
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.lists(st.tuples(st.sampled_from(KINDS), st.integers(0, 99)), max_size=12))
 def test_undo_brings_everything_back_and_redo_too(qapp, steps: list[tuple[str, int]]) -> None:
     stores = [DocumentStore(palette("a", 4)), DocumentStore(palette("b", 3))]

@@ -12,7 +12,7 @@ from PySide6.QtGui import QPolygonF
 corner = st.tuples(st.floats(0.0, 100.0), st.floats(0.0, 100.0))
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.lists(corner, min_size=3, max_size=9), st.integers(0, 2**31))
 def test_inside_is_what_qt_says(corners: list[tuple[float, float]], seed: int) -> None:
     points = np.random.default_rng(seed).uniform(-5.0, 105.0, (50, 2))

@@ -33,7 +33,6 @@ RED, GREY = solid_paint("red", (45.0, 60.0, 40.0)), solid_paint("grey", (50.0, 0
 
 
 @given(st.floats(-1e6, 1e6))
-@settings(deadline=None, max_examples=50)
 def test_signed_deg_is_the_same_angle_within_half_a_turn(angle) -> None:
     signed = signed_deg(angle)
     assert -180.0 <= signed <= 180.0
@@ -41,7 +40,7 @@ def test_signed_deg_is_the_same_angle_within_half_a_turn(angle) -> None:
 
 
 @given(st.floats(-170, 170), st.floats(-400, 400))
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=settings.default.max_examples // 2)
 def test_the_turntable_turns_camera_and_light_together(rotation, degrees) -> None:
     view = View(camera=Camera(azimuth_deg=10.0, distance=2.0), rotation_deg=rotation)
     after = turned(view, degrees)

@@ -21,7 +21,7 @@ from brdf_viewer.studio.places import (
     size_at,
 )
 from brdf_viewer.studio.templates import NEW_LAMPS, TEMPLATES
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.documents.light_store import light_from_json, light_to_json
@@ -35,7 +35,6 @@ ELEVATIONS = st.floats(-85.0, 85.0)
 
 
 @given(AZIMUTHS, ELEVATIONS, st.floats(0.2, 50.0))
-@settings(deadline=None, max_examples=50)
 def test_a_place_in_degrees_is_the_place_in_metres(azimuth: float, elevation: float, distance: float) -> None:
     assert polar(point_at(azimuth, elevation, distance)) == pytest.approx((azimuth, elevation, distance))
     place = panorama_place(np.array(point_at(azimuth, elevation, distance)))
@@ -44,7 +43,6 @@ def test_a_place_in_degrees_is_the_place_in_metres(azimuth: float, elevation: fl
 
 
 @given(st.floats(0.01, 20.0), st.floats(0.2, 50.0))
-@settings(deadline=None, max_examples=50)
 def test_an_angle_is_a_size(size: float, distance: float) -> None:
     angle = angle_of(size, distance)
     if angle < 175.0:
@@ -59,7 +57,6 @@ def test_the_panorama_has_the_directions_of_the_maps() -> None:
 
 
 @given(AZIMUTHS, ELEVATIONS, st.sampled_from(range(8)))
-@settings(deadline=None, max_examples=50)
 def test_a_lamp_that_is_moved_faces_the_scene_as_before(azimuth: float, elevation: float, index: int) -> None:
     lamp = BOOTH.lamps[index]
     there = moved(lamp, point_at(azimuth, elevation, 2.0))
@@ -79,7 +76,6 @@ def test_a_lamp_that_is_moved_and_moved_back_is_the_same() -> None:
 
 
 @given(AZIMUTHS, ELEVATIONS, st.floats(0.3, 60.0))
-@settings(deadline=None, max_examples=50)
 def test_a_lamp_stays_in_its_room(azimuth: float, elevation: float, distance: float) -> None:
     position = held_in(Room(), point_at(azimuth, elevation, distance))
     assert Room().holds(position)

@@ -126,7 +126,7 @@ def test_the_gloss_of_a_satin_coat_is_calmer_than_at_each_angle_for_itself(angle
 
 
 @given(step=st.floats(0.0, 1.0), channel=st.integers(0, 2))
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=settings.default.max_examples // 6)
 def test_no_lobe_flickers_over_the_angles_along_a_drag(
     angle_fitter: AngleFitter, step: float, channel: int
 ) -> None:
@@ -150,7 +150,7 @@ def test_a_small_edit_is_a_small_change_of_the_look(angle_fitter: AngleFitter) -
 
 
 @given(st.integers(0, 2**32 - 1))
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=settings.default.max_examples // 6)
 def test_weights_are_never_negative_nor_nan(angle_fitter: AngleFitter, seed: int) -> None:
     rng = np.random.default_rng(seed)
     flat = (angle_fitter.base_samples.gamma_rad.size, 3)

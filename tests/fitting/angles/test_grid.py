@@ -10,7 +10,6 @@ from brdf_suite.fitting.lobes.angles import AngleGrid
 
 
 @given(st.integers(3, 64), st.floats(0.4, 4.0), st.floats(0.005, 0.3))
-@settings(max_examples=40, deadline=None)
 def test_cosines_rise_to_one_and_one_is_45_degrees(count: int, power: float, lowest: float) -> None:
     grid = AngleGrid(count, power, lowest)
     assert grid.cosines.shape == (count,)
@@ -20,7 +19,7 @@ def test_cosines_rise_to_one_and_one_is_45_degrees(count: int, power: float, low
 
 
 @given(st.integers(3, 64), st.floats(0.4, 4.0))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 def test_texel_centres_are_the_grid(count: int, power: float) -> None:
     grid = AngleGrid(count, power)
     np.testing.assert_allclose(grid.coordinate(grid.cosines), (np.arange(count) + 0.5) / count, atol=1e-12)

@@ -132,7 +132,7 @@ def test_a_weight_draws_the_fit() -> None:
     assert relative(found[::2], values[::2]) < 0.1 < relative(found[1::2], values[1::2])
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(
     count=st.integers(1, 12),
     seed=st.integers(0, 1000),

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -43,7 +43,7 @@ def any_fitter(request: pytest.FixtureRequest) -> Iterator[LobeFitter]:
 
 
 # On a busy machine the drawing of some hundred numbers is slow; that is no fault of what is tested.
-@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=settings.default.max_examples // 2)
 @given(data=st.data())
 def test_any_samples_give_sound_weights_or_a_named_error(any_fitter: LobeFitter, data: st.DataObject) -> None:
     values = data.draw(st.sampled_from([ANY, SOUND]))

@@ -82,7 +82,7 @@ def test_the_last_basis_is_the_next_start(make_paint: MakePaint) -> None:
     assert fitter.fit(make_paint(exponent=20.05, roughness=0.05)).iterations < far / 2
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=settings.default.max_examples // 4)
 @given(st.floats(-6.0, 6.0))
 def test_brightness_only_scales_the_weights(fitter: LobeFitter, magnitude: float) -> None:
     base, coat = targets(fitter)
@@ -98,7 +98,7 @@ def test_brightness_only_scales_the_weights(fitter: LobeFitter, magnitude: float
     np.testing.assert_allclose(scaled.weights.coat_energy() / factor, plain.weights.coat_energy(), rtol=1e-7)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=settings.default.max_examples // 4)
 @given(st.integers(0, 2**32 - 1))
 def test_the_way_to_a_target_does_not_change_its_error(fitter: LobeFitter, seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -201,7 +201,7 @@ def test_rows_of_any_sign_tie_unknowns_together() -> None:
     solver.close()
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=settings.default.max_examples // 4)
 @given(seed=st.integers(0, 2**32 - 1), magnitude=st.floats(-12, 12), zero=st.integers(0, 2))
 def test_any_target_has_a_sound_answer(seed: int, magnitude: float, zero: int) -> None:
     rng = np.random.default_rng(seed)

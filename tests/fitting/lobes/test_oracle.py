@@ -54,7 +54,7 @@ def test_designed_paints(fitter: LobeFitter, make_paint: Callable[..., object]) 
         check(fitter, base, coat)
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=settings.default.max_examples // 4)
 @given(st.integers(0, 2**32 - 1), st.floats(-3.0, 3.0))
 def test_any_targets(fitter: LobeFitter, seed: int, magnitude: float) -> None:
     rng = np.random.default_rng(seed)

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.errors import FittingError
@@ -49,7 +49,6 @@ def test_directions_broadcast() -> None:
     assert weights().eval(UP, views).shape == (4, 5, 3)
 
 
-@settings(max_examples=40, deadline=None)
 @given(
     st.floats(0.0, 1.6),
     st.floats(0.0, 6.3),

@@ -393,7 +393,7 @@ def test_another_basis() -> None:
     assert fit.weights.exponents.tolist() == [3.0, 30.0, 300.0]
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.integers(0, 10_000), st.integers(1, 40), st.floats(1e-9, 1e9))
 def test_scattered_values_of_any_kind_give_sound_weights(seed: int, count: int, size: float) -> None:
     rng = np.random.default_rng(seed)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from brdf_suite.errors import Cancelled, ValueRangeError
@@ -151,7 +151,6 @@ def test_a_square_says_what_was_assumed():
 @example(60, 10)
 @example(9, 9)
 @given(st.integers(1, 100), st.integers(1, 100))
-@settings(deadline=None, max_examples=60)
 def test_any_shape_is_known_or_refused_in_words(width, height):
     unfolded = ((4, 3), (3, 4), (6, 1), (1, 6))
     cube = any(width * rows == height * columns and width >= 2 * columns for columns, rows in unfolded)

@@ -113,13 +113,13 @@ def test_ggx_by_hand() -> None:
     np.testing.assert_allclose(Ggx(0.0, 0.5, 0.5).eval(AT_45, mirror(AT_45)), expected, rtol=1e-12)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.floats(0.0, 1.0), st.floats(0.0, 1.0), st.floats(0.02, 1.0), st.floats(0.0, 88.0))
 def test_ggx_never_makes_light(kd: float, f0: float, alpha: float, angle: float) -> None:
     assert directional_albedo(Ggx(kd, f0, alpha), illumination(angle)).max() <= 1.003
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(
     st.floats(0.0, 1.0),
     st.floats(0.0, 1.0),
@@ -135,7 +135,7 @@ def test_the_coated_phong_never_makes_light(
     assert directional_albedo(model, illumination(angle)).max() <= 1.003
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(
     st.lists(st.tuples(*[st.floats(-1.2, 1.2)] * 3, st.floats(0.0, 60.0)), min_size=1, max_size=3),
     st.floats(0.0, 88.0),

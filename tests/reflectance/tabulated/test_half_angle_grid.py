@@ -32,7 +32,7 @@ def test_swapping_light_and_view_turns_phi_by_half(directions: tuple[np.ndarray,
         assert np.allclose(one, other, atol=1e-6)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.integers(0, 89), st.integers(0, 89), st.integers(0, 179), st.floats(-3.0, 3.0))
 def test_a_centre_lies_half_way_through_its_bin(h: int, d: int, p: int, azimuth: float) -> None:
     grid = HalfAngleGrid()
