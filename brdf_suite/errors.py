@@ -74,4 +74,19 @@ class GraphicsError(SuiteError):
 
 
 class ReferenceUnavailableError(SuiteError):
-    """The path tracer cannot run here; the message names what to install."""
+    """The path tracer cannot run here: LLVM, a graphics card or memory is missing; the message names what."""
+
+
+class ExtraError(SuiteError):
+    """An optional package that cannot be used: it is missing, too old, or fails to load.
+
+    ``reason`` is the message as a :class:`FileError` takes it: starting in lower case, without a full stop.
+    """
+
+    def __init__(self, reason: str) -> None:
+        self.reason = reason
+        super().__init__(f"{reason[:1].upper()}{reason[1:]}.")
+
+
+class MissingExtraError(ExtraError):
+    """An optional package that is not installed; the message has the command that installs it here."""

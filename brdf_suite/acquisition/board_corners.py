@@ -7,7 +7,7 @@ from types import ModuleType
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.errors import AcquisitionError
+from brdf_suite.extras import import_extra
 
 Floats = npt.NDArray[np.float64]
 
@@ -21,22 +21,12 @@ _REFINED_PX = 1e-4
 
 
 def opencv() -> ModuleType:
-    """Return OpenCV's module.
-
-    Raises
-    ------
-    AcquisitionError
-        It is not installed; the message says how to install it.
-    """
-    try:
-        import cv2  # of the optional extra, and slow to import
-    except ImportError as error:
-        raise AcquisitionError(
-            "The board's photographs are read by OpenCV, which is not installed: pip install 'brdf-suite[acquisition]'."
-            " Or state the camera's intrinsics in session.json."
-        ) from error
-    module: ModuleType = cv2
-    return module
+    """Return OpenCV's module; :class:`ExtraError` where it is missing or cannot be loaded."""
+    return import_extra(
+        "cv2",
+        purpose="the calibration by photographs of a board",
+        instead="a session whose session.json states the camera's intrinsics needs no board",
+    )
 
 
 def find_corners(picture: npt.NDArray[np.generic], columns: int, rows: int) -> Floats | None:

@@ -99,8 +99,10 @@ def calibrate_intrinsics(
 
     Raises
     ------
+    ExtraError
+        OpenCV is missing or cannot be loaded.
     AcquisitionError
-        OpenCV is not installed; the board is seen in fewer than three photographs; they differ in size, or contradict
+        The board is seen in fewer than three photographs; they differ in size, or contradict
         each other.
     """
     cv2 = opencv()

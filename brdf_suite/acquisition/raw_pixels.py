@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import ExtraError, FileError
+from brdf_suite.extras import import_extra
 
 RAW_ENDINGS = (
     ".dng",
@@ -28,16 +29,16 @@ RAW_ENDINGS = (
     ".3fr",
 )
 
-_HOW = "is a raw file, which rawpy reads; install it with pip install 'brdf-suite[acquisition]'"
-
 
 @contextmanager
 def _opened(path: str | os.PathLike[str]) -> Iterator[tuple[Any, Any]]:
     """Yield the module and the opened file; whatever LibRaw says becomes :class:`FileError`."""
     try:
-        import rawpy  # of the optional extra, and slow to import
-    except ModuleNotFoundError as error:
-        raise FileError(path, f"{_HOW}, or write TIFF of 16 bits") from error
+        rawpy = import_extra(
+            "rawpy", purpose="a camera's raw file", instead="a TIFF of 16 bits needs nothing more"
+        )
+    except ExtraError as error:
+        raise FileError(path, error.reason) from error
     try:
         with rawpy.imread(os.fspath(path)) as raw:
             yield rawpy, raw

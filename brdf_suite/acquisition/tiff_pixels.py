@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.acquisition.tiff_pages import exposure_of, first_page
-from brdf_suite.errors import FileError
+from brdf_suite.errors import ExtraError, FileError
+from brdf_suite.extras import import_extra
 
 if TYPE_CHECKING:
     from tifffile import TiffPage
@@ -133,10 +134,11 @@ def _check_unpacked_size(page: TiffPage, path: _Path) -> None:
 
 def _by_opencv(path: _Path) -> NDArray[Any]:
     try:
-        import cv2  # of the optional extra, and slow to import
-    except ModuleNotFoundError as error:
-        reason = "is packed in a way that OpenCV reads; install it with pip install 'brdf-suite[acquisition]'"
-        raise FileError(path, f"{reason}, or write it without compression") from error
+        cv2 = import_extra(
+            "cv2", purpose="this packing of a TIFF", instead="a TIFF without compression needs nothing more"
+        )
+    except ExtraError as error:
+        raise FileError(path, error.reason) from error
     # OpenCV would tell of damage on the standard error as well; the user is told once, below.
     level = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     try:

@@ -19,7 +19,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "turntable",
         help="render one turn of the object to a video or a folder of PNG",
         description="Render one turn of the object before a camera and a light that stand still: to an .mp4 or .webm "
-        "(needs the optional part “video”), or to a new folder of PNG pictures.",
+        "(needs the extra “video”), or to a new folder of PNG pictures.",
     )
     command.add_argument(
         "paint",

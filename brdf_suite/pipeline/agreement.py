@@ -128,8 +128,10 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
 
     Raises
     ------
+    ExtraError
+        Mitsuba or FLIP is missing or cannot be loaded; the message says how to install it.
     ReferenceUnavailableError
-        Mitsuba, LLVM or FLIP is missing; the message says what to install.
+        LLVM is missing; the message says what to install.
     SuiteError
         A paint or an environment cannot be read.
     """

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colorimetry import display_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
-from brdf_suite.errors import ReferenceUnavailableError
+from brdf_suite.extras import import_extra
 
 Pixels = NDArray[np.float64]
 
@@ -38,13 +38,9 @@ def flip_of(reference: Pixels, test: Pixels) -> Pixels:
     """Return the FLIP error (h, w), 0 to 1, of encoded sRGB pictures (h, w, 3) seen at 67 pixels per degree.
 
     Andersson et al., "FLIP: A Difference Evaluator for Alternating Images", 2020, by its authors' own program.
+    Raise :class:`ExtraError` where that is missing or cannot be loaded.
     """
-    try:
-        from flip_evaluator import evaluate
-    except ImportError as error:
-        raise ReferenceUnavailableError(
-            "The comparison needs FLIP, which is not installed: pip install 'brdf-suite[reference]'."
-        ) from error
+    evaluate = import_extra("flip_evaluator", purpose="the comparison of pictures").evaluate
     planes = [np.ascontiguousarray(np.clip(image, 0.0, 1.0), np.float32) for image in (reference, test)]
     found, _, _ = evaluate(
         *planes, "LDR", applyMagma=False, computeMeanError=False, parameters={"ppd": PIXELS_PER_DEGREE}

@@ -142,8 +142,10 @@ class RaytracedSession:
 
     Raises
     ------
+    ExtraError
+        Mitsuba is missing or cannot be loaded; the message says how to install it.
     ReferenceUnavailableError
-        Mitsuba or LLVM is missing; the message says what to install.
+        LLVM is missing; the message says what to install.
     """
 
     def __init__(self) -> None:

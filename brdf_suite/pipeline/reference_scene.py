@@ -150,8 +150,10 @@ def prepare_reference(
 
     Raises
     ------
+    ExtraError
+        Mitsuba is missing or cannot be loaded; the message says how to install it.
     ReferenceUnavailableError
-        Mitsuba or LLVM is missing; the message says what to install.
+        LLVM is missing; the message says what to install.
     FileError
         The paint, environment or surface cannot be read.
     UnreachableError

@@ -74,10 +74,10 @@ def write_traced_turntable(
     ------
     FileError
         A file cannot be read or written; the target is there and no empty folder; ffmpeg failed.
+    ExtraError
+        Mitsuba, or ffmpeg for a video, is missing or cannot be loaded.
     ReferenceUnavailableError
-        Mitsuba or LLVM is missing, or memory ran out.
-    SuiteError
-        There is no ffmpeg for a video.
+        LLVM is missing, or memory ran out.
     Cancelled
         The progress callback asked for it.
     """

@@ -89,7 +89,7 @@ def write_turntable(
     ------
     FileError
         As :func:`~brdf_suite.pipeline.still.render_to_file`; the folder is there and not empty; ffmpeg failed.
-    SuiteError
+    ExtraError
         There is no ffmpeg for a video.
     Cancelled
         The progress callback asked for it.

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
-from brdf_suite.errors import FileError, SuiteError, ValueRangeError
+from brdf_suite.errors import ExtraError, FileError, ValueRangeError
+from brdf_suite.extras import import_extra
 
 Size = tuple[int, int]
 
@@ -37,23 +38,19 @@ _COLOUR = [
         "tv",
     ),
 ]
-_MISSING = (
-    "Videos need ffmpeg, which the optional part “video” brings: pip install 'brdf-suite[video]'. "
-    "A turntable as a folder of PNG pictures needs nothing more."
-)
+_INSTEAD = "a turntable as a folder of PNG pictures needs nothing more"
 
 
 def ffmpeg() -> str:
-    """Return the ffmpeg program; SuiteError with what to install where there is none."""
+    """Return the ffmpeg program; :class:`ExtraError` where its package is missing or brings none."""
+    package = import_extra("imageio_ffmpeg", purpose="a video", instead=_INSTEAD)
     try:
-        # Optional, and only videos need it.
-        import imageio_ffmpeg
-    except ImportError as error:
-        raise SuiteError(_MISSING) from error
-    try:
-        return str(imageio_ffmpeg.get_ffmpeg_exe())
-    except RuntimeError as error:
-        raise SuiteError(_MISSING) from error
+        return str(package.get_ffmpeg_exe())
+    except RuntimeError as error:  # of another system's package, or with a wrong IMAGEIO_FFMPEG_EXE
+        raise ExtraError(
+            f"a video needs ffmpeg, which the installed imageio-ffmpeg does not contain and the system does not "
+            f"offer; install the package ffmpeg with the package manager of this system, and {_INSTEAD}"
+        ) from error
 
 
 def check_video(size: Size) -> None:
@@ -75,7 +72,7 @@ def writing_video(
 
     Raises
     ------
-    SuiteError
+    ExtraError
         There is no ffmpeg.
     FileError
         It failed, with its last words.

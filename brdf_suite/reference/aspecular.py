@@ -11,14 +11,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 
 from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.terms import Facets, Matt, Sampler
 from brdf_suite.reflectance.albedo import normal_albedo
 from brdf_suite.reflectance.aspecular_base import AspecularBase

@@ -8,10 +8,8 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
-
 from brdf_suite.reference import terms
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.place import Place, Viewpoint
 from brdf_suite.reference.placed import PlacedPaint, Standing, TwoTone
 

@@ -6,11 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
-
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.terms import CoatLobe, Sampler
 from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
 

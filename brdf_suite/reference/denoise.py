@@ -14,7 +14,7 @@ Pixels = npt.NDArray[np.float64]
 
 def check_denoiser() -> None:
     """Raise :class:`ReferenceUnavailableError` where the variant that was started has no denoiser."""
-    import mitsuba as mi
+    from brdf_suite.reference.mitsuba_modules import mi
 
     if not str(mi.variant()).startswith("cuda"):
         raise ReferenceUnavailableError(
@@ -32,7 +32,7 @@ def denoised(radiance: Pixels) -> Pixels:
         There is no NVIDIA graphics card, or its driver has no denoiser.
     """
     check_denoiser()
-    import mitsuba as mi
+    from brdf_suite.reference.mitsuba_modules import mi
 
     rows, columns = radiance.shape[:2]
     try:

@@ -12,8 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
+from brdf_suite.reference.mitsuba_modules import dr, mi
 
 Real = Any  # mi.Float of the variant that was chosen
 Vector = Any  # mi.Vector3f

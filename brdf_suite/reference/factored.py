@@ -6,13 +6,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
 from brdf_suite.reference.factored_samplers import MapSampler, RingSampler, place
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.terms import Matt, Sampler
 from brdf_suite.reflectance.factor_map import MapFactor
 from brdf_suite.reflectance.factored import Factored

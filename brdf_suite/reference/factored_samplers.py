@@ -6,13 +6,12 @@ import math
 from dataclasses import dataclass
 from typing import Any, Self
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import TINY, Real, Square, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reflectance.factor_density import ring_bounds
 
 

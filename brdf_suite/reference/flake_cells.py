@@ -9,11 +9,9 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
-
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real
+from brdf_suite.reference.mitsuba_modules import dr, mi
 
 Word = Any
 GOLDEN = 0x9E3779B9

@@ -6,13 +6,11 @@ import math
 from itertools import product
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
-
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real
 from brdf_suite.reference.flake_cells import GOLDEN, cell_key, halves, scrambled, spot, tint
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.place import Place
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
 from brdf_suite.reflectance.flakes.texture import FADE_FROM, FADE_TO, RAREST_TILT

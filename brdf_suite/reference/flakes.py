@@ -13,9 +13,6 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
-
 from brdf_suite.appearance.countable_flakes import (
     FLAKE_REFLECTANCE,
     FLAKE_WAVINESS,
@@ -27,6 +24,7 @@ from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
 from brdf_suite.reference.flake_cells import GOLDEN, Spot, cell_key, halves, scrambled, spot, tint
 from brdf_suite.reference.flake_texture import texture_ratio
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.place import Place, footprint_of_sample
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
 from brdf_suite.reflectance.flakes.glints import APPEARING, FLAKE_AREA

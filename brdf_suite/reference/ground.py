@@ -14,11 +14,10 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.relief import texture
 
 Pixels = npt.NDArray[np.float64]

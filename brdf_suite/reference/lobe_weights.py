@@ -11,8 +11,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
@@ -20,6 +18,7 @@ from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.terms import AboutMirror, Matt, Sampler
 
 Floats = npt.NDArray[np.float64]

@@ -12,13 +12,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 
 from brdf_suite.files.measured.rgl import write_rgl
 from brdf_suite.reference.directions import Colour, Vector
 from brdf_suite.reference.fitted_samplers import fitted_samplers
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.terms import Sampler
 from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 

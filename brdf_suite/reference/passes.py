@@ -11,12 +11,12 @@ from dataclasses import dataclass
 from time import perf_counter
 from typing import Any
 
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.progress import Progress, report
+from brdf_suite.reference.mitsuba_modules import mi
 from brdf_suite.reference.scene import TracedScene
 
 Pixels = npt.NDArray[np.float64]

@@ -10,12 +10,11 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.reference.directions import TINY, Real, Vector, number
+from brdf_suite.reference.mitsuba_modules import dr, mi
 
 _SAME_DIRECTION = 1e-9
 """Squared distance of two unit directions that are one but for rounding: 0.002°."""

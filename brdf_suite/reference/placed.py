@@ -10,13 +10,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.reference.directions import Colour, Vector, number
 from brdf_suite.reference.flakes import FlakeLayer
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.place import Place
 from brdf_suite.reference.relief import InFrame, Leaning, Peel, Slopes, Weighed, folds, look_up, texture
 from brdf_suite.reference.terms import Sampler, Sum

@@ -9,11 +9,17 @@ from __future__ import annotations
 import json
 import sys
 
+from brdf_suite.errors import ExtraError
+from brdf_suite.reference.variant import NOT_LOADED
+
 
 def main() -> int:
     """Try the variant that the command line names."""
-    import drjit as dr
-    import mitsuba as mi
+    try:
+        from brdf_suite.reference.mitsuba_modules import dr, mi
+    except ExtraError as error:
+        print(json.dumps({"reason": error.reason}))
+        return NOT_LOADED
 
     variant = sys.argv[1]
     mi.set_variant(variant)

@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.reference.directions import Real, Square, Vector, number
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.place import Place
 from brdf_suite.reference.terms import Sampler
 

@@ -56,7 +56,7 @@ def table_bsdf(
     reflectance: Reflectance, *, incidences: int | None = None, resolution: int | None = None
 ) -> Any:
     """Return Mitsuba's ``measured`` with the table of a reflectance, seen from both sides; errors as working_table."""
-    import mitsuba as mi
+    from brdf_suite.reference.mitsuba_modules import mi
 
     table = working_table(reflectance, incidences=incidences, resolution=resolution)
     with tempfile.TemporaryDirectory() as folder:

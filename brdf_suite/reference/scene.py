@@ -13,7 +13,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
@@ -23,6 +22,7 @@ from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.lighting.latlong import column_angles, direction, sample
 from brdf_suite.reference.bsdf import make_bsdf
 from brdf_suite.reference.ground import FIRST_SAMPLES, Ground, ground_mesh
+from brdf_suite.reference.mitsuba_modules import mi
 from brdf_suite.reference.place import Viewpoint
 from brdf_suite.reference.relief import texture
 

@@ -7,11 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 
 from brdf_suite.reference.directions import TINY, Colour, Real, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.terms import Sampler
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 

@@ -12,11 +12,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-import drjit as dr
-import mitsuba as mi
-
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Half, Real, Square, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 
 Triple = tuple[float, float, float]
 

@@ -6,7 +6,6 @@ whole process, and no exception can be caught. What is found is kept for the lif
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import os
 import re
@@ -17,7 +16,8 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from brdf_suite.errors import ReferenceUnavailableError
+from brdf_suite.errors import ExtraError, ReferenceUnavailableError
+from brdf_suite.extras import check_extra
 
 LLVM_VARIABLE = "DRJIT_LIBLLVM_PATH"
 OLDEST_LLVM = 17
@@ -25,6 +25,8 @@ OLDEST_LLVM = 17
 LLVM_PACKAGE = "libllvm19"
 SCALAR = "scalar_rgb"
 PROBE_TIMEOUT_S = 300.0
+NOT_LOADED = 3
+"""Exit status of a trial that could not load Mitsuba; it prints the reason as JSON."""
 
 _PLACES = (
     "usr/lib/*/libLLVM*.so*",
@@ -72,25 +74,19 @@ class Probed:
 Probe = Callable[[str, str], Probed]
 
 
-def is_installed() -> bool:
-    """Whether the optional extra is there at all."""
-    return importlib.util.find_spec("mitsuba") is not None
-
-
 @cache
 def choose_variant() -> Variant:
     """Return the variant to render with.
 
     Raises
     ------
+    ExtraError
+        Mitsuba is missing, too old, or cannot be loaded.
     ReferenceUnavailableError
-        The extra is not installed, or no LLVM of 17 or later is at hand and no graphics card that can be used; the
-        message names the package to install.
+        There is neither an LLVM of 17 or later nor a graphics card that can be used; the message names the package to
+        install.
     """
-    if not is_installed():
-        raise ReferenceUnavailableError(
-            "The reference renderer needs Mitsuba, which is not installed: pip install 'brdf-suite[reference]'."
-        )
+    check_extra("mitsuba", purpose="path tracing")
     return choose(_has_cuda(), _libraries(), probe)
 
 
@@ -119,7 +115,7 @@ def choose(cuda: bool, libraries: Sequence[str], try_out: Probe) -> Variant:
 
 
 def probe(variant: str, llvm_path: str) -> Probed:
-    """Try a variant in a process of its own."""
+    """Try a variant in a process of its own; :class:`ExtraError` where Mitsuba cannot be loaded there."""
     environment = dict(os.environ)
     if llvm_path:
         environment[LLVM_VARIABLE] = llvm_path
@@ -136,6 +132,8 @@ def probe(variant: str, llvm_path: str) -> Probed:
         return Probed(False, words=f"the trial could not be made ({error})")
     if done.returncode == 0:
         return Probed(True, version=str(json.loads(done.stdout.splitlines()[-1])["llvm"]))
+    if done.returncode == NOT_LOADED:
+        raise ExtraError(str(json.loads(done.stdout.splitlines()[-1])["reason"]))
     lines = done.stderr.strip().splitlines()
     ended = f"ended with signal {-done.returncode}" if done.returncode < 0 else "failed"
     return Probed(False, words=f"its trial {ended} ({lines[-1] if lines else 'without a word'})")
@@ -175,12 +173,12 @@ def start(*, scalar: bool = False) -> Variant:
     try:
         variant = choose_variant()
     except ReferenceUnavailableError as error:
-        if not (scalar and is_installed()):
+        if not scalar:
             raise
         variant = Variant(SCALAR, instead=str(error))
     if variant.llvm_path:
         os.environ[LLVM_VARIABLE] = variant.llvm_path
-    import mitsuba as mi
+    from brdf_suite.reference.mitsuba_modules import mi
 
     if mi.variant() != variant.name:  # none yet, or what other code in this process has chosen
         mi.set_variant(variant.name)

@@ -21,7 +21,7 @@ from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint, view_from_json
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, SurfaceLook
-from brdf_suite.errors import Cancelled, FileError, SuiteError, ValueRangeError
+from brdf_suite.errors import Cancelled, FileError, MissingExtraError, ValueRangeError
 from brdf_suite.pipeline import sheet_text, video
 from brdf_suite.pipeline.any_fit import fit_any
 from brdf_suite.pipeline.contact_sheet import (
@@ -256,7 +256,9 @@ def test_videos_that_cannot_be(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
 
 def test_without_ffmpeg_the_way_on_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
-    with pytest.raises(SuiteError, match=r"pip install 'brdf-suite\[video\]'"):
+    with pytest.raises(
+        MissingExtraError, match=r"needs ffmpeg.*, which is not installed; `.*video` installs it"
+    ):
         video.ffmpeg()
 
 

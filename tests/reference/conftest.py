@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from brdf_suite.documents.view import View
-from brdf_suite.errors import ReferenceUnavailableError
+from brdf_suite.errors import ExtraError, ReferenceUnavailableError
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.reference.variant import Variant, start
 from brdf_suite.surface.mesh import Mesh
@@ -21,7 +21,7 @@ def variant() -> Variant:
     """
     try:
         return start()
-    except ReferenceUnavailableError as error:
+    except (ExtraError, ReferenceUnavailableError) as error:
         pytest.skip(str(error))
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import builtins
 import json
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,7 +12,7 @@ import pytest
 
 from brdf_suite.cli.agreement import FORM_NAMES
 from brdf_suite.cli.main import main
-from brdf_suite.errors import FileError, ReferenceUnavailableError
+from brdf_suite.errors import FileError, MissingExtraError
 from brdf_suite.files.images import write_exr
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline import agreement
@@ -32,7 +32,7 @@ def light(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_flip_and_delta_e_of_pictures() -> None:
-    pytest.importorskip("flip_evaluator", reason="the extra brdf-suite[reference] is not installed")
+    pytest.importorskip("flip_evaluator", reason="the extra reference is not installed")
     rng = np.random.default_rng(1)
     first = rng.random((40, 40, 3))
     assert flip_of(first, first).max() == 0.0
@@ -49,21 +49,16 @@ def test_flip_and_delta_e_of_pictures() -> None:
 
 
 def test_without_flip_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    real = builtins.__import__
-
-    def without(name: str, *rest: object, **more: object) -> object:
-        if name.startswith("flip_evaluator"):
-            raise ImportError(name)
-        return real(name, *rest, **more)  # type: ignore[arg-type]
-
-    monkeypatch.setattr(builtins, "__import__", without)
-    with pytest.raises(ReferenceUnavailableError, match=r"brdf-suite\[reference\]"):
+    monkeypatch.setitem(sys.modules, "flip_evaluator", None)
+    with pytest.raises(
+        MissingExtraError, match=r"needs FLIP, which is not installed; `.*reference` installs it"
+    ):
         flip_of(np.zeros((8, 8, 3)), np.zeros((8, 8, 3)))
 
 
 @pytest.mark.usefixtures("variant")
 def test_a_comparison_is_kept_and_becomes_a_page(tmp_path: Path, light: Path, monkeypatch, capsys) -> None:
-    pytest.importorskip("flip_evaluator", reason="the extra brdf-suite[reference] is not installed")
+    pytest.importorskip("flip_evaluator", reason="the extra reference is not installed")
     from brdf_suite.reference import passes
 
     keep = tmp_path / "kept"

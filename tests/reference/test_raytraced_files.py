@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -198,10 +199,10 @@ def test_without_mitsuba_the_command_says_what_to_install(tmp_path: Path, monkey
     from brdf_suite.reference import variant as variants
 
     variants.choose_variant.cache_clear()
-    monkeypatch.setattr(variants, "is_installed", lambda: False)
+    monkeypatch.setitem(sys.modules, "mitsuba", None)
     code = main(["render", "copper", "--renderer", "raytraced", "-o", str(tmp_path / "a.png")])
     variants.choose_variant.cache_clear()
     assert code == 1
     told = capsys.readouterr().err.strip().splitlines()
     assert len(told) == 1
-    assert "brdf-suite[reference]" in told[0]
+    assert "needs Mitsuba, which is not installed" in told[0]

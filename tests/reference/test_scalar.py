@@ -22,7 +22,7 @@ SIZE = (24, 20)
 @pytest.fixture
 def without_llvm(monkeypatch: pytest.MonkeyPatch):
     """A machine with Mitsuba and nothing that it compiles with."""
-    pytest.importorskip("mitsuba", reason="the extra brdf-suite[reference] is not installed")
+    pytest.importorskip("mitsuba", reason="the extra reference is not installed")
     # What was found on this machine stays known: trying it out again takes seconds.
     monkeypatch.setattr(variants, "choose_variant", lambda: variants.choose(False, [], variants.probe))
 

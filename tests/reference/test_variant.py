@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from brdf_suite.errors import ReferenceUnavailableError
-from brdf_suite.reference import variant as module
+from brdf_suite.errors import ExtraError, MissingExtraError, ReferenceUnavailableError
 from brdf_suite.reference.variant import Probed, Variant, choose, choose_variant, probe, start, version_of
 
 OLD, NEW, NEWEST = "/usr/lib/libLLVM-15.so.1", "/usr/lib/libLLVM.so.19.1", "/usr/lib/libLLVM.so.20.1"
@@ -51,11 +50,22 @@ def test_without_one_the_package_is_named(libraries: list[str], words: tuple[str
 
 
 def test_without_the_extra_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "is_installed", lambda: False)
+    monkeypatch.setitem(sys.modules, "mitsuba", None)
     choose_variant.cache_clear()
-    with pytest.raises(ReferenceUnavailableError, match=r"pip install 'brdf-suite\[reference\]'"):
+    with pytest.raises(MissingExtraError, match="needs Mitsuba, which is not installed"):
         choose_variant()
     choose_variant.cache_clear()
+
+
+def test_a_mitsuba_that_cannot_be_loaded_is_not_taken_for_a_missing_llvm(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    package = tmp_path / "mitsuba"
+    package.mkdir()
+    (package / "__init__.py").write_text("raise ImportError('libmitsuba.so: undefined symbol: nothing')\n")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    with pytest.raises(ExtraError, match=r"cannot be loaded \(libmitsuba.so: undefined symbol: nothing\)"):
+        probe("llvm_ad_rgb", NEW)
 
 
 def test_a_trial_that_dies_takes_nothing_along(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -71,7 +81,7 @@ def test_a_trial_that_dies_takes_nothing_along(monkeypatch: pytest.MonkeyPatch, 
 
 
 def test_a_library_that_is_none_is_told(tmp_path: Path) -> None:
-    pytest.importorskip("mitsuba", reason="the extra brdf-suite[reference] is not installed")
+    pytest.importorskip("mitsuba", reason="the extra reference is not installed")
     bad = tmp_path / "libLLVM.so.19.9"
     bad.write_bytes(b"no library")
     found = probe("llvm_ad_rgb", str(bad))

@@ -253,7 +253,9 @@ def test_what_is_missing_is_named_and_the_process_lives_on(run, qtbot, monkeypat
         with qtbot.waitSignal(process.failed) as failure:
             process.send(request_in(process.folder, generation).to_json())
         assert failure.args[0] == generation
-        words = "pip install 'brdf-suite[reference]'" if missing == "extra" else "libLLVM-15.so.1 is LLVM 15"
+        words = (
+            "needs Mitsuba, which is not installed" if missing == "extra" else "libLLVM-15.so.1 is LLVM 15"
+        )
         assert words in failure.args[1]
 
 

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
-
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Real, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.scene import Eye
 
 

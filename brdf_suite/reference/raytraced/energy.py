@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 
 from brdf_suite.reference import terms
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.numbers import in_cube, own
 
 _VIEWS_DEG = (0.0, 45.0, 65.0, 80.0)

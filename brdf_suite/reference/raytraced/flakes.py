@@ -17,9 +17,6 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
-
 from brdf_suite.appearance.countable_flakes import (
     FLAKE_REFLECTANCE,
     FLAKE_WAVINESS,
@@ -29,6 +26,7 @@ from brdf_suite.appearance.countable_flakes import (
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.numbers import scrambled
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
 from brdf_suite.reflectance.flakes.texture import FADE_FROM, FADE_TO, RAREST_TILT

@@ -6,12 +6,11 @@ from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.errors import ReferenceUnavailableError
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.camera import Pinhole
 from brdf_suite.reference.raytraced.numbers import own
 from brdf_suite.reference.raytraced.tracer import Deal, Stage, trace

@@ -18,11 +18,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
-
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Half, Real, Square, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.terms import FacetLobe
 
 _EVEN = 1e4

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
+
+from brdf_suite.reference.mitsuba_modules import dr, mi
 
 Words = Any  # mi.UInt32
 

@@ -6,12 +6,11 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.reference.directions import Colour, Real, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,8 +9,6 @@ import math
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 
 from brdf_suite.reference import directions as d
@@ -18,6 +16,7 @@ from brdf_suite.reference.coated import UnderCoat
 from brdf_suite.reference.directions import Colour, Real, Square, Vector
 from brdf_suite.reference.lobe_weights import LobeWeights
 from brdf_suite.reference.measured import Measured
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.lobes import (
     LARGEST_MIRROR_SLOPE,
     LARGEST_SLOPE,

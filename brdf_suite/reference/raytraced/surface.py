@@ -10,12 +10,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.reference.directions import Real, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 
 EPSILON = 1.5e-4
 """Of a place's distance from the origin, and of its ray's length: how far off the surface rays begin."""

@@ -17,8 +17,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 import numpy.typing as npt
 
@@ -26,6 +24,7 @@ from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Half, Real, Square, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.lobes import (
     LARGEST_SLOPE,
     LEAST_SUNLIT_SLOPE,

@@ -21,12 +21,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
-import mitsuba as mi
 import numpy as np
 
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
+from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced import flakes as fl
 from brdf_suite.reference.raytraced.camera import Pinhole
 from brdf_suite.reference.raytraced.light_set import ENVIRONMENT, NEAR_LAMP, SUN, LightSet

@@ -1,0 +1,25 @@
+"""Python starts with this where ``PYTHONPATH`` names its folder: no optional package can be found, as if not installed.
+
+Processes that are started from there inherit it.
+"""
+
+from __future__ import annotations
+
+import sys
+from importlib.machinery import ModuleSpec
+
+from brdf_suite.extras import PACKAGES
+
+
+class Blocked:
+    """A finder that goes first and refuses what is optional."""
+
+    @staticmethod
+    def find_spec(name: str, *_: object) -> ModuleSpec | None:
+        """Return nothing, or raise as the import system does for a module that is missing."""
+        if name.partition(".")[0] in PACKAGES:
+            raise ModuleNotFoundError(f"No module named {name!r}", name=name)
+        return None
+
+
+sys.meta_path.insert(0, Blocked)
