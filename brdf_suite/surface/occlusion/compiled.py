@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from brdf_suite.processes import child_command
 from brdf_suite.progress import Progress, report
 
 _log = logging.getLogger(__name__)
@@ -40,7 +41,7 @@ def ready_kernels(progress: Progress | None = None) -> None:
         return
     try:
         process = subprocess.Popen(
-            [sys.executable, "-m", __name__],
+            child_command("brdf_suite.surface.occlusion.compiled"),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
