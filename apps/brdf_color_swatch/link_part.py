@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from typing import Any
 
@@ -21,6 +20,7 @@ from brdf_suite.appearance.flat_colours import paint_of
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry, Palette, new_id
 from brdf_suite.documents.store import paint_from_json, paint_to_json
+from brdf_suite.processes import child_command
 
 _PROGRAMS = {
     "designer": ("brdf_designer", "Designer", mark("Send to &Designer"), "Ctrl+Return"),
@@ -99,7 +99,8 @@ class LinkPart:
             self.link.publish("paint", paint_to_json(paint))
         running = role in self.link.peers or (role == "lobes" and "lobe_visualizer" in self.link.peers)
         if not running:
-            started = self.start_program(sys.executable, ["-m", package])
+            program, *arguments = child_command(package)
+            started = self.start_program(program, arguments)
             if not (started[0] if isinstance(started, tuple) else started):
                 self._window.show_message(
                     Message(

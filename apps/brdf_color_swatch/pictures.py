@@ -12,7 +12,6 @@ from __future__ import annotations
 import base64
 import json
 import logging
-import sys
 from collections import OrderedDict
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -24,6 +23,7 @@ from PySide6.QtCore import QObject, QProcess, Qt, QTimer, Signal
 from PySide6.QtGui import QImage, QPixmap
 
 from brdf_suite.documents.palette import Entry
+from brdf_suite.processes import child_command
 from brdf_suite.progress import Progress
 
 log = logging.getLogger(__name__)
@@ -62,7 +62,7 @@ class Pictures(QObject):
 
     def __init__(self, parent: QObject | None = None, program: Sequence[str] | None = None) -> None:
         super().__init__(parent)
-        self._program = [*(program or (sys.executable, "-m", _MODULE))]
+        self._program = [*(program or child_command(_MODULE))]
         self._tasks = TaskRunner(self, threads=1)
         self._process = QProcess(self)
         self._process.setStandardErrorFile(QProcess.nullDevice())

@@ -6,7 +6,6 @@ They are drawn by the suite's command in a process of its own, as Designer's rep
 from __future__ import annotations
 
 import subprocess
-import sys
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -25,6 +24,7 @@ from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import PALETTE_ENDING, save_palette
 from brdf_suite.errors import Cancelled, SuiteError
+from brdf_suite.processes import child_command
 from brdf_suite.progress import Progress
 
 Done = Callable[[Any], None]
@@ -60,16 +60,7 @@ def run_sheets(request: SheetRequest, progress: Progress) -> tuple[Path, ...]:
         with tempfile.TemporaryDirectory(prefix="brdf-sheet-") as folder:
             source = Path(folder) / f"palette{PALETTE_ENDING}"
             save_palette(palette, source)
-            words = [
-                sys.executable,
-                "-m",
-                "brdf_suite.cli.main",
-                "sheet",
-                str(source),
-                "-o",
-                str(path),
-                "--json",
-            ]
+            words = child_command("brdf_suite.cli.main", "sheet", str(source), "-o", str(path), "--json")
             words += ["--size", "x".join(map(str, _CELL)), "--environment", request.environment]
             words += ["--mesh", request.surface]
             if request.columns is not None:

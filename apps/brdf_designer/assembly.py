@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -36,6 +35,7 @@ from brdf_suite.documents.store import (
 )
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.processes import child_command
 from brdf_suite.resources import resource, resource_names
 
 FIRST_PAINT = "blue"
@@ -205,7 +205,8 @@ class Designer:
         error_relay().report(error, "autosave")
 
     def _open_viewer(self) -> None:
-        started, _ = QProcess.startDetached(sys.executable, ["-m", "brdf_viewer"])
+        program, *arguments = child_command("brdf_viewer")
+        started, _ = QProcess.startDetached(program, arguments)
         if not started:
             self.window.show_message(
                 Message(

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import subprocess
-import sys
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,6 +16,7 @@ from brdf_suite.appearance.tolerance import Limits, Tolerances
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import Cancelled, SuiteError
+from brdf_suite.processes import child_command
 from brdf_suite.progress import Progress
 
 _CANCELLED = 130
@@ -49,7 +49,7 @@ def run_export(request: Request, progress: Progress) -> tuple[str, ...]:
     with tempfile.TemporaryDirectory(prefix="brdf-handover-") as folder:
         paint = Path(folder) / "paint.brdfpaint"
         save_paint(request.paint, paint)
-        words = [sys.executable, "-m", "brdf_suite.cli.main", "export", str(paint)]
+        words = child_command("brdf_suite.cli.main", "export", str(paint))
         words += ["--format", request.format, "-o", str(request.path), "--json", "--follow"]
         if not request.pictures:
             words.append("--no-pictures")

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import base64
 import json
-import sys
 from collections import OrderedDict
 from collections.abc import Sequence
 from typing import Any
@@ -22,6 +21,7 @@ from brdf_designer.thumbnail_placeholder import placeholder
 from brdf_designer.thumbnail_scene import SIZE, USUAL_SCENE, ThumbnailScene, paint_key
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_to_json
+from brdf_suite.processes import child_command
 
 __all__ = ["SIZE", "ThumbnailScene", "Thumbnails", "paint_key", "thumbnails_of"]
 
@@ -59,7 +59,7 @@ class Thumbnails(QObject):
 
     def __init__(self, parent: QObject | None = None, program: Sequence[str] | None = None) -> None:
         super().__init__(parent)
-        self._program = [*(program or (sys.executable, "-m", _MODULE))]
+        self._program = [*(program or child_command(_MODULE))]
         self._process = QProcess(self)
         self._process.setStandardErrorFile(QProcess.nullDevice())
         self._process.readyReadStandardOutput.connect(self._read)

@@ -7,10 +7,11 @@ the same search goes on from what is kept.
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QProcess, QTimer, Signal
+
+from brdf_suite.processes import child_command
 
 PATIENCE_MS = 10_000
 """A cancelled search ends within an evaluation; one that does not by then is ended by force."""
@@ -50,7 +51,8 @@ class BasisRun(QObject):
         workers = max(1, usable_cores() - 1)
         words = ["basis", "--follow", "--database", str(self.folder), "-o", str(self.output)]
         words += ["--lobes", str(self.lobes), "--workers", str(workers)]
-        self._process.start(sys.executable, ["-m", "brdf_suite.cli.main", *words])
+        program, *arguments = child_command("brdf_suite.cli.main", *words)
+        self._process.start(program, arguments)
 
     def cancel(self) -> None:
         """Ask it to stop; ``cancelled`` tells when it has."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from functools import partial
 
 from brdf_qt.dialogs import Dialogs, QtDialogs
@@ -17,6 +16,7 @@ from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.processes import child_command
 from brdf_suite.realtime.context import Context
 from brdf_viewer.camera_control import CameraControl
 from brdf_viewer.compare_control import KIND, CompareControl
@@ -247,7 +247,8 @@ class ViewerController(QObject):
         self.window.commands.show_history(history.undo_text, history.redo_text)
 
     def _open_designer(self) -> None:
-        started, _ = QProcess.startDetached(sys.executable, ["-m", "brdf_designer"])
+        program, *arguments = child_command("brdf_designer")
+        started, _ = QProcess.startDetached(program, arguments)
         if not started:
             message = Message("designer", "Designer could not be started.", severity="error")
             self.window.messages.show_message(message)

@@ -9,10 +9,10 @@ from __future__ import annotations
 import contextlib
 import json
 import shutil
-import sys
 
 from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 
+from brdf_suite.processes import child_command
 from brdf_viewer.export_job import ExportJob
 
 PATIENCE_MS = 10_000
@@ -48,7 +48,8 @@ class ExportProcess(QObject):
 
     def start(self) -> None:
         """Begin."""
-        self._process.start(sys.executable, ["-m", "brdf_suite.cli.main", *self.job.arguments()])
+        program, *arguments = child_command("brdf_suite.cli.main", *self.job.arguments())
+        self._process.start(program, arguments)
 
     def cancel(self) -> None:
         """Ask it to stop; ``cancelled`` tells when it has."""

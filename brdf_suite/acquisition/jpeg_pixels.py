@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import struct
 from dataclasses import dataclass
-from io import BytesIO
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError
+from brdf_suite.files.pictures import MOST_OWN_BYTES, read_rgb
 
 _Path = str | os.PathLike[str]
 
@@ -65,15 +65,9 @@ def jpeg_parts(content: bytes, path: _Path) -> JpegParts:
 
 def jpeg_pixels(content: bytes, path: _Path) -> NDArray[np.uint8]:
     """Return the pixels (h, w, 3) uint8, as they are stored: not turned as EXIF might ask."""
-    from PIL import Image
-
     parts = jpeg_parts(content, path)
     if parts.exif_at:
         # Pillow would warn of a damaged block, which does not matter to the pixels.
         end = parts.exif_at + len(_EXIF)
         content = content[: parts.exif_at] + b"Left\0\0" + content[end:]
-    try:
-        with Image.open(BytesIO(content), formats=("JPEG",)) as picture:
-            return np.asarray(picture.convert("RGB"))
-    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
-        raise FileError(path, f"is a damaged JPEG picture ({error})") from error
+    return read_rgb(path, ("JPEG",), content=content, most_bytes=MOST_OWN_BYTES)

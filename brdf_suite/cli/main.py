@@ -38,6 +38,7 @@ from brdf_suite.cli import (
     turntable,
 )
 from brdf_suite.errors import Cancelled, SuiteError
+from brdf_suite.processes import MODULE_OPTION, is_own_module, run_module
 
 DONE, FAILED, USAGE, CANCELLED = 0, 1, 2, 130
 
@@ -112,6 +113,8 @@ def parser() -> argparse.ArgumentParser:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command with ``arguments`` (default: the process's) and return its exit status."""
     given = list(sys.argv[1:] if arguments is None else arguments)
+    if given[:1] == [MODULE_OPTION]:
+        return _run_module(given[1:])
     try:
         if given and given[0] in programs.PROGRAMS:
             # argparse would take the program's options for its own.
@@ -139,6 +142,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # One line, also where a name that was typed has line breaks.
         print("brdf-suite: " + " ".join(str(error).splitlines()), file=sys.stderr)
         return FAILED
+
+
+def _run_module(words: Sequence[str]) -> int:
+    """Run the module that ``--module`` names, which is how a frozen build starts its child processes."""
+    if not words or not is_own_module(words[0]):
+        print(f"brdf-suite: {MODULE_OPTION} takes the name of a module of the suite.", file=sys.stderr)
+        return USAGE
+    run_module(words[0], words[1:])
+    return DONE
 
 
 def _drop_output() -> None:

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from brdf_suite.errors import SuiteError
+from brdf_suite.processes import child_command
 from brdf_suite.screen import screen_missing
 
 PROGRAMS = {
@@ -59,9 +60,7 @@ def open_both(options: argparse.Namespace) -> int:
     running: dict[str, subprocess.Popen[bytes]] = {}
     try:
         for name in _OPENED:
-            running[name] = subprocess.Popen(
-                [sys.executable, "-m", PROGRAMS[name][0], *arguments, *own.get(name, [])]
-            )
+            running[name] = subprocess.Popen(child_command(PROGRAMS[name][0], *arguments, *own.get(name, [])))
         status = _wait_for(running, told)
     finally:
         _end(running)
@@ -106,7 +105,7 @@ def open_one(name: str, arguments: Sequence[str]) -> int:
     if missing is not None and not {"-h", "--help"} & set(arguments):
         raise SuiteError(f"The program cannot open a window: {missing}. `brdf-suite render` needs none.")
     package, _what = PROGRAMS[name]
-    return subprocess.run([sys.executable, "-m", package, *arguments], check=False).returncode
+    return subprocess.run(child_command(package, *arguments), check=False).returncode
 
 
 def _render_instead(missing: str, paint: str | None) -> int:

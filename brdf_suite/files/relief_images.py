@@ -1,4 +1,4 @@
-"""Maps of normals and tangents, and masks, from image files: PNG and what else pillow reads, or OpenEXR.
+"""Maps of normals and tangents, and masks, from image files: PNG and other common pictures, or OpenEXR.
 
 Their numbers are not colours.
 
@@ -9,8 +9,7 @@ comes back are slopes, which can be averaged: the normal is (-dh/du, -dh/dv, 1) 
 from __future__ import annotations
 
 import os
-import warnings
-from pathlib import Path
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -18,14 +17,18 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError
 from brdf_suite.files.exr import read_exr
+from brdf_suite.files.pictures import open_regular, read_picture
 
 IMAGE_ENDINGS = (".png", ".exr", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".tga", ".webp")
 
 LARGEST_SIDE = 4096
 """Texels; a larger image is averaged down by a whole number."""
-_MOST_PIXELS = 1 << 28
+_STRIP_PIXELS = 1 << 21
+"""Pixels that are worked on at once: as numbers, all of a large map would take gigabytes."""
 _STEEPEST = 20.0
 _EXR = b"\x76\x2f\x31\x01"
+_SCALES = {"u1": 255.0, "u2": 65535.0, "i4": 65535.0}
+"""What white is, by kind and size of the numbers; Pillow gives 16 bits as either of two."""
 
 
 def read_normal_map(path: str | os.PathLike[str]) -> NDArray[np.float32]:
@@ -40,15 +43,19 @@ def read_normal_map(path: str | os.PathLike[str]) -> NDArray[np.float32]:
     pixels, signed = _read(path)
     if pixels.shape[2] < 3:
         raise FileError(path, "has one channel; a normal map has three (a height map is none)")
-    normals = pixels[..., :3] if signed else 2.0 * pixels[..., :3] - 1.0
-    length = np.linalg.norm(normals, axis=-1)
-    sound = (np.abs(length - 1.0) < 0.25) & (normals[..., 2] > 0.0)
-    if sound.mean() < 0.5:
-        share = 100.0 * float(sound.mean())
+
+    def slopes(shares: NDArray[Any]) -> tuple[NDArray[Any], int]:
+        normals = shares[..., :3] if signed else 2.0 * shares[..., :3] - 1.0
+        length = np.linalg.norm(normals, axis=-1)
+        sound = (np.abs(length - 1.0) < 0.25) & (normals[..., 2] > 0.0)
+        upright = np.maximum(normals[..., 2:], 1.0 / _STEEPEST)
+        return np.clip(-normals[..., :2] / upright, -_STEEPEST, _STEEPEST), int(sound.sum())
+
+    reduced, sound = _reduced(pixels, slopes)
+    if sound < 0.5:
+        share = 100.0 * sound
         raise FileError(path, f"is no normal map: {share:.0f} % of its pixels are unit vectors off a surface")
-    upright = np.maximum(normals[..., 2:], 1.0 / _STEEPEST)
-    slopes = np.clip(-normals[..., :2] / upright, -_STEEPEST, _STEEPEST)
-    return np.ascontiguousarray(_reduced(slopes)[::-1], np.float32)
+    return reduced
 
 
 def read_tangent_map(path: str | os.PathLike[str]) -> NDArray[np.float32]:
@@ -64,16 +71,19 @@ def read_tangent_map(path: str | os.PathLike[str]) -> NDArray[np.float32]:
     pixels, signed = _read(path)
     if pixels.shape[2] < 2:
         raise FileError(path, "has one channel; a tangent map has two or more (directions along u and v)")
-    along = pixels[..., :2] if signed else 2.0 * pixels[..., :2] - 1.0
-    length = np.linalg.norm(along, axis=-1)
-    sound = np.abs(length - 1.0) < 0.25
-    if sound.mean() < 0.5:
-        share = 100.0 * float(sound.mean())
+
+    def directions(shares: NDArray[Any]) -> tuple[NDArray[Any], int]:
+        along = shares[..., :2] if signed else 2.0 * shares[..., :2] - 1.0
+        length = np.linalg.norm(along, axis=-1)
+        return along / np.maximum(length, 1e-6)[..., None], int((np.abs(length - 1.0) < 0.25).sum())
+
+    reduced, sound = _reduced(pixels, directions)
+    if sound < 0.5:
+        share = 100.0 * sound
         raise FileError(
             path, f"is no tangent map: {share:.0f} % of its pixels are unit vectors in the surface"
         )
-    unit = along / np.maximum(length, 1e-6)[..., None]
-    return np.ascontiguousarray(_reduced(unit)[::-1], np.float32)
+    return reduced
 
 
 def read_mask(path: str | os.PathLike[str]) -> NDArray[np.float32]:
@@ -87,55 +97,46 @@ def read_mask(path: str | os.PathLike[str]) -> NDArray[np.float32]:
         The file cannot be read as an image.
     """
     pixels, _ = _read(path)
-    grey = pixels[..., :3].mean(axis=-1) if pixels.shape[2] >= 3 else pixels[..., 0]
-    return np.ascontiguousarray(np.clip(_reduced(grey[..., None])[::-1, :, 0], 0.0, 1.0), np.float32)
+
+    def grey(shares: NDArray[Any]) -> tuple[NDArray[Any], int]:
+        return (shares[..., :3] if shares.shape[2] >= 3 else shares[..., :1]).mean(axis=-1, keepdims=True), 0
+
+    return np.clip(_reduced(pixels, grey)[0][..., 0], 0.0, 1.0)
 
 
 def _read(path: str | os.PathLike[str]) -> tuple[NDArray[Any], bool]:
-    """Return pixels (h, w, channels), top row first, 0…1 where they are whole numbers; and whether they are signed."""
-    try:
-        with Path(path).open("rb") as stream:
-            start = stream.read(4)
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else str(error)
-        raise FileError(path, f"cannot be read ({reason})") from error
-    if start == _EXR:
-        pixels = read_exr(path).pixels
-        if not np.isfinite(pixels).all():
-            raise FileError(path, "holds numbers that are not finite")
-        return pixels, bool((pixels < 0.0).any())
-    return _read_pillow(path), False
+    """Return pixels (h, w, channels) as in the file, the first row at the top; and whether they are signed."""
+    with open_regular(path) as stream:
+        start = stream.read(4)
+    if start != _EXR:
+        return read_picture(path), False
+    pixels = read_exr(path).pixels
+    if not np.isfinite(pixels).all():
+        raise FileError(path, "holds numbers that are not finite")
+    return pixels, bool((pixels < 0.0).any())
 
 
-def _read_pillow(path: str | os.PathLike[str]) -> NDArray[Any]:
-    from PIL import Image, UnidentifiedImageError
+def _reduced(
+    pixels: NDArray[Any], convert: Callable[[NDArray[Any]], tuple[NDArray[Any], int]]
+) -> tuple[NDArray[np.float32], float]:
+    """Convert pixels and average blocks of whole numbers of texels until no side is over the limit.
 
-    try:
-        with warnings.catch_warnings():
-            # Pillow warns of a decompression bomb, and goes on. No other warning: other threads give theirs.
-            warnings.simplefilter("error", Image.DecompressionBombWarning)
-            with Image.open(path) as image:
-                if image.width * image.height > _MOST_PIXELS:
-                    raise FileError(path, f"is {image.width} × {image.height} pixels, too large to be read")
-                if image.mode.startswith("I"):
-                    return np.asarray(image, np.float32)[..., None] / 65535.0
-                if image.mode == "F":
-                    return np.asarray(image, np.float32)[..., None]
-                mode = "L" if image.mode in ("1", "L", "LA") else "RGB"
-                return np.atleast_3d(np.asarray(image.convert(mode), np.float32) / 255.0)
-    except UnidentifiedImageError as error:
-        raise FileError(path, "is no image that can be read (PNG, EXR, JPEG, TIFF …)") from error
-    except FileError:
-        raise
-    except Exception as error:  # its readers raise whatever a damaged file runs them into
-        raise FileError(path, f"is damaged, or no image that can be read ({error})") from error
-
-
-def _reduced(values: NDArray[Any]) -> NDArray[Any]:
-    """Average blocks of whole numbers of texels until no side is over the limit."""
-    step = -(-max(values.shape[:2]) // LARGEST_SIDE)
-    if step <= 1:
-        return values
-    height, width = (side // step * step for side in values.shape[:2])
-    blocks = values[:height, :width].reshape(height // step, step, width // step, step, -1)
-    return np.asarray(blocks.mean(axis=(1, 3)))
+    ``convert`` takes rows of pixels, 0…1 where they are whole numbers in the file, and returns the values of each
+    (rows, w, n) and how many of them are sound. Returned are the values, the first row at the lower edge of the image,
+    and the share of all pixels that are sound.
+    """
+    height, width = pixels.shape[:2]
+    step = -(-max(height, width) // LARGEST_SIDE)
+    down, across = min(step, height), min(step, width)
+    rows = max(1, _STRIP_PIXELS // (width * down)) * down
+    scale = _SCALES.get(pixels.dtype.kind + str(pixels.dtype.itemsize), 1.0)
+    parts, sound = [], 0
+    for top in range(0, height, rows):
+        values, well = convert(np.asarray(pixels[top : top + rows], np.float32) / np.float32(scale))
+        sound += well
+        if step > 1:
+            tall, wide = len(values) // down, width // across
+            blocks = values[: tall * down, : wide * across].reshape(tall, down, wide, across, values.shape[2])
+            values = blocks.mean(axis=(1, 3))
+        parts.append(np.asarray(values, np.float32))
+    return np.ascontiguousarray(np.concatenate(parts)[::-1]), sound / (height * width)

@@ -21,6 +21,7 @@ from types import ModuleType
 
 import numpy as np
 
+from brdf_suite.processes import child_command
 from brdf_suite.progress import Progress, report
 
 _log = logging.getLogger(__name__)
@@ -125,7 +126,7 @@ def _start() -> subprocess.Popen[bytes] | None:
     """Start another process that compiles; None where that is not possible."""
     try:
         return subprocess.Popen(
-            [sys.executable, "-m", "brdf_suite.lighting.compiled"],
+            child_command("brdf_suite.lighting.compiled"),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,

@@ -6,9 +6,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from brdf_suite.errors import FileError
+from brdf_suite.files.pictures import MOST_OWN_BYTES, read_rgb
 from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.comparison import ComparedPicture
 
@@ -53,17 +51,10 @@ def load_compared(
 def read_compared_picture(path: str | os.PathLike[str]) -> ComparedPicture:
     """Return the picture in an EXR file, taken for light, or in a PNG, taken for what a screen shows (sRGB).
 
-    Raises :class:`FileError` where it cannot be read.
+    Raises :class:`brdf_suite.errors.FileError` where it cannot be read.
     """
     if Path(path).suffix.lower() == LIGHT_ENDING:
         from brdf_suite.files.images import read_environment_image
 
         return ComparedPicture(read_environment_image(path).pixels, is_light=True)
-    from PIL import Image
-
-    try:
-        with Image.open(path, formats=("PNG",)) as image:
-            pixels = np.asarray(image.convert("RGB"))
-    except Exception as error:  # pillow's readers raise whatever a damaged file runs them into
-        raise FileError(path, f"is no PNG picture that can be read ({error})") from error
-    return ComparedPicture(pixels, is_light=False)
+    return ComparedPicture(read_rgb(path, ("PNG",), most_bytes=MOST_OWN_BYTES), is_light=False)

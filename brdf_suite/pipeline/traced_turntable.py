@@ -19,6 +19,7 @@ from brdf_suite.documents.atomic import replacing
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
+from brdf_suite.files.pictures import MOST_OWN_BYTES, read_rgb
 from brdf_suite.files.png import write_png
 from brdf_suite.pipeline.picture_file import check_target
 from brdf_suite.pipeline.surface import load_shaped
@@ -122,7 +123,8 @@ def write_traced_turntable(
         with writing_video(path, size, turn.frames_per_second, {"Title": name}) as feed:
             for number in range(turn.frames):
                 report(progress, 0.9 + 0.1 * number / turn.frames, "writing the video")
-                feed(_read(_frame(folder, number)))
+                frame = read_rgb(_frame(folder, number), ("PNG",), most_bytes=MOST_OWN_BYTES)
+                feed(frame)
         shutil.rmtree(folder, ignore_errors=True)  # the video is there: what is left over is no fault of it
     else:
         _become(folder, path)
@@ -198,16 +200,6 @@ def _write_state(folder: Path, key: str, exposure_ev: float) -> None:
 
 def _frame(folder: Path, number: int) -> Path:
     return folder / f"frame_{number + 1:04d}.png"
-
-
-def _read(path: Path) -> Codes:
-    from PIL import Image
-
-    try:
-        with Image.open(path) as image:
-            return np.asarray(image.convert("RGB"), np.uint8)
-    except (OSError, ValueError) as error:
-        raise FileError(path, f"cannot be read back: {error}") from error
 
 
 def _become(folder: Path, path: Path) -> None:

@@ -10,7 +10,6 @@ import json
 import os
 import re
 import subprocess
-import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -18,6 +17,7 @@ from pathlib import Path
 
 from brdf_suite.errors import ExtraError, ReferenceUnavailableError
 from brdf_suite.extras import check_extra
+from brdf_suite.processes import child_command
 
 LLVM_VARIABLE = "DRJIT_LIBLLVM_PATH"
 OLDEST_LLVM = 17
@@ -121,7 +121,7 @@ def probe(variant: str, llvm_path: str) -> Probed:
         environment[LLVM_VARIABLE] = llvm_path
     try:
         done = subprocess.run(
-            [sys.executable, "-m", "brdf_suite.reference.probe", variant],
+            child_command("brdf_suite.reference.probe", variant),
             env=environment,
             capture_output=True,
             text=True,

@@ -8,7 +8,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from brdf_designer import handover_process
 from brdf_designer.handover_control import KEY, NAMES, HandoverControl, file_name
 from brdf_designer.handover_process import Request, run_export, tolerance_words
 from brdf_designer.handover_section import TITLES
@@ -89,7 +88,7 @@ def test_a_cancelled_export_leaves_the_old_file(designer, tmp_path: Path) -> Non
 
 
 def test_a_process_that_ends_without_a_word_is_told(designer, tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.setattr(handover_process.sys, "executable", _program(tmp_path))
+    monkeypatch.setattr(sys, "executable", _program(tmp_path))
     with pytest.raises(SuiteError, match="status 3"):
         run_export(Request(designer.store.value, "csv", tmp_path / "a.csv"), lambda *_: None)
 

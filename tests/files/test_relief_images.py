@@ -116,3 +116,17 @@ def test_a_tangent_map_becomes_unit_directions_from_the_lower_edge(tmp_path: Pat
     ):
         with pytest.raises(FileError, match=words):
             read_tangent_map(save(tmp_path / "no.png", np.asarray(pixels, np.uint8)))
+
+
+@pytest.mark.parametrize("shape", [(9000, 3), (2, 9000), (1, 1), (4097, 4096)])
+def test_thin_images_keep_a_texel_and_whole_blocks_are_averaged(tmp_path: Path, shape) -> None:
+    height, width = shape
+    pixels = np.random.default_rng(1).integers(0, 256, (height, width), dtype=np.uint8)
+    mask = read_mask(save(tmp_path / "mask.png", pixels))
+    step = -(-max(shape) // relief_images.LARGEST_SIDE)
+    down, across = min(step, height), min(step, width)
+    assert mask.shape == (height // down, width // across)
+    first = pixels[::-1][height % down :][:down, :across] / 255.0
+    assert mask[0, 0] == pytest.approx(first.mean(), abs=1e-6)
+    last = pixels[:down, -across - width % across :][:, :across] / 255.0
+    assert mask[-1, -1] == pytest.approx(last.mean(), abs=1e-6)

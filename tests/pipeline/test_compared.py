@@ -32,5 +32,8 @@ def test_a_damaged_png_is_refused_and_never_a_traceback(tmp_path: Path) -> None:
         except FileError:
             refused += 1
     assert refused > 100
+    file.write_bytes(b"no picture")
     with pytest.raises(FileError, match="is no PNG picture that can be read"):
+        read_compared_picture(file)
+    with pytest.raises(FileError, match=r"missing\.png: cannot be read \(No such file"):
         read_compared_picture(tmp_path / "missing.png")

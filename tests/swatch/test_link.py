@@ -48,7 +48,7 @@ def test_a_paint_is_offered_to_designer_and_shown_to_the_others(
     assert part.started == []
     command(swatch, "to_viewer")
     qtbot.waitUntil(lambda: any(topic == "paint" and value["name"] == "Blue" for topic, value in heard))
-    assert part.started == [["-m", "brdf_viewer"]]
+    assert part.started == [["-P", "-m", "brdf_viewer"]]
     assert "Viewer is being started" in swatch.window.messages.shown()["send"].what
 
 

@@ -26,6 +26,7 @@ from brdf_viewer.traced.worker import Worker
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ReferenceUnavailableError
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.processes import child_command
 from brdf_suite.surface.mesh import Mesh, Part
 
 ENVIRONMENT = Environment("dim", np.full((8, 16, 3), 0.5, np.float32), ("a note",))
@@ -195,7 +196,7 @@ def run(qtbot):
     made: list[TraceProcess] = []
 
     def start(*program: str) -> TraceProcess:
-        process = TraceProcess(program=program)
+        process = TraceProcess(program=program and (sys.executable, *program))
         made.append(process)
         process.start()
         return process
@@ -248,7 +249,7 @@ def test_what_is_missing_is_named_and_the_process_lives_on(run, qtbot, monkeypat
         if Path("/proc/driver/nvidia/version").exists():
             pytest.skip("this machine renders on its graphics card, without LLVM")
         monkeypatch.setenv("DRJIT_LIBLLVM_PATH", "/nowhere/libLLVM-15.so.1")
-    process = run("-c", HIDDEN) if missing == "extra" else run(*WORKER)
+    process = run("-c", HIDDEN) if missing == "extra" else run()
     for generation in (1, 2):
         with qtbot.waitSignal(process.failed) as failure:
             process.send(request_in(process.folder, generation).to_json())
@@ -262,6 +263,6 @@ def test_what_is_missing_is_named_and_the_process_lives_on(run, qtbot, monkeypat
 def test_it_ends_with_whoever_asked_it_and_leaves_nothing(tmp_path) -> None:
     folder = tmp_path / "scene"
     folder.mkdir()
-    done = subprocess.run([sys.executable, *WORKER, str(folder)], input=b"", capture_output=True, check=False)
+    done = subprocess.run(child_command(WORKER, str(folder)), input=b"", capture_output=True, check=False)
     assert done.returncode == 0, done.stderr
     assert not folder.exists()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import shutil
-import sys
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,9 +13,10 @@ from typing import Any
 from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, QProcess, Signal
 
+from brdf_suite.processes import child_command
 from brdf_viewer.traced.picture_slots import Pixels, take
 
-WORKER = ("-m", "brdf_viewer.traced.worker")
+WORKER = "brdf_viewer.traced.worker"
 _LAST_WORDS = 4000
 """Characters kept of what the process prints beside its answers: its last words are what a crash leaves."""
 _END_MS = 5000
@@ -71,10 +71,10 @@ class TraceProcess(QObject):
     not_saved = Signal(str, str)
     crashed = Signal(str)
 
-    def __init__(self, parent: QObject | None = None, *, program: Sequence[str] = WORKER) -> None:
+    def __init__(self, parent: QObject | None = None, *, program: Sequence[str] | None = None) -> None:
         super().__init__(parent)
         self.folder = Path(tempfile.mkdtemp(prefix="brdf-traced-"))
-        self._program = list(program)
+        self._program = [*(program or child_command(WORKER))]
         self._rest = b""
         self._words = ""
         self._wanted = True
@@ -91,7 +91,8 @@ class TraceProcess(QObject):
 
     def start(self) -> None:
         """Begin; what is sent is read as soon as it can be."""
-        self._process.start(sys.executable, [*self._program, str(self.folder)])
+        program, *arguments = self._program
+        self._process.start(program, [*arguments, str(self.folder)])
 
     def send(self, message: dict[str, Any]) -> None:
         """Ask for something; nothing where the process has ended."""

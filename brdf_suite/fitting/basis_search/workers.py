@@ -17,6 +17,7 @@ from brdf_suite.errors import Cancelled, FittingError
 from brdf_suite.fitting.basis_search.database import Database
 from brdf_suite.fitting.basis_search.error import BasisError
 from brdf_suite.fitting.basis_search.optimize import Optimum, optimize
+from brdf_suite.processes import safe_path_inherited
 
 Exponents = tuple[float, ...]
 #: How often the caller hears of the work, seconds: it may want to cancel.
@@ -44,7 +45,8 @@ class Workers:
         if count > 1:
             # A fresh interpreter: a fork would copy threads' locks in any state.
             context = multiprocessing.get_context("spawn")
-            self._event = context.Event()
+            with safe_path_inherited():  # the event starts a process that keeps track of it
+                self._event = context.Event()
             self._pool = ProcessPoolExecutor(
                 count, mp_context=context, initializer=_start, initargs=(database, self._event)
             )
@@ -68,7 +70,8 @@ class Workers:
             return optima
         futures: list[Future[Optimum]] = []
         try:
-            with _interrupt_held():  # the first tasks start the processes, which inherit what is held
+            # The first tasks start the processes, which inherit both.
+            with _interrupt_held(), safe_path_inherited():
                 futures = [self._pool.submit(_work, start) for start in starts]
             left = set(futures)
             while left:

@@ -1,0 +1,132 @@
+"""Pictures of 8 or 16 bits from files, through Pillow: the one place where it opens a file.
+
+Pillow knows forty formats, some of which start other programs (PostScript: Ghostscript) or are hardly ever tried. So a
+format that is not asked for is refused, whatever the file's name says; so are pipes and devices, and pictures that
+would take more memory than a picture of the suite needs.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+import warnings
+from collections.abc import Sequence
+from io import BytesIO
+from pathlib import Path
+from typing import IO, TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.errors import FileError
+
+if TYPE_CHECKING:
+    from PIL.Image import Image as PillowImage
+
+PICTURE_FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "TGA", "WEBP")
+"""Pillow's names of the formats that maps and masks may have."""
+MOST_BYTES = 1 << 29
+"""Of memory for a picture: Pillow's and ours. 8,192 × 8,192 pixels in colour; Pillow refuses more than 179 million."""
+MOST_OWN_BYTES = 5 << 28
+"""The same for what the suite or a camera made: 179 million pixels in colour, Pillow's limit."""
+
+_PIXEL_BYTES = {"1": 1, "L": 1, "P": 1, "I;16": 2, "I;16L": 2, "I;16B": 2, "I;16N": 2}
+"""Bytes a pixel of Pillow's modes; all others take 4."""
+_STRIP_BYTES = 1 << 24
+
+
+def read_picture(path: str | os.PathLike[str], formats: Sequence[str] = PICTURE_FORMATS) -> NDArray[Any]:
+    """Return pixels (h, w, 3) in colour or (h, w, 1) in grey, the first row at the top; alpha is dropped.
+
+    uint8 0…255; uint16 or int32 0…65535 for grey of 16 bits; float32, as in the file, for grey of floats.
+
+    Raises
+    ------
+    FileError
+        The file cannot be read, is no plain file, has none of ``formats``, is damaged or too large.
+    """
+    return _read(path, None, formats, None, MOST_BYTES)
+
+
+def read_rgb(
+    path: str | os.PathLike[str],
+    formats: Sequence[str],
+    *,
+    content: bytes | None = None,
+    most_bytes: int = MOST_BYTES,
+) -> NDArray[np.uint8]:
+    """Return pixels (h, w, 3) uint8, the first row at the top; errors as :func:`read_picture`.
+
+    With ``content`` the file's bytes are taken from there, and ``path`` only names it in messages.
+    """
+    return np.asarray(_read(path, content, formats, "RGB", most_bytes), np.uint8)
+
+
+def _read(
+    path: str | os.PathLike[str],
+    content: bytes | None,
+    formats: Sequence[str],
+    mode: str | None,
+    most_bytes: int,
+) -> NDArray[Any]:
+    # Imported here: most of the suite needs no Pillow.
+    from PIL import Image, UnidentifiedImageError
+
+    kind = f"{formats[0]} picture" if len(formats) == 1 else f"picture ({', '.join(formats)})"
+    try:
+        with (
+            open_regular(path) if content is None else BytesIO(content) as stream,
+            warnings.catch_warnings(),
+        ):
+            # The size is checked below. No other warning is left out: other threads give theirs.
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            with Image.open(stream, formats=tuple(formats)) as image:
+                return _pixels(path, image, mode, most_bytes)
+    except UnidentifiedImageError as error:
+        raise FileError(path, f"is no {kind} that can be read") from error
+    except FileError:
+        raise
+    except (Image.DecompressionBombError, MemoryError) as error:
+        raise FileError(path, "has too many pixels to be read") from error
+    except Exception as error:  # Pillow's readers raise whatever a damaged file runs them into
+        raise FileError(path, f"is damaged, or no {kind} that can be read: {error}") from error
+
+
+def _pixels(
+    path: str | os.PathLike[str], image: PillowImage, mode: str | None, most_bytes: int
+) -> NDArray[Any]:
+    if mode is None and image.mode != "F" and not image.mode.startswith("I"):
+        mode = "L" if image.mode in ("1", "L", "LA") else "RGB"
+    channels = 3 if mode == "RGB" else 1
+    stored = _PIXEL_BYTES.get(image.mode, 4)
+    item = 1 if mode is not None else stored
+    made = image.width * image.height * (stored + channels * item)
+    if made > most_bytes:
+        raise FileError(
+            path,
+            f"is {image.width} × {image.height} pixels, too large to be read: they would take {made >> 20:,} MB, "
+            f"and at most {most_bytes >> 20:,} MB are given to a picture",
+        )
+    image.load()
+    image.info.pop("transparency", None)  # Pillow warns where it drops it
+    rows = max(1, _STRIP_BYTES // max(1, 4 * image.width))
+    pixels: NDArray[Any] | None = None
+    for top in range(0, image.height, rows):  # whole, the conversion and its array would be held beside both
+        strip = image.crop((0, top, image.width, min(top + rows, image.height)))
+        part = np.asarray(strip if mode is None or strip.mode == mode else strip.convert(mode))
+        if pixels is None:
+            pixels = np.empty((image.height, image.width, channels), part.dtype)
+        pixels[top : top + rows] = part.reshape(*part.shape[:2], channels)
+    assert pixels is not None  # Pillow refuses a picture without rows
+    return pixels
+
+
+def open_regular(path: str | os.PathLike[str]) -> IO[bytes]:
+    """Open a plain file; a pipe or a device would be waited for without end."""
+    try:
+        if not stat.S_ISREG(Path(path).stat().st_mode):
+            raise FileError(path, "is not a plain file")
+        return Path(path).open("rb")
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
+        reason = error.strerror if isinstance(error, OSError) else None
+        raise FileError(path, f"cannot be read ({reason or error})") from error

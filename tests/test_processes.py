@@ -1,0 +1,169 @@
+"""Child processes: only modules of the suite, and no Python file of the working folder is ever imported by them."""
+
+from __future__ import annotations
+
+import ast
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from brdf_suite import processes
+from brdf_suite.cli.main import main
+from brdf_suite.processes import child_command
+
+CHECKOUT = Path(__file__).resolve().parent.parent
+SOURCES = sorted([*(CHECKOUT / "brdf_suite").rglob("*.py"), *(CHECKOUT / "apps").rglob("*.py")])
+STARTS = CHECKOUT / "brdf_suite" / "processes.py"
+POOL = CHECKOUT / "brdf_suite" / "fitting" / "basis_search" / "workers.py"
+HOSTILE = (
+    "random",
+    "json",
+    "numpy",
+    "PySide6",
+    "subprocess",
+    "logging",
+    "struct",
+    "socket",
+    "multiprocessing",
+)
+TRAP = "from pathlib import Path\nPath(__file__).with_name('ran').touch()\n"
+
+
+def uses(path: Path) -> set[str]:
+    """What a source uses that can start Python: ``sys.executable``, and modules that build command lines themselves."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Attribute) and node.attr in ("executable", "_base_executable"):
+            found.add("executable")
+        names = []
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.module is not None:
+            names = [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
+        for name in names:
+            if name == "sys.executable":
+                found.add("executable")
+            if name.split(".")[0] == "multiprocessing" or "ProcessPoolExecutor" in name:
+                found.add("multiprocessing")
+    return found
+
+
+def test_processes_are_started_in_one_place() -> None:
+    used = {path: uses(path) for path in SOURCES}
+    assert {path for path, found in used.items() if "executable" in found} == {STARTS}
+    assert {path for path, found in used.items() if "multiprocessing" in found} == {POOL}
+
+
+def modules() -> list[str]:
+    """The modules of the suite that run as programs."""
+    found = []
+    for path in SOURCES:
+        if 'if __name__ == "__main__":' in path.read_text(encoding="utf-8"):
+            inside = path.relative_to(CHECKOUT / "apps" if "apps" in path.parts else CHECKOUT)
+            found.append(".".join(inside.with_suffix("").parts).removesuffix(".__main__"))
+    return found
+
+
+@pytest.fixture
+def hostile(tmp_path: Path) -> Path:
+    folder = tmp_path / "hostile"
+    folder.mkdir()
+    for name in HOSTILE:
+        (folder / f"{name}.py").write_text(TRAP)
+    return folder
+
+
+def run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONSAFEPATH"}
+    return subprocess.run(
+        command,
+        cwd=folder,
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_the_trap_catches_a_process_that_is_started_without_the_option(hostile: Path) -> None:
+    run([sys.executable, "-m", "brdf_suite.cli.main", "--help"], hostile)
+    assert (hostile / "ran").exists()
+
+
+@pytest.mark.parametrize("module", modules())
+def test_no_file_of_the_working_folder_runs(module: str, hostile: Path, tmp_path: Path) -> None:
+    arguments = {
+        "brdf_viewer.traced.worker": [str(tmp_path / "scene")],
+        "brdf_suite.reference.probe": ["none"],
+    }
+    done = run(child_command(module, *arguments.get(module, ["--help"])), hostile)
+    assert not (hostile / "ran").exists()
+    if (
+        module != "brdf_suite.reference.probe"
+    ):  # it fails where Mitsuba is missing, and for an unknown variant
+        assert done.returncode == 0, done.stderr
+
+
+def test_no_file_of_the_working_folder_runs_in_a_child_of_a_child(hostile: Path) -> None:
+    done = run(child_command("brdf_suite.cli.main", "designer", "--help"), hostile)
+    assert "usage: brdf-designer" in done.stdout
+    assert not (hostile / "ran").exists()
+
+
+POOL_SCRIPT = """
+from brdf_suite.fitting.basis_search.database import load_database
+from brdf_suite.fitting.basis_search.workers import Workers
+
+def told(done):
+    pass
+
+if __name__ == "__main__":
+    from pathlib import Path
+    import shutil, sys
+    from brdf_suite.resources import resource_root
+    folder = Path(sys.argv[1])
+    folder.mkdir()
+    for name in ("blue", "solid_red"):
+        shutil.copy(resource_root() / "paints" / f"{name}.brdfpaint", folder)
+    workers = Workers(load_database(folder), 2)
+    print(len(workers.run([(1.0, 20.0), (5.0, 100.0)], told)))
+    workers.close()
+"""
+
+
+def test_no_file_of_the_working_folder_runs_in_a_pool(hostile: Path, tmp_path: Path) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(POOL_SCRIPT)
+    done = run([sys.executable, str(script), str(tmp_path / "paints")], hostile)
+    assert done.stdout.strip() == "2", done.stderr
+    assert not (hostile / "ran").exists()
+
+
+def test_a_frozen_build_runs_modules_by_the_hidden_option(
+    monkeypatch: pytest.MonkeyPatch, hostile: Path
+) -> None:
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    program, *arguments = child_command("brdf_viewer", "--help")
+    assert program == sys.executable
+    # What stands for the frozen program here: the command.
+    monkeypatch.delattr(sys, "frozen")
+    done = run([*child_command("brdf_suite.cli.main"), *arguments], hostile)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("usage: brdf-viewer")
+
+
+@pytest.mark.parametrize("words", [[], ["http.server"], ["brdf_suited"], ["os"]])
+def test_the_hidden_option_runs_modules_of_the_suite_only(
+    words: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["--module", *words]) == 2
+    assert "--module takes the name of a module of the suite" in capsys.readouterr().err
+    for module in words:
+        with pytest.raises(ValueError, match="is no module of the suite"):
+            child_command(module)
+        with pytest.raises(ValueError, match="is no module of the suite"):
+            processes.run_module(module, [])
