@@ -179,7 +179,7 @@ class PreviewControl(QObject):
         return surface
 
     def _new_drawer(self, context: Context) -> PreviewDrawer:
-        self._drawer = PreviewDrawer(context, self._contents, self.panel.grey)
+        self._drawer = PreviewDrawer(context, self._contents, self.panel.grey, self._draw_later)
         return self._drawer
 
     # Camera and light.

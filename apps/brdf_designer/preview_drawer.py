@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 from brdf_suite.documents.view import View
 
 if TYPE_CHECKING:
+    from brdf_qt.angle_fits import AngleFits
+
     from brdf_designer.preview_scene import PreviewScene
     from brdf_suite.pipeline.paint import PaintFit
     from brdf_suite.pipeline.picture import SceneRenderer
@@ -29,11 +31,20 @@ class PreviewDrawer:
     """Draws the contents in one context; what has changed since the last frame is handed over first.
 
     ``surround`` gives the grey (R = G = B, 0 to 1) that is shown while there is nothing to draw. ``draft``: one sample
-    a pixel, for a renderer in software that takes long over several.
+    a pixel, for a renderer in software that takes long over several. ``better`` is called when the same contents would
+    be drawn with better weights.
     """
 
-    def __init__(self, context: Context, contents: PreviewContents, surround: Callable[[], Grey]) -> None:
+    def __init__(
+        self,
+        context: Context,
+        contents: PreviewContents,
+        surround: Callable[[], Grey],
+        better: Callable[[], None],
+    ) -> None:
         self._context, self._contents, self._surround = context, contents, surround
+        self._better = better
+        self._angle_fits: AngleFits | None = None
         self._renderer: SceneRenderer | None = None
         self._scene: PreviewScene | None = None
         self._fit: PaintFit | None = None
@@ -57,9 +68,13 @@ class PreviewDrawer:
             return False
         if self._renderer is None:
             # Deferred: with the renderer come its shaders, which the window does not wait for.
+            from brdf_qt.angle_fits import AngleFits
+
             from brdf_suite.pipeline.picture import SceneRenderer
 
-            self._renderer = SceneRenderer(self._context)
+            self._angle_fits = AngleFits()
+            self._angle_fits.arrived.connect(self._better)
+            self._renderer = SceneRenderer(self._context, self._angle_fits.angles)
         uploads = scene is not self._scene
         if uploads:
             if self._scene is None or scene.surface is not self._scene.surface:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from brdf_qt.angle_fits import AngleFits
+
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.exposure import automatic_ev, exposed
@@ -16,7 +18,6 @@ from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.probe import PixelProbe
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.traced_light import TracedLight
-from brdf_viewer.angle_fits import AngleFits
 from brdf_viewer.stage import Prop, Stage
 from brdf_viewer.traced.wanted import first_size
 

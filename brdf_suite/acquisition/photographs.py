@@ -24,6 +24,7 @@ from brdf_suite.acquisition.raw_pixels import RAW_ENDINGS, raw_facts, raw_pixels
 from brdf_suite.acquisition.tiff_pages import exposure_of, first_page
 from brdf_suite.acquisition.tiff_pixels import tiff_facts, tiff_pixels
 from brdf_suite.errors import FileError
+from brdf_suite.files.made_size import within_memory
 
 _Path = str | os.PathLike[str]
 Kind = Literal["png", "tiff", "jpeg", "exr", "hdr", "raw"]
@@ -68,6 +69,7 @@ def photograph_facts(path: _Path) -> PhotographFacts:
         return _facts(content, path)
 
 
+@within_memory
 def read_photograph(path: _Path) -> Photograph:
     """Read a photograph; errors as :func:`photograph_facts`, and where its pixels are damaged."""
     with _opened(path) as content:

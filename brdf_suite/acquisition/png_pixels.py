@@ -8,6 +8,7 @@ from __future__ import annotations
 import mmap
 import os
 import struct
+import sys
 import zlib
 from dataclasses import dataclass
 from typing import Any
@@ -16,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError
+from brdf_suite.files.made_size import check_made
 
 _Path = str | os.PathLike[str]
 Content = bytes | mmap.mmap
@@ -76,6 +78,7 @@ def png_parts(content: Content, path: _Path) -> PngParts:
         )
     if not 0 < width * height <= MOST_PIXELS:
         raise FileError(path, f"is {width} × {height} pixels; up to {MOST_PIXELS:,} are read", "IHDR")
+    check_made(path, width * height * _CHANNELS[colour] * bits // 8, "its pixels", "IHDR")
     return PngParts(width, height, _CHANNELS[colour], bits, bool(interlace), tuple(packed), exif)
 
 
@@ -99,9 +102,12 @@ def png_pixels(content: Content, path: _Path) -> NDArray[Any]:
     filters = rows[:, 0]
     if filters.max() > 4:
         raise FileError(path, f"uses a filter {filters.max()} that there is not; it is damaged", "IDAT")
-    plain = np.ascontiguousarray(rows[:, 1:])
+    plain = rows[:, 1:].copy()  # a single row is contiguous as it is, and read-only
     if filters.any():
         unfilter(plain, np.ascontiguousarray(filters), step)
-    kind = np.dtype(">u2" if parts.bits == 16 else "u1")
     shape = (parts.height, parts.width, parts.channels)
-    return plain.view(kind).reshape(shape).astype(kind.newbyteorder("="))
+    if parts.bits == 8:
+        return plain.reshape(shape)
+    pixels = plain.view(">u2").reshape(shape)
+    # In place: a photograph fills much of the memory once already.
+    return pixels.byteswap(inplace=True).view("<u2") if sys.byteorder == "little" else pixels.view("=u2")

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from brdf_suite.acquisition.tiff_pages import exposure_of, first_page
 from brdf_suite.errors import ExtraError, FileError
 from brdf_suite.extras import import_extra
+from brdf_suite.files.made_size import check_made
 
 if TYPE_CHECKING:
     from tifffile import TiffPage
@@ -28,6 +29,8 @@ MOST_PIXELS = 1 << 28
 _MOST_CHANNELS = 5
 _PLAIN, _DEFLATED = 1, (8, 32946)
 _NEEDED = (256, 257, 258)
+# Width, length, depth, channels, rows of a strip, and width, length and depth of a tile.
+_SIZES = (256, 257, 32997, 277, 278, 322, 323, 32998)
 _PHOTOMETRIC = 262
 _DEFLATE_RATIO = 1032
 """That deflate packs at most to 1."""
@@ -75,11 +78,20 @@ def _check_layout(page: TiffPage, path: _Path) -> None:
     # Of depth, too: tifffile leaves out a field that is cut off, and would take the depth for a single bit.
     if any(tag not in page.tags for tag in _NEEDED):
         raise FileError(path, "lacks the fields of its size and depth; it is damaged or no photograph")
+    for code in _SIZES:
+        value = page.tags.valueof(code)
+        if isinstance(value, tuple | bytes | str):
+            # Python would repeat such a value instead of multiplying with it.
+            reason = f"holds {len(value):,} values where one number belongs; the file is damaged"
+            raise FileError(path, reason, f"field {page.tags[code].name}")
     width, height, channels = page.imagewidth, page.imagelength, page.samplesperpixel
     if not 0 < width * height <= MOST_PIXELS or min(width, height) < 1:
         raise FileError(path, f"is {width} × {height} pixels; up to {MOST_PIXELS:,} are read")
     if not 1 <= channels <= _MOST_CHANNELS:
         raise FileError(path, f"has {channels} channels; up to {_MOST_CHANNELS} are read")
+    check_made(
+        path, width * height * channels * -(-page.bitspersample // 8), "its pixels", "field ImageWidth"
+    )
     if page.imagedepth != 1:
         raise FileError(path, f"is a volume of {page.imagedepth} pictures; a photograph is one")
     needed, size = math.prod(page.chunked), page.parent.filehandle.size

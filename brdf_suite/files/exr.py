@@ -15,12 +15,13 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError
-from brdf_suite.files.area_reduction import read_reduced
+from brdf_suite.files.area_reduction import check_reducible, read_reduced
 from brdf_suite.files.exr_channels import ExrLight, choose_light, to_rgb
 from brdf_suite.files.exr_header import ExrHeader, parse_headers
+from brdf_suite.files.made_size import MOST_MADE_BYTES
 from brdf_suite.files.primaries import REC709, REC2020, Chromaticities
 
-MOST_WHOLE_BYTES = 2 << 30
+MOST_WHOLE_BYTES = MOST_MADE_BYTES
 """Largest content, unpacked, of a file that is read as a whole: of a later part, or of luminance and chroma."""
 
 _DAMAGE = (OSError, RuntimeError, ValueError, TypeError, IndexError, MemoryError)
@@ -66,8 +67,12 @@ def read_exr(path: str | os.PathLike[str]) -> ExrImage:
         )
     rows = _Rows(path, light, chromaticities)
     left, top, right, bottom = _window(header)
+    height, width = bottom - top + 1, right - left + 1
+    check_reducible(
+        path, height, width, "attribute dataWindow" if header.is_cube else "attribute displayWindow"
+    )
     try:
-        pixels, reduced = read_reduced(bottom - top + 1, right - left + 1, rows.read)
+        pixels, reduced = read_reduced(height, width, rows.read)
     finally:
         rows.close()
     return ExrImage(pixels, chromaticities, (*notes, *reduced), header.is_cube)

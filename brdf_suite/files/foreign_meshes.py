@@ -1,4 +1,4 @@
-"""Parts of meshes that others made, through ``trimesh``; what goes wrong in there is said in words of ours.
+"""Parts of meshes that others made: glTF by a reader of ours, the rest through ``trimesh``; faults in plain words.
 
 The scene graph is applied, so that the parts stand in world axes. Nothing is repaired here.
 """
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError
+from brdf_suite.files.gltf import read_gltf
 from brdf_suite.files.material_words import material_word
 from brdf_suite.surface.repair import RawPart
 
@@ -61,6 +62,18 @@ def read_parts(path: str | os.PathLike[str]) -> list[RawPart]:
     except FileError:
         raise
     except Exception as error:  # its readers raise whatever a damaged file runs them into
+        raise FileError(path, _in_words(error)) from error
+
+
+def gltf_parts(
+    path: str | os.PathLike[str], document: dict[str, Any], binary: memoryview | None
+) -> list[RawPart]:
+    """Return the parts of a glTF document, as :func:`brdf_suite.files.gltf.read_gltf`; all faults as FileError."""
+    try:
+        return read_gltf(path, document, binary)
+    except FileError:
+        raise
+    except (OSError, LookupError, TypeError, AttributeError, ValueError, OverflowError, MemoryError) as error:
         raise FileError(path, _in_words(error)) from error
 
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
-from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.errors import FileError
 from brdf_suite.surface.mesh import Mesh, Part
 
 _MARK = {"brdf_suite_mesh": 1, "uv_unit": "mm"}
@@ -182,7 +182,7 @@ def read_own_glb(
             )
             parts.append(part)
         return Mesh(name, tuple(parts))
-    except (KeyError, IndexError, TypeError, AttributeError, ValueRangeError, ValueError) as error:
+    except (LookupError, TypeError, AttributeError, OverflowError, ValueError) as error:
         raise FileError(path, f"damaged mesh file ({error})") from error
 
 

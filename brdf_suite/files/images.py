@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from brdf_suite.errors import FileError
 from brdf_suite.files.exr import read_exr, write_exr
 from brdf_suite.files.exr_writer import write_exr_strips
+from brdf_suite.files.made_size import within_memory
 from brdf_suite.files.png import write_png, write_png_strips
 from brdf_suite.files.primaries import REC2020, rgb_to_working
 from brdf_suite.files.radiance import read_radiance
@@ -54,6 +55,7 @@ class ImageData:
     layout: str | None = None
 
 
+@within_memory
 def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
     """Read an environment image from an OpenEXR or Radiance file, in whatever layout it has.
 

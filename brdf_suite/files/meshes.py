@@ -1,7 +1,8 @@
 """Reading meshes: glTF (``.glb``, ``.gltf``), OBJ, STL and PLY.
 
-Our own ``.glb`` files are read directly (:mod:`brdf_suite.files.glb`). All others go through ``trimesh``
-(:mod:`brdf_suite.files.foreign_meshes`), and :mod:`brdf_suite.surface.repair` makes them drawable. What was
+Our own ``.glb`` files are read as they are (:mod:`brdf_suite.files.glb`). glTF files of others are read by
+:mod:`brdf_suite.files.gltf`, the other formats through ``trimesh`` (:mod:`brdf_suite.files.foreign_meshes`), and
+:mod:`brdf_suite.surface.repair` makes them drawable. What was
 changed or assumed stands in ``Mesh.notes``.
 """
 
@@ -17,8 +18,9 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.foreign_meshes import check_stl, read_parts
+from brdf_suite.files.foreign_meshes import check_stl, gltf_parts, read_parts
 from brdf_suite.files.glb import is_own, read_own_glb, split_glb, write_mesh_glb
+from brdf_suite.files.made_size import within_memory
 from brdf_suite.surface.mesh import Mesh, Part
 from brdf_suite.surface.repair import RawPart, repair
 
@@ -31,13 +33,9 @@ _SMALLEST_M, _LARGEST_M = 0.001, 50.0
 METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254}
 """The length of each unit that a file's numbers can be in, metres."""
 _UNIT_NAMES = {"m": "metres", "cm": "centimetres", "mm": "millimetres", "in": "inches"}
-_UNREADABLE = {
-    "EXT_meshopt_compression": "meshopt compression",
-    "KHR_meshopt_compression": "meshopt compression",
-    "KHR_draco_mesh_compression": "Draco compression",
-}
 
 
+@within_memory
 def read_mesh(path: str | os.PathLike[str], unit: str = "file") -> Mesh:
     """Return the mesh in a file, in metres, every part with normals and texture coordinates in millimetres.
 
@@ -64,10 +62,10 @@ def read_mesh(path: str | os.PathLike[str], unit: str = "file") -> Mesh:
         document, binary = split_glb(path, data)
         if is_own(document):
             return _in_unit(read_own_glb(path, document, binary, file.stem), unit)
-        _check_gltf(path, document)
-    elif ending == ".gltf":
-        _check_gltf(path, _gltf_json(path, data))
-    elif ending == ".stl":
+        return _repaired(path, gltf_parts(path, document, binary), unit)
+    if ending == ".gltf":
+        return _repaired(path, gltf_parts(path, _gltf_json(path, data), None), unit)
+    if ending == ".stl":
         check_stl(path, data)
     return _repaired(path, read_parts(path), unit)
 
@@ -94,35 +92,6 @@ def _gltf_json(path: str | os.PathLike[str], data: bytes) -> dict[str, Any]:
     if not isinstance(document, dict):
         raise FileError(path, "not glTF: its JSON is not an object")
     return document
-
-
-def _check_gltf(path: str | os.PathLike[str], document: dict[str, Any]) -> None:
-    """Refuse what no reader here can decode, and a scene graph that runs in a circle."""
-    required = document.get("extensionsRequired", [])
-    for extension in required if isinstance(required, list) else []:
-        if extension in _UNREADABLE:
-            what = f"its triangles are stored with {_UNREADABLE[extension]} ({extension})"
-            raise FileError(path, f"{what}, which cannot be read; export it again without compression")
-    nodes = document.get("nodes", [])
-    if not isinstance(nodes, list) or not all(isinstance(node, dict) for node in nodes):
-        raise FileError(path, "not a list of objects", "nodes")
-    parents = [0] * len(nodes)
-    for place, node in enumerate(nodes):
-        for child in node.get("children", []):
-            if not isinstance(child, int) or not 0 <= child < len(nodes):
-                raise FileError(path, "a child that is not there", f"nodes[{place}].children")
-            parents[child] += 1
-    # A forest can be taken apart from its roots; what stays has a circle, or a node with two parents.
-    free = [index for index, count in enumerate(parents) if count == 0]
-    reached = 0
-    while free:
-        reached += 1
-        for child in nodes[free.pop()].get("children", []):
-            parents[child] -= 1
-            if parents[child] == 0:
-                free.append(child)
-    if reached < len(nodes):
-        raise FileError(path, "the scene graph runs in a circle", "nodes")
 
 
 def _repaired(path: str | os.PathLike[str], raw: list[RawPart], unit: str) -> Mesh:

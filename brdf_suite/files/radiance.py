@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.area_reduction import read_reduced
+from brdf_suite.files.area_reduction import check_reducible, read_reduced
 from brdf_suite.files.exr_header import MAX_PIXELS
 from brdf_suite.files.primaries import REC709, Chromaticities, rgb_to_xyz
 
@@ -44,6 +44,7 @@ def read_radiance(
     fields, size_line, start = _header(path, data)
     signs, axes, sizes = _size(path, size_line, start)
     width, height = sizes[1], sizes[0]
+    check_reducible(path, height, width, f"byte {start - len(size_line) - 1}")
     lines = _Lines(path, data, start, height, width, _gain(path, fields))
     pixels, reduced = read_reduced(height, width, lines.read)
     pixels = _orient(pixels, signs, axes)

@@ -42,7 +42,7 @@ class AngleResult:
     delta_e_2000: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PaintFit:
     """A paint, its reflectance, and the lobes fitted to it. ``seconds`` is the whole way from the paint.
 
@@ -198,8 +198,8 @@ def _light_notice(reflectance: PaintReflectance, weights: LobeWeights) -> tuple[
         return ()
     # Lobes know the mirror angle only, not how far light and view are apart.
     return (
-        f"The picture's lobes are fitted with the light at {np.degrees(weights.theta_fit_rad):.0f}°; what the readings "
-        "under other lights add is in the reflectance, not in the picture.",
+        f"The lobes are fitted with the light at {np.degrees(weights.theta_fit_rad):.0f}°; the readings under other "
+        "lights enter the picture by weights fitted for every angle of the view.",
     )
 
 

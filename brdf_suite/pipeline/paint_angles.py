@@ -18,9 +18,10 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from brdf_suite.fitting.lobes.basis import LobeBasis
-from brdf_suite.pipeline.seen_weights import SeenWeights
+from brdf_suite.pipeline.seen_weights import SeenQueue, SeenWeights
 from brdf_suite.realtime.look_up_table import RAMP_COSINES
 from brdf_suite.realtime.values import WeightsOverAngle
+from brdf_suite.reflectance.several_lights import SeveralLights
 
 if TYPE_CHECKING:
     from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleWeights
@@ -52,6 +53,7 @@ class PaintAngles:
         self._begun: set[_Key] = set()
         self._lock = threading.Lock()
         self._seen: WeakKeyDictionary[PaintFit | AnyFit, SeenWeights] = WeakKeyDictionary()
+        self._queue = None if changed is None else SeenQueue(self.tell)
 
     def of(self, fit: PaintFit | AnyFit) -> FitOverAngle | None:
         """Return what the renderer asks for the weights of ``fit``; None where nothing divides it into layers."""
@@ -63,23 +65,30 @@ class PaintAngles:
     def by_view(self, fit: PaintFit | AnyFit) -> SeenWeights | None:
         """Return what the renderer asks for weights at every angle of the view; None where Fresnel's gains serve.
 
-        They serve designed paints. Scattered samples say too little of other angles than their own.
+        They serve designed paints read under one light. With several lights the colour depends on the light's angle
+        too, of which the fit of one incidence knows nothing.
         """
         # Models that no start needs; and what they are is asked here, not by who edits.
         from brdf_suite.reflectance.paint_reflectance import PaintReflectance
-        from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
-        if isinstance(fit.reflectance, PaintReflectance | ScatteredSamples):
+        reflectance = fit.reflectance
+        if isinstance(reflectance, PaintReflectance) and not isinstance(reflectance.base, SeveralLights):
             return None
-        # One fit is shown again and again: as another material, after another paint, in another light.
+        # One fit is shown again and again: as another material, after another paint, in another light. And after a fit
+        # that met its time limit comes the one with the optimum, of the same reflectance.
         if fit not in self._seen:
             exponents = tuple(fit.weights.exponents.tolist())
-            told = None if self._changed is None else self.tell
-            self._seen[fit] = SeenWeights(fit.reflectance, exponents, told)
+            known = (
+                s for s in self._seen.values() if s.reflectance is reflectance and s.exponents == exponents
+            )
+            later = None if self._queue is None else self._queue.add
+            self._seen[fit] = next(known, None) or SeenWeights(reflectance, exponents, later)
         return self._seen[fit]
 
     def close(self) -> None:
         """End the solvers; nobody is called any more."""
+        if self._queue is not None:
+            self._queue.close()
         with self._lock:
             self._changed = None
             for fitter in self._fitters.values():

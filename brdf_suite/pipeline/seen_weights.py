@@ -3,7 +3,8 @@
 A designed paint is fitted in the plane of incidence at 45°, and Fresnel's equations take it to other angles. That is
 not enough for what is wide and does not look the same from everywhere: a facet lobe of Cook and Torrance is narrower
 across the plane than in it, by the cosine, so that a round lobe fitted in the plane sends 1.4 times too much to a view
-along the normal and a third at grazing (docs/shading.md has the figures); and measured data follow no equation at all.
+along the normal and a third at grazing (docs/shading.md has the figures); measured data follow no equation at all; and
+a paint read under several lights has another colour at each of them.
 
 So here the target at a view is T(ω) = f_r·(N·ω) over the whole half sphere, the columns are the look-ups themselves, as
 the renderer's table has them, and the measure is the error in typical light (``lighting/mirror_harmonics.py``). In the
@@ -15,6 +16,7 @@ from __future__ import annotations
 
 import logging
 import threading
+import weakref
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
@@ -38,6 +40,8 @@ MOST_BROAD, MOST_SHARP = 6, 4
 _LOWEST_COSINE = 1e-3
 #: Turns of the surface over which what differs with its azimuth is averaged.
 _TURNS = 8
+REST_S = 0.05
+"""How long no weights may have been asked for before any are found on the thread."""
 _log = logging.getLogger(__name__)
 
 
@@ -160,19 +164,19 @@ def _on_the_ramp(found: Floats, columns: tuple[_Column, ...], lobes: int) -> Wei
 class SeenWeights:
     """The weights of one reflectance, found when first asked for; see ``values.OverAngle``.
 
-    ``changed``: where given, they are found on a thread, it is called (on that thread) when they are there, and until
-    then there are none. Where they cannot be found, the log says why and there are none.
+    ``later``: where given, it is called with this object to have :meth:`find` called on a thread, and until that is
+    done there are no weights. Where they cannot be found, the log says why and there are none.
     """
 
     def __init__(
         self,
         reflectance: Reflectance,
         exponents: tuple[float, ...],
-        changed: Callable[[], None] | None = None,
+        later: Callable[[SeenWeights], None] | None = None,
     ) -> None:
-        self._reflectance = reflectance
-        self._exponents = exponents
-        self._changed = changed
+        self.reflectance = reflectance
+        self.exponents = exponents
+        self._later = later
         self._begun = False
         self._found: WeightsOverAngle | None = None
 
@@ -180,17 +184,59 @@ class SeenWeights:
         """Return the weights, the same object from the first time on; None: not yet, or never."""
         if not self._begun:
             self._begun = True
-            if self._changed is None:
-                self._find()
+            if self._later is None:
+                self.find()
             else:
-                threading.Thread(target=self._find, name="weights by the view", daemon=True).start()
+                self._later(self)
         return self._found
 
-    def _find(self) -> None:
+    def find(self) -> None:
+        """Find the weights, in about half a second."""
         try:
-            self._found = seen_weights(self._reflectance, self._exponents)
+            self._found = seen_weights(self.reflectance, self.exponents)
         except FittingError as error:
             _log.warning("The picture shows the fit of one incidence. %s", error)
-            return
-        if self._changed is not None:
-            self._changed()
+
+
+class SeenQueue:
+    """Finds weights on one thread, the newest request first, and calls ``changed`` (on it) after each.
+
+    A paint that is being edited asks for weights at every step: the work begins when no request has come for
+    :data:`REST_S`, and what is no longer referenced by then, the paints of the steps between, is left out.
+    """
+
+    def __init__(self, changed: Callable[[], None]) -> None:
+        self._changed = changed
+        self._waiting: list[weakref.ref[SeenWeights]] = []
+        self._asked = threading.Condition()
+        self._running = self._closed = False
+
+    def add(self, wanted: SeenWeights) -> None:
+        """Have these weights found."""
+        with self._asked:
+            self._waiting.append(weakref.ref(wanted))
+            self._asked.notify()
+            if not self._running and not self._closed:
+                self._running = True
+                threading.Thread(target=self._run, name="weights by the view", daemon=True).start()
+
+    def close(self) -> None:
+        """Find nothing more."""
+        with self._asked:
+            self._closed = True
+            self._waiting.clear()
+            self._asked.notify()
+
+    def _run(self) -> None:
+        while True:
+            with self._asked:
+                while self._asked.wait(REST_S):
+                    pass
+                if not self._waiting:
+                    self._running = False
+                    return
+                wanted = self._waiting.pop()()
+            if wanted is not None:
+                wanted.find()
+                self._changed()
+            del wanted

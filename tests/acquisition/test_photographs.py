@@ -69,6 +69,22 @@ def test_every_filter_of_png_is_undone(tmp_path: Path, filter_type: int) -> None
     np.testing.assert_array_equal(read_photograph(path).codes, CODES_16)
 
 
+@pytest.mark.parametrize("filter_type", [0, 1, 2, 3, 4])
+@pytest.mark.parametrize("bits", [8, 16])
+def test_a_png_of_one_filtered_row_is_read(tmp_path: Path, filter_type: int, bits: int) -> None:
+    codes = (CODES_16 if bits == 16 else CODES_8)[:1]
+    row = codes.astype(f">u{bits // 8}").view(np.uint8).ravel().astype(int)
+    step = 3 * bits // 8
+    left = np.concatenate((np.zeros(step, int), row[:-step]))
+    guess = [0 * row, left, 0 * row, left // 2, left][filter_type]
+    packed = zlib.compress(bytes([filter_type]) + ((row - guess) % 256).astype(np.uint8).tobytes())
+    path = tmp_path / "row.png"
+    path.write_bytes(_png(packed, struct.pack(">IIBBBBB", 7, 1, bits, 2, 0, 0, 0)))
+    found = read_photograph(path).codes
+    np.testing.assert_array_equal(found, codes)
+    assert found.dtype == codes.dtype
+
+
 def _png(packed: bytes, header: bytes | None = None) -> bytes:
     head = header or struct.pack(">IIBBBBB", 7, 11, 16, 2, 0, 0, 0)
     chunks = ((b"IHDR", head), (b"IDAT", packed), (b"IEND", b""))

@@ -209,6 +209,7 @@ def test_a_table_that_a_spreadsheet_saved_again_is_read(tmp_path: Path) -> None:
         ("name,illuminant,L_15,a_15,b_15\nx,A,1,2,3\n", "line 2", "without a spectrum"),
         ("name,L_15,a_15,b_15\n", "line 2", "no paint"),
         ('name,L_15,a_15,b_15\n"x,1,2,3\n', "line", "not valid CSV"),
+        ('name,L_15,a_15,"b_15\nx,1,2,3\n', "line", "not valid CSV"),
     ],
 )
 def test_damaged_tables_are_refused_with_the_line(tmp_path: Path, text: str, place: str, reason: str) -> None:

@@ -197,7 +197,38 @@ def test_half_angles_of_alta(tmp_path: Path) -> None:
 def test_intervals_are_passed_over_and_cosines_taken_out(tmp_path: Path) -> None:
     more = "#VS 1\n#PARAM_OUT INV_STERADIAN_COSINE_FACTOR\n"
     value = read_measured(written(tmp_path, "a.alta", alta("ISOTROPIC_TV_TL", "0.2 1.0 3.0 0.1\n", 1, more)))
-    np.testing.assert_allclose(value.values, 3.0 / math.cos(1.0))
+    np.testing.assert_allclose(value.values, 3.0 / math.cos(0.2))  # of the view, the first column
+
+
+def test_the_cosine_of_alta_is_that_of_the_view(shared_data: Path, tmp_path: Path) -> None:
+    """With it a measured retro-reflector is reciprocal: the same pairs were measured in both directions."""
+    value = read_measured(shared_data / "brdf" / "retro-3M-jaune.dat")
+    at_light, at_view = (np.degrees(np.arccos(w[:, 2])).round(1) for w in (value.wi, value.wo))
+    apart = np.degrees(np.arccos(np.einsum("ni,ni->n", value.wi, value.wo).clip(-1.0, 1.0))).round(1)
+    means: dict[tuple[float, float, float], list[float]] = {}
+    for key, found in zip(zip(at_light, at_view, apart, strict=True), value.values[:, 0], strict=True):
+        means.setdefault(key, []).append(found)
+    ratios = [
+        np.mean(found) / np.mean(means[view, light, angle])
+        for (light, view, angle), found in means.items()
+        if light < view and (view, light, angle) in means
+    ]
+    assert len(ratios) > 50
+    assert np.median(np.abs(np.log(ratios))) < 0.03  # 1.1 with the cosine of the light
+    # A value times a cosine of 0 says nothing of the value; such rows must not become peaks.
+    assert value.facts["rows with the view on the horizon left out"] == 86
+    assert value.wo[:, 2].min() > 0.01
+    write_measured(value, tmp_path / "again.alta")
+    again = read_measured(tmp_path / "again.alta")
+    np.testing.assert_allclose(again.values, value.values, rtol=1e-12)
+    np.testing.assert_allclose(again.wi, value.wi, atol=1e-14)
+    np.testing.assert_allclose(again.wo, value.wo, atol=1e-14)
+
+
+def test_alta_with_all_views_on_the_horizon_holds_no_samples(tmp_path: Path) -> None:
+    text = alta("ISOTROPIC_TV_TL", f"{math.pi / 2} 1.0 3.0\n", 1, "#PARAM_OUT INV_STERADIAN_COSINE_FACTOR\n")
+    with pytest.raises(FileError, match="holds no samples"):
+        read_measured(written(tmp_path, "a.alta", text))
 
 
 def test_rgb_of_alta_is_rec_709(tmp_path: Path) -> None:

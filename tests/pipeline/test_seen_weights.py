@@ -8,12 +8,20 @@ import threading
 import numpy as np
 import pytest
 
+from brdf_suite.appearance.colorimetry import working_to_lab
+from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.documents.view import Camera, View
+from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.errors import FittingError
-from brdf_suite.pipeline.any_fit import fit_any
+from brdf_suite.files.measured.samples import as_samples
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
+from brdf_suite.lighting.prefilter import prefilter
+from brdf_suite.pipeline.any_fit import fit_any, fit_reflectance
 from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.picture import OffscreenScene
-from brdf_suite.pipeline.seen_weights import SeenWeights, seen_weights
+from brdf_suite.pipeline.scene import load_surface, prepare_environment
+from brdf_suite.pipeline.seen_weights import SeenQueue, SeenWeights, seen_weights
 from brdf_suite.realtime.look_up_table import RAMP_COSINES, look_up_table
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MeshPart
 from brdf_suite.reflectance.albedo import white_furnace
@@ -99,11 +107,100 @@ def test_the_picture_is_as_bright_as_the_paint_and_the_modes_stay_apart(silver) 
     assert (seen["paper"] < 0.75 * wanted).all()
 
 
-def test_designed_paints_and_scattered_samples_keep_their_way(silver) -> None:
+def test_designed_paints_read_under_one_light_keep_their_way(silver) -> None:
     angles = PaintAngles(time_limit_s=1.0)
     assert angles.by_view(fit_any("red", errors=False)) is None
     assert angles.by_view(silver) is not None
+    shift = fit_any("gold_green_shift", errors=False)
+    assert angles.by_view(shift) is not None
+    assert angles.by_view(shift.paint_fit) is angles.by_view(shift)  # of one reflectance there is one search
     angles.close()
+
+
+def lamps(directions: np.ndarray) -> np.ndarray:
+    """Radiance (..., 3) of coloured lamps about 25° wide in grey surroundings, for world directions (..., 3)."""
+    total = np.full(directions.shape, 0.15)
+    for towards, colour in (
+        ((0.3, 0.9, 0.3), (4.0, 4.0, 4.0)),
+        ((-0.9, 0.2, 0.4), (2.0, 1.4, 0.8)),
+        ((0.7, -0.1, 0.7), (0.8, 1.4, 2.0)),
+    ):
+        axis = np.array(towards) / np.linalg.norm(towards)
+        total += np.exp(12.0 * (directions @ axis - 1.0))[..., None] * colour
+    return total
+
+
+def gathered(reflectance, normal: np.ndarray, view: np.ndarray) -> np.ndarray:
+    """The light of :func:`lamps` that a surface sends to ``view`` (3,), by quadrature on rings about the mirror."""
+    edges = np.concatenate(([0.0], np.geomspace(2e-3, 0.5, 9), np.linspace(0.5, np.pi, 17)[1:]))
+    x, w = np.polynomial.legendre.leggauss(4)
+    half = 0.5 * np.diff(edges)
+    gamma = (edges[:-1, None] + half[:, None] * (1.0 + x)).ravel()
+    area = (half[:, None] * w).ravel() * np.sin(gamma) * 2.0 * np.pi / 48
+    mirrored = 2.0 * (normal @ view) * normal - view
+    first = np.cross(mirrored, normal + 0.01 * view[[1, 2, 0]])
+    first /= np.linalg.norm(first)
+    second = np.cross(mirrored, first)
+    phi = (np.arange(48) + 0.5) * 2.0 * np.pi / 48
+    around = np.cos(phi)[:, None] * first + np.sin(phi)[:, None] * second
+    lights = np.cos(gamma)[:, None, None] * mirrored + np.sin(gamma)[:, None, None] * around
+    across = np.cross(normal, view)
+    across /= np.linalg.norm(across)
+    frame = np.stack((np.cross(across, normal), across, normal))  # world to local
+    local = lights @ frame.T
+    values = reflectance.eval(local, frame @ view) * np.maximum(local[..., 2:], 0.0) * lamps(lights)
+    return np.asarray(np.einsum("gpc,g->c", values, area))
+
+
+@pytest.fixture(scope="module")
+def lit():
+    """The light of :func:`lamps`, filtered."""
+    radiance = lamps(direction(ring_angles(64)[:, None], column_angles(128)[None, :])).astype(np.float32)
+    return prepare_environment("lamps", Environment("lamps", radiance), prefilter)
+
+
+def sphere_error(fit, lit) -> float:
+    """Mean ΔE00 between the picture of a small sphere and what its reflectance gathers there."""
+    size = (24, 24)
+    with OffscreenScene((8, 8)) as scene:
+        scene.set_environment(lit)
+        scene.set_surface(load_surface("sphere"))
+        scene.set_paint_fit(fit)
+        view = View(Camera(20, 15), sparkle=Sparkle(mode="off"))
+        picture = scene.renderer.linear_image(view, size, 1)[..., :3].astype(float)
+        camera = scene.renderer.camera_matrices(view, size)
+        centre, radius = (
+            np.array(scene.bounds.centre),
+            0.5 * np.ptp([scene.bounds.minimum, scene.bounds.maximum], axis=0).max(),
+        )
+    at = (np.arange(size[0]) + 0.5) / size[0] * 2.0 - 1.0
+    x, y = np.meshgrid(at * camera.half_tangents[0], -at * camera.half_tangents[1])
+    rays = np.stack((x, y, -np.ones_like(x)), axis=-1) @ camera.view_to_world.T
+    rays /= np.linalg.norm(rays, axis=-1, keepdims=True)
+    eye = camera.eye - centre
+    along = rays @ eye
+    root = along**2 - (eye @ eye - radius**2)
+    hit = root > (0.25 * radius) ** 2  # N·V over .25: at the rim a pixel is many angles
+    normals = (eye + (-along - np.sqrt(np.where(hit, root, 0.0)))[..., None] * rays) / radius
+    wanted = np.array(
+        [gathered(fit.reflectance, n, -v) for n, v in zip(normals[hit], rays[hit], strict=True)]
+    )
+    assert len(wanted) > 200
+    exposure = 0.18 / np.median(wanted.mean(axis=-1))
+    return float(
+        delta_e_2000(working_to_lab(exposure * picture[hit]), working_to_lab(exposure * wanted)).mean()
+    )
+
+
+def test_a_paint_read_under_two_lights_looks_as_its_reflectance(lit) -> None:
+    """Fitted at one incidence alone, as designed paints are, gold-green misses by 7.6 and teal-violet by 6.1."""
+    for paint in ("gold_green_shift", "teal_violet_shift"):
+        assert sphere_error(fit_any(paint, errors=False), lit) < 2.0
+
+
+def test_scattered_samples_look_as_their_reflectance(silver, lit) -> None:
+    """Fitted at one incidence alone they miss by 3.5."""
+    assert sphere_error(fit_reflectance("scattered", as_samples(silver.reflectance)), lit) < 2.0
 
 
 def test_found_once_and_in_a_window_on_a_thread(silver) -> None:
@@ -126,3 +223,30 @@ def test_what_cannot_be_fitted_is_refused_and_told(caplog: pytest.LogCaptureFixt
     with caplog.at_level(logging.WARNING):
         assert SeenWeights(Sheen(sign=-1.0), exponents).weights() is None
     assert "one incidence" in caplog.text
+
+
+def test_of_many_edits_the_newest_comes_first_and_those_no_longer_shown_never(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    found: list[float] = []
+    begun, go_on, done = threading.Event(), threading.Event(), threading.Semaphore(0)
+
+    def find(self: SeenWeights) -> None:
+        begun.set()
+        assert go_on.wait(60.0)
+        found.append(self.exponents[-1])
+
+    monkeypatch.setattr(SeenWeights, "find", find)
+    queue = SeenQueue(done.release)
+    first, *steps = (SeenWeights(Sheen(), (2.0, 20.0, 100.0 + n)) for n in range(10))
+    queue.add(first)
+    assert begun.wait(60.0)
+    for step in steps:
+        queue.add(step)
+    shown = [steps[2], steps[-1]]
+    del step, steps
+    go_on.set()
+    for _ in range(3):
+        assert done.acquire(timeout=60.0)
+    assert found == [first.exponents[-1], *(weights.exponents[-1] for weights in reversed(shown))]
+    queue.close()

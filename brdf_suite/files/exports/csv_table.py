@@ -135,7 +135,10 @@ def read(path: PathLike) -> Imported:
     delimiter = max(DELIMITERS, key=header.count)
     # A larger cell is met in no table of paints; the module's own bound raises an error of its own kind.
     reader = csv.DictReader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
-    columns = [name.strip() for name in reader.fieldnames or []]
+    try:
+        columns = [name.strip() for name in reader.fieldnames or []]
+    except csv.Error as error:
+        raise FileError(path, f"is not valid CSV ({error})", f"line {reader.line_num}") from error
     reader.fieldnames = columns
     if len(set(columns)) < len(columns):
         twice = next(name for name in columns if columns.count(name) > 1)

@@ -3,7 +3,7 @@
 ``#DIM nx ny`` counts the columns; ``#PARAM_IN`` names the coordinates and ``#PARAM_OUT`` what the values are
 (default 1/sr); ``#VS`` says how many columns of intervals follow each output, which are passed over. Angles are in
 radians. L is the light, V the view. The projected coordinates are (θ cos Δφ, θ sin Δφ), with Δφ = 0 on the
-light's own side.
+light's own side. The cosine of ``INV_STERADIAN_COSINE_FACTOR`` is that of the output direction, the view.
 """
 
 from __future__ import annotations
@@ -35,6 +35,8 @@ from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 _LARGEST = 256 << 20
+# Of values stored with the cosine nothing can be recovered at a view closer to the horizon than this.
+_LEAST_COSINE = 1e-3
 
 _Pair = tuple[Floats, Floats]
 
@@ -180,9 +182,17 @@ def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
     table = rows.table
     wi, wo = _INPUTS[header.param_in][1](rows, table[:, : header.inputs])
     numbers = table[:, header.inputs :]
+    facts: dict[str, object] = {
+        "format": "ALTA text",
+        "name": header.name,
+        "coordinates": header.param_in,
+    }
     if header.param_out == "INV_STERADIAN_COSINE_FACTOR":
-        cosine = np.maximum(wi[:, 2:], 1e-6)  # the light's; at grazing incidence there is nothing to restore
-        numbers = numbers / cosine
+        kept = wo[:, 2] >= _LEAST_COSINE
+        if not kept.all():
+            facts["rows with the view on the horizon left out"] = int(np.count_nonzero(~kept))
+            rows, wi, wo, numbers = rows.only(kept), wi[kept], wo[kept], numbers[kept]
+        numbers = numbers / wo[:, 2:]
     meaning = "grey" if header.outputs == 1 else "xyz" if header.param_out == "XYZ_COLOR" else "rgb"
     turning = header.param_in in _ANISOTROPIC and not one_azimuth(np.arctan2(wi[:, 1], wi[:, 0]))
     return samples(
@@ -192,12 +202,7 @@ def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
         rgb=rgb_values(numbers, meaning),
         isotropic=not turning,
         observer_deg=(options or ReadOptions()).observer_deg,
-        facts={
-            "format": "ALTA text",
-            "name": header.name,
-            "coordinates": header.param_in,
-            "colour": {"grey": "grey", "rgb": "RGB, Rec. 709", "xyz": "XYZ"}[meaning],
-        },
+        facts=facts | {"colour": {"grey": "grey", "rgb": "RGB, Rec. 709", "xyz": "XYZ"}[meaning]},
     )
 
 

@@ -55,6 +55,13 @@ class Rows:
         """The rows (n, width)."""
         return np.frombuffer(self._numbers, np.float64).reshape(-1, self.width)
 
+    def only(self, kept: npt.NDArray[np.bool_]) -> Rows:
+        """Return the rows where ``kept`` (n,) is true."""
+        found = Rows(self.path, self.width)
+        found._numbers.frombytes(self.table[kept].tobytes())
+        found._lines.frombytes(np.frombuffer(self._lines, np.int64)[kept].tobytes())
+        return found
+
     def place(self, row: int) -> str:
         """Where the row stands in the file."""
         return f"line {self._lines[row]}"

@@ -1,4 +1,4 @@
-"""Fits at several incidences for the window: set up on a thread, and told of on the window's own."""
+"""Fits over the angle for a window: found on threads, and announced on the window's own."""
 
 from __future__ import annotations
 
@@ -8,12 +8,13 @@ from brdf_suite.pipeline.paint_angles import PaintAngles
 
 
 class AngleFits(QObject):
-    """Holds :class:`PaintAngles` that let nobody wait.
+    """Holds :class:`PaintAngles` for which the window does not wait.
 
     Signals
     -------
     arrived()
-        The same paint is to be drawn anew: the fitter is ready, or an optimum has come after the time limit.
+        The same paint is to be drawn anew: the fitter is ready, an optimum has come after the time limit, or weights
+        for every angle of the view have been found.
     """
 
     arrived = Signal()

@@ -1,0 +1,204 @@
+"""Small files that announce much are refused before it is made: measured in a process of its own."""
+
+from __future__ import annotations
+
+import base64
+import json
+import struct
+import subprocess
+import sys
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from brdf_suite.errors import FileError
+from brdf_suite.files.images import read_environment_image
+from brdf_suite.files.made_size import MOST_MADE_BYTES, check_made, within_memory
+from brdf_suite.files.meshes import read_mesh
+
+MEASURE = """
+import resource, sys
+from brdf_suite.acquisition.photographs import read_photograph
+from brdf_suite.errors import FileError
+from brdf_suite.files.images import read_environment_image
+from brdf_suite.files.meshes import read_mesh
+import OpenEXR, scipy.spatial, tifffile
+def peak(): return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss >> 10
+before = peak()
+try:
+    globals()[sys.argv[1]](sys.argv[2])
+    print("read")
+except FileError as error:
+    print(error)
+print(peak() - before)
+"""
+
+
+def measured(reader: str, path: Path) -> tuple[str, int]:
+    """What a reader says of a file, ``read`` where it takes it, and by how many MB its process grew at most."""
+    command = [sys.executable, "-P", "-c", MEASURE, reader, str(path)]
+    done = subprocess.run(command, check=True, capture_output=True, text=True, timeout=240)
+    said, grown = done.stdout.splitlines()
+    return said, int(grown)
+
+
+def gltf(accessors: list[dict[str, object]], **more: object) -> bytes:
+    primitive = {"attributes": {"POSITION": 0}, "indices": 1}
+    document = {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [primitive]}],
+        "accessors": accessors,
+        **more,
+    }
+    return json.dumps(document).encode()
+
+
+def not_stored(count: int) -> bytes:
+    points = {"componentType": 5126, "type": "VEC3", "count": count}
+    return gltf([points, {"componentType": 5125, "type": "SCALAR", "count": count}])
+
+
+def sparse(count: int) -> bytes:
+    stored = {"bufferView": 0, "componentType": 5125}
+    changed = {"count": 1, "indices": stored, "values": {"bufferView": 0}}
+    points = {"componentType": 5126, "type": "VEC3", "count": count, "sparse": changed}
+    indices = {"componentType": 5125, "type": "SCALAR", "count": count}
+    views = [{"buffer": 0, "byteLength": 12}]
+    buffers = [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]
+    return gltf([points, indices], bufferViews=views, buffers=buffers)
+
+
+def instances(triangles: int, nodes: int) -> bytes:
+    """Many nodes with one mesh of many triangles, all of which are the same in the file."""
+    points = {"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3}
+    indices = {"bufferView": 1, "componentType": 5121, "type": "SCALAR", "count": 3 * triangles}
+    views = [
+        {"buffer": 0, "byteLength": 36},
+        {"buffer": 0, "byteOffset": 36, "byteLength": 3 * triangles},
+    ]
+    content = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0) + b"\0\1\2" * triangles
+    uri = "data:application/octet-stream;base64," + base64.b64encode(content).decode()
+    return gltf(
+        [points, indices],
+        bufferViews=views,
+        buffers=[{"byteLength": len(content), "uri": uri}],
+        nodes=[{"mesh": 0}] * nodes,
+        scenes=[{"nodes": list(range(nodes))}],
+    )
+
+
+def radiance(width: int, height: int) -> bytes:
+    """Black lines of the old run-length coding, where a line takes a few bytes."""
+    line = b"\0\0\0\0" + b"\1\1\1\xff" * 0
+    left, shift = width - 1, 0
+    while left:
+        line += bytes((1, 1, 1, left & 255))
+        left, shift = left >> 8, shift + 8
+    return b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + f"-Y {height} +X {width}\n".encode() + line * height
+
+
+def tiff(field: int, values: int) -> bytes:
+    """A grey TIFF of a million rows in which a field holds many values."""
+    fields = {256: 16, 257: 1 << 20, 258: 8, 259: 1, 262: 1, 273: 8, 277: 1, 278: 1 << 20, 279: 64}
+    blob = bytes(64) + struct.pack(f"<{values}I", *(fields[field],) * values)
+    rows = [
+        struct.pack("<HHII", code, 4, *((values, 72) if code == field else (1, value)))
+        for code, value in fields.items()
+    ]
+    head = b"II*\0" + struct.pack("<I", 8 + len(blob)) + blob
+    return head + struct.pack("<H", len(rows)) + b"".join(rows) + bytes(4)
+
+
+def png(width: int, height: int, bits: int = 16, packed: bytes = b"") -> bytes:
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, bits, 6, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", packed) + chunk(b"IEND", b"")
+
+
+@pytest.mark.parametrize(
+    ("reader", "name", "content", "place", "reason"),
+    [
+        ("read_mesh", "a.gltf", lambda: not_stored(200_000_000), "accessors[0]", "would take 4.5 GiB"),
+        ("read_mesh", "a.gltf", lambda: sparse(200_000_000), "accessors[0]", "would take 4.5 GiB"),
+        ("read_mesh", "a.gltf", lambda: sparse(20_000_000), "accessors[0]", "are not in the file"),
+        ("read_mesh", "a.gltf", lambda: instances(5_000, 20_000), "nodes", "all nodes would take"),
+        ("read_environment_image", "a.hdr", lambda: radiance(524288, 256), "byte 35", "would take 1.2 GiB"),
+        ("read_photograph", "a.tif", lambda: tiff(256, 513), "field ImageWidth", "holds 513 values"),
+        ("read_photograph", "a.png", lambda: png(1 << 14, 1 << 14), "IHDR", "would take 2.0 GiB"),
+    ],
+)
+def test_small_files_that_announce_gigabytes_are_refused_within_one(
+    tmp_path: Path, reader: str, name: str, content: Callable[[], bytes], place: str, reason: str
+) -> None:
+    path = tmp_path / name
+    path.write_bytes(content())
+    assert path.stat().st_size < 1 << 20
+    said, grown = measured(reader, path)
+    assert f"{path}, at {place}: " in said
+    assert reason in said
+    assert grown < 1024
+
+
+def test_what_is_large_and_true_is_read(tmp_path: Path) -> None:
+    """An environment of the largest size that is not reduced, and a mesh of two million triangles."""
+    path = tmp_path / "large.hdr"
+    path.write_bytes(radiance(8192, 4096))
+    assert measured("read_environment_image", path)[0] == "read"
+    side = 1000
+    x, y = np.meshgrid(np.arange(side, dtype="<f4"), np.arange(side, dtype="<f4"))
+    points = np.column_stack((x.ravel(), y.ravel(), np.sin(x + y).ravel())) * np.float32(1e-3)
+    corner = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()
+    square = np.column_stack(
+        (corner, corner + 1, corner + side, corner + side, corner + 1, corner + side + 1)
+    )
+    (tmp_path / "large.bin").write_bytes(points.astype("<f4").tobytes() + square.astype("<u4").tobytes())
+    views = [
+        {"buffer": 0, "byteLength": points.size * 4},
+        {"buffer": 0, "byteOffset": points.size * 4, "byteLength": square.size * 4},
+    ]
+    accessors = [
+        {"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": len(points)},
+        {"bufferView": 1, "componentType": 5125, "type": "SCALAR", "count": square.size},
+    ]
+    mesh = tmp_path / "large.gltf"
+    mesh.write_bytes(
+        gltf(accessors, bufferViews=views, buffers=[{"byteLength": 28 << 20, "uri": "large.bin"}])
+    )
+    assert read_mesh(mesh).triangle_count == 2 * (side - 1) ** 2
+
+
+@pytest.mark.parametrize(("width", "height"), [(1_000_000, 3), (3, 1_000_000)])
+def test_an_image_thinner_than_its_reduction_is_refused(tmp_path: Path, width: int, height: int) -> None:
+    path = tmp_path / "thin.hdr"
+    path.write_bytes(
+        b"#?RADIANCE\n\n" + f"-Y {height} +X {width}\n".encode() + bytes(4) * 8 * max(width, height)
+    )
+    with pytest.raises(FileError, match="too thin to be reduced"):
+        read_environment_image(path)
+
+
+def test_the_limit_is_one_and_names_the_place() -> None:
+    check_made("a.exr", MOST_MADE_BYTES, "its pixels")
+    with pytest.raises(
+        FileError, match=r"^a\.exr, at byte 4: its pixels would take 2\.0 GiB; 1 GiB is allowed\.$"
+    ):
+        check_made("a.exr", 2 * MOST_MADE_BYTES, "its pixels", "byte 4")
+    with pytest.raises(FileError, match="more memory than there is"):
+        check_made("a.exr", 1 << 200, "its pixels")
+
+
+def test_no_memory_is_an_error_of_the_file(tmp_path: Path) -> None:
+    @within_memory
+    def read(path: object, size: int) -> bytes:
+        return bytes(size)
+
+    assert read("a.png", 3) == bytes(3)
+    with pytest.raises(FileError, match=r"^a\.png: there is not enough memory"):
+        read("a.png", 1 << 62)
