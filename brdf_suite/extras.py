@@ -72,7 +72,7 @@ def import_extra(name: str, *, purpose: str, instead: str = "") -> ModuleType:
         if library is not None:
             way = f"install the system library {library[1]} with the package manager of this system"
         else:
-            way = _sentence_end(name, " again", instead)
+            way = _sentence_end(name, " again", instead, again=True)
         reason = " ".join(str(error).split()).rstrip(".") or type(error).__name__
         raise ExtraError(
             f"{purpose} needs {PACKAGES[name].title}, which is installed but cannot be loaded ({reason}); {way}"
@@ -106,21 +106,26 @@ def requirements(extra: str) -> list[str]:
     return [what.strip() for what, _, condition in lines if marker.search(condition)]
 
 
-def install_command(extra: str) -> str:
-    """Return the command line that adds an extra to the environment in which this process runs."""
+def install_command(extra: str, *, again: bool = False) -> str:
+    """Return the command line that adds an extra to the environment in which this process runs.
+
+    ``again``: also where it is installed already. The program of a checkout mends what it finds incomplete anyway.
+    """
     checkout = Path(__file__).resolve().parent.parent
     run = checkout / "packaging" / "run.py"
     if run.is_file() and Path(sys.prefix).resolve() == (checkout / ".venv").resolve():
         return _command_line(["python" if os.name == "nt" else "python3", str(run), "--with", extra])
     if find_spec("pip") is not None:
-        return _command_line([sys.executable, "-m", "pip", "install", *requirements(extra)])
-    return _command_line(["uv", "pip", "install", "--python", sys.executable, *requirements(extra)])
+        pip = [sys.executable, "-m", "pip", "install", *(["--force-reinstall"] if again else [])]
+        return _command_line([*pip, *requirements(extra)])
+    uv = ["uv", "pip", "install", "--python", sys.executable, *(["--reinstall"] if again else [])]
+    return _command_line([*uv, *requirements(extra)])
 
 
-def _sentence_end(name: str, how: str, instead: str) -> str:
+def _sentence_end(name: str, how: str, instead: str, *, again: bool = False) -> str:
     if _is_frozen():
         return instead or "install BRDF Suite again"
-    command = f"`{install_command(PACKAGES[name].extra)}` installs it{how}"
+    command = f"`{install_command(PACKAGES[name].extra, again=again)}` installs it{how}"
     return f"{command}, and {instead}" if instead else command
 
 

@@ -68,6 +68,8 @@ def test_another_environment_installs_by_pip_or_uv(monkeypatch: pytest.MonkeyPat
     packages = ["flip-evaluator>=1.6", "mitsuba>=3.7"]
     python = str(tmp_path / "a b" / "python")
     assert shlex.split(install_command("reference")) == [python, "-m", "pip", "install", *packages]
+    again = shlex.split(install_command("reference", again=True))
+    assert again == [python, "-m", "pip", "install", "--force-reinstall", *packages]
     monkeypatch.setitem(sys.modules, "pip", None)
     assert shlex.split(install_command("reference")) == [
         *("uv", "pip", "install", "--python", python),
