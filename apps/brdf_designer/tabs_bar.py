@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.icons import icon
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import tr
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent
@@ -83,7 +84,7 @@ class DocumentTabs(QTabBar):
         button = self.tabButton(place, QTabBar.ButtonPosition.RightSide)
         if button is not None:
             text = tr("Close {title}").format(title=tab.title)
-            button.setToolTip(text)
+            button.setToolTip(plain_tip(text))
             button.setAccessibleName(text)
 
     def _place_of(self, button: QWidget) -> int:
