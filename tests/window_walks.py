@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from PySide6 import QtGui
-from PySide6.QtCore import QAbstractItemModel, QAbstractListModel, QModelIndex, QPoint, QPointF, Qt
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QAbstractListModel,
+    QAbstractTableModel,
+    QModelIndex,
+    QPoint,
+    QPointF,
+    Qt,
+)
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -77,7 +85,8 @@ def _roles(model: QAbstractItemModel, role: Qt.ItemDataRole) -> list[str]:
             found += [
                 str(model.data(model.index(row, column, parent), role) or "") for column in range(columns)
             ]
-            parents.append(model.index(row, 0, parent))
+            if not isinstance(model, QAbstractListModel | QAbstractTableModel):
+                parents.append(model.index(row, 0, parent))
     for direction, count in (
         (Qt.Orientation.Horizontal, _columns(model, QModelIndex())),
         (Qt.Orientation.Vertical, min(200, model.rowCount())),

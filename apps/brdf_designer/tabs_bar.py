@@ -78,7 +78,7 @@ class DocumentTabs(QTabBar):
         self.setTabText(place, title if tab.clean else f"{MARK} {title}")
         where = str(tab.path) if tab.path else tr("Not yet in a file")
         state = "" if tab.clean else tr("Not saved")
-        self.setTabToolTip(place, "\n".join(part for part in (where, state) if part))
+        self.setTabToolTip(place, plain_tip("\n".join(part for part in (where, state) if part)))
         spoken = tab.title if tab.clean else tr("{title}, not saved").format(title=tab.title)
         self.setAccessibleTabName(place, spoken)
         button = self.tabButton(place, QTabBar.ButtonPosition.RightSide)

@@ -121,6 +121,7 @@ class ViewerCommands(QObject):
         menu.clear()
         for path in paths:
             action = menu.addAction(path)
+            action.setToolTip(plain_tip(path))
             action.triggered.connect(lambda _=False, path=path: self.recent_wanted.emit(kind, path))
         menu.setEnabled(not menu.isEmpty())
 

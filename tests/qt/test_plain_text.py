@@ -46,7 +46,7 @@ def test_labels_are_plain_and_tips_are_made_so(path: Path) -> None:
         name = call.func.attr if isinstance(call.func, ast.Attribute) else ast.unparse(call.func)
         if name == "QLabel":
             assert path.relative_to(APPS).as_posix() in RICH_ON_PURPOSE, ast.unparse(call)
-        elif name == "setToolTip":
+        elif name in ("setToolTip", "setTabToolTip"):
             assert is_of_ours(call.args[-1]), ast.unparse(call)
         elif name == "showText" or (
             name in ("setItemData", "setData") and "ToolTipRole" in ast.unparse(call)
