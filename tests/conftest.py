@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import errno
+import importlib.util
 import os
 import signal
 from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -61,6 +63,15 @@ class PatientBot(QtBot):
 def qtbot(qapp, request: pytest.FixtureRequest) -> QtBot:
     """Drives widgets, with patience."""
     return PatientBot(request)
+
+
+@pytest.fixture(scope="session")
+def walks(qapp) -> ModuleType:
+    """Walks through all widgets of a program: see ``window_walks.py``."""
+    spec = importlib.util.spec_from_file_location("window_walks", Path(__file__).with_name("window_walks.py"))
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 @pytest.fixture(autouse=True)

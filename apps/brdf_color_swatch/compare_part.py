@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QHeaderView, QLabel, QTableWidget, QTableWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QVBoxLayout, QWidget
 
 from brdf_color_swatch.columns import codes_of
 from brdf_color_swatch.desk import Desk
@@ -39,7 +40,7 @@ class _Pair(QWidget):
 
     def show_codes(self, codes: np.ndarray, told: str) -> None:
         self._codes = codes
-        self.setToolTip(told)
+        self.setToolTip(plain_tip(told))
         self.setAccessibleName(tr("Both paints at each angle"))
         self.setAccessibleDescription(told)
         self.update()
@@ -65,9 +66,8 @@ class ComparePanel(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.names = QLabel()
+        self.names = PlainLabel()
         self.names.setWordWrap(True)
-        self.names.setTextFormat(Qt.TextFormat.PlainText)
         self.pair = _Pair()
         self.table = QTableWidget(0, len(_HEADS))
         self.table.setHorizontalHeaderLabels([tr(head) for head in _HEADS])
@@ -81,7 +81,7 @@ class ComparePanel(QWidget):
         self.table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         self.table.horizontalHeader().setMinimumSectionSize(28)
-        self.figures = QLabel()
+        self.figures = PlainLabel()
         self.figures.setWordWrap(True)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import tr
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
@@ -240,7 +241,9 @@ class Controller(QObject):
             if action is not None:
                 action.setText(f"{word} {name}".rstrip())
                 action.setIconText(word.replace("&", ""))
-                action.setToolTip(f"{action.text().replace('&', '')} ({action.shortcut().toString()})")
+                action.setToolTip(
+                    plain_tip(f"{action.text().replace('&', '')} ({action.shortcut().toString()})")
+                )
                 action.setEnabled(can)
 
 

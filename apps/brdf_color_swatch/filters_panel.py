@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from brdf_qt.labels import plain_tip
 from brdf_qt.number_field import NumberField
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
@@ -50,11 +51,11 @@ class FiltersPanel(QWidget):
         tip = tr(
             "Shows swatches alone that another one is within this ΔE00 of, at every angle, group by group"
         )
-        self.duplicates.setToolTip(tip)
+        self.duplicates.setToolTip(plain_tip(tip))
         self.tolerance = NumberField(
             tr("Tolerance of duplicates"), "ΔE00", 0.0, 20.0, 0.1, 2, DEFAULT_TOLERANCE
         )
-        self.tolerance.setToolTip(tip)
+        self.tolerance.setToolTip(plain_tip(tip))
         row = QHBoxLayout()
         row.addWidget(self.duplicates, 1)
         row.addWidget(self.tolerance)

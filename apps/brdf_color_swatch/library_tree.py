@@ -6,6 +6,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from brdf_qt.icons import icon
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import tr
 from PySide6.QtCore import QPoint, QRect, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -125,7 +126,7 @@ class LibraryTree(QTreeWidget):
     def _made(self, line: _Line) -> QTreeWidgetItem:
         item = QTreeWidgetItem([line.text])
         item.setData(0, _SCOPE, line.scope)
-        item.setToolTip(0, line.tip)
+        item.setToolTip(0, plain_tip(line.tip))
         item.setIcon(0, _dot(line.colour) if line.colour else icon(line.sign))
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsDropEnabled
         if line.scope.tag != _TAGS.tag:

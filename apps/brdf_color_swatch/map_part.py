@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from brdf_qt.choice_button import ChoiceButton
+from brdf_qt.labels import PlainLabel
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.settings import settings
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.map_points import MapPoints
@@ -54,7 +56,7 @@ class MapPart:
         box.setSpacing(4)
         head = QHBoxLayout()
         head.setSpacing(4)
-        self.kinds = QComboBox()
+        self.kinds = QuietComboBox()
         self.kinds.setObjectName("map_kind")
         self.kinds.setAccessibleName(tr("Kind of map"))
         for place, (key, (title, tip)) in enumerate(_KINDS.items()):
@@ -73,7 +75,7 @@ class MapPart:
         box.addLayout(head)
         self.stack = QStackedWidget()
         self.stack.setMinimumSize(200, 160)
-        self._note = QLabel()
+        self._note = PlainLabel()
         self._note.setWordWrap(True)
         self._note.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.stack.addWidget(self._note)

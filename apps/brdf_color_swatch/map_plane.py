@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pyqtgraph as pg
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPalette, QPen, QPolygonF
@@ -226,7 +227,7 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             return
         found = nearest(self.pixels(), (event.position().x(), event.position().y()))
         text = "" if found is None else self._points.names[found][:120]
-        QToolTip.showText(event.globalPosition().toPoint(), text, self)
+        QToolTip.showText(event.globalPosition().toPoint(), plain_tip(text), self)
 
     def paintEvent(self, event: object) -> None:
         super().paintEvent(event)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import tr
 from OpenGL import GL
 from pyqtgraph.opengl import GLLinePlotItem, GLScatterPlotItem, GLViewWidget
@@ -188,7 +189,7 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         else:
             found = nearest(self.pixels()[0], (at.x(), at.y()), self.pixels()[1])
             text = "" if found is None or self._points is None else self._points.names[found][:120]
-            QToolTip.showText(event.globalPosition().toPoint(), text, self)
+            QToolTip.showText(event.globalPosition().toPoint(), plain_tip(text), self)
         self._words.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QAbstractTableModel, QMimeData, QModelIndex, QObject, Qt, Signal
 
@@ -128,7 +129,8 @@ class SwatchModel(QAbstractTableModel):
             if key in _TIPS:
                 return tr(_TIPS[key])
             axis, _, angle = key.partition("_")
-            return tr("CIE {axis}* (D65, 10°) at the aspecular angle {angle}°").format(axis=axis, angle=angle)
+            tip = tr("CIE {axis}* (D65, 10°) at the aspecular angle {angle}°")
+            return plain_tip(tip.format(axis=axis, angle=angle))
         return None
 
     def data(self, index: QModelIndex, role: int = 0) -> Any:
@@ -141,7 +143,7 @@ class SwatchModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.TextAlignmentRole and key not in ("name", "code", "tags", "date"):
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.ToolTipRole:
-            return rows.told(place, self.shown.figure.get(place))
+            return plain_tip(rows.told(place, self.shown.figure.get(place)))
         if role == Qt.ItemDataRole.AccessibleTextRole:
             return rows.spoken(place)
         if role == ID_ROLE:

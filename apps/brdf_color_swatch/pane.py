@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from brdf_qt.elided_label import ElidedLabel
 from brdf_qt.icons import icon
+from brdf_qt.labels import ElidedLabel, PlainLabel
 from brdf_qt.translation import tr
 from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, QObject, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QDropEvent
@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QProgressBar,
     QPushButton,
     QStackedWidget,
@@ -200,11 +199,11 @@ class Pane(QFrame):
         row.setContentsMargins(8, 2, 8, 2)
         row.setSpacing(8)
         self.head.setMinimumHeight(30)
-        self._mark = QLabel("▸")
+        self._mark = PlainLabel("▸")
         self._mark.setObjectName("front_mark")
         self._mark.setToolTip(tr("The pane that is worked in"))
         self._title = ElidedLabel()
-        self._count = QLabel()
+        self._count = PlainLabel()
         self._count.setForegroundRole(self._count.foregroundRole().PlaceholderText)
         self._close = QToolButton()
         self._close.setIcon(icon("x"))
@@ -224,11 +223,10 @@ class Pane(QFrame):
         page.setAcceptDrops(True)
         page.installEventFilter(self)
         self._noted = False
-        self._note = QLabel()
+        self._note = PlainLabel()
         self._note.setWordWrap(True)
         self._note.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._note.setMinimumWidth(120)
-        self._note.setTextFormat(Qt.TextFormat.PlainText)
         self._bar = QProgressBar()
         self._bar.setRange(0, 0)
         self._bar.setTextVisible(False)

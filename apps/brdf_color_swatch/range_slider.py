@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.number_field import NumberField
 from brdf_qt.translation import tr
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
@@ -18,7 +19,7 @@ from PySide6.QtGui import (
     QPalette,
     QPen,
 )
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 _HANDLE = 6
 _TRACK = 8
@@ -192,11 +193,11 @@ class RangeField(QWidget):
         self.track = _Track(*ends, step, colour_at, wraps=wraps)
         self.track.setAccessibleName(name)
         self.track.setToolTip(
-            f"{tip}\n{tr('Space takes the other end, a double click lets all pass.')}".strip()
+            plain_tip(f"{tip}\n{tr('Space takes the other end, a double click lets all pass.')}".strip())
         )
         self._wraps = wraps
-        label = QLabel(name)
-        label.setToolTip(tip)
+        label = PlainLabel(name)
+        label.setToolTip(plain_tip(tip))
         for field in (self.low, self.high):
             field.setMaximumWidth(84)
             field.edited.connect(lambda _value, field=field: self._typed(field))
@@ -204,7 +205,7 @@ class RangeField(QWidget):
         head.setSpacing(4)
         head.addWidget(label, 1)
         head.addWidget(self.low)
-        head.addWidget(QLabel("–"))
+        head.addWidget(PlainLabel("–"))
         head.addWidget(self.high)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)

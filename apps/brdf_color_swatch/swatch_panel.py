@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from datetime import datetime
 
 import numpy as np
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.translation import tr
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QTextOption
-from PySide6.QtWidgets import QFormLayout, QLabel, QLineEdit, QPlainTextEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFormLayout, QLineEdit, QPlainTextEdit, QVBoxLayout, QWidget
 
 from brdf_color_swatch.columns import codes_of
 from brdf_color_swatch.rows import group_title
@@ -38,7 +39,7 @@ class _Chips(QWidget):
         told = [f"{name} L* {lab[0]:.1f} a* {lab[1]:.1f} b* {lab[2]:.1f}" for name, lab, _ in self._readings]
         self.setAccessibleName(tr("Measured colours"))
         self.setAccessibleDescription("; ".join(told))
-        self.setToolTip("\n".join(told))
+        self.setToolTip(plain_tip("\n".join(told)))
         self.setVisible(bool(readings))
         self.update()
 
@@ -93,7 +94,7 @@ class SwatchPanel(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.title = QLabel()
+        self.title = PlainLabel()
         self.title.setWordWrap(True)
         self.chips = _Chips()
         self.fields: dict[str, QLineEdit] = {}
@@ -122,7 +123,7 @@ class SwatchPanel(QWidget):
         self.notes.setAccessibleName(tr("Notes"))
         self.notes.finished.connect(lambda text: self.edited.emit("notes", text))
         form.addRow(tr("Notes"), self.notes)
-        self.figures = QLabel()
+        self.figures = PlainLabel()
         self.figures.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.figures.setWordWrap(True)
         box = QVBoxLayout(self)

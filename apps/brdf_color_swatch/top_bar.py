@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from brdf_qt.choice_button import ChoiceButton
 from brdf_qt.icons import icon
-from brdf_qt.quiet_slider import QuietSlider
+from brdf_qt.labels import plain_tip
+from brdf_qt.quiet_fields import QuietComboBox, QuietSlider
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QPalette, QResizeEvent
@@ -95,7 +96,7 @@ class TopBar(QWidget):
         self.search = SearchField()
         self.search.searched.connect(self.searched)
         self.search.left_downwards.connect(self.left_downwards)
-        self.sort = QComboBox()
+        self.sort = QuietComboBox()
         self.sort.setObjectName("sort")
         self.sort.setAccessibleName(tr("Order of the swatches"))
         self.sort.setToolTip(
@@ -104,7 +105,7 @@ class TopBar(QWidget):
         for key, title in SORT_TITLES.items():
             self.sort.addItem(tr(title), key)
         self.sort.activated.connect(lambda _place: self.sort_chosen.emit(self.sort.currentData()))
-        self.light = QComboBox()
+        self.light = QuietComboBox()
         self.light.setObjectName("light")
         self.light.setAccessibleName(tr("Light on all swatches"))
         self.light.setToolTip(tr("The light booth, or another light, for all swatches"))
@@ -139,7 +140,7 @@ class TopBar(QWidget):
             button = ChoiceButton("")
             button.setIcon(icon(sign))
             button.setObjectName(f"form_{key}")
-            button.setToolTip(f"{tr(title)}: {tr(tip)}")
+            button.setToolTip(plain_tip(f"{tr(title)}: {tr(tip)}"))
             button.setAccessibleName(tr(title))
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             button.clicked.connect(lambda _=False, key=key: self.form_chosen.emit(key))
@@ -196,7 +197,7 @@ class TopBar(QWidget):
             if state.descending
             else tr("Smallest first; click for the other way")
         )
-        self.way.setToolTip(told)
+        self.way.setToolTip(plain_tip(told))
         self.way.setAccessibleName(told)
 
     def show_look(self, look: Look) -> None:
@@ -208,7 +209,7 @@ class TopBar(QWidget):
             self.size_slider.setValue(look.size)
         self.size_slider.setEnabled(not look.as_list)
         self.size_slider.setToolTip(
-            tr("Size of the swatches: {size} pixels (Ctrl and wheel)").format(size=look.size)
+            plain_tip(tr("Size of the swatches: {size} pixels (Ctrl and wheel)").format(size=look.size))
         )
         place = self.light.findData(look.booth)
         if place >= 0:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from brdf_qt.labels import plain_tip
 from brdf_qt.main_window import Shortcut, SuiteWindow
 from brdf_qt.message_bar import Message
 from brdf_qt.section import Section
@@ -146,7 +147,7 @@ class SwatchWindow(SuiteWindow):
         self.recent_menu.clear()
         for number, path in enumerate(paths, 1):
             action = self.recent_menu.addAction(f"&{number % 10} {path.name}")
-            action.setToolTip(str(path))
+            action.setToolTip(plain_tip(str(path)))
             action.triggered.connect(lambda _=False, path=path: self.open_asked.emit(path))
         self.recent_menu.addSeparator()
         self.recent_menu.addAction(tr("&Clear"), self.recent_cleared.emit)

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import re
 
+from brdf_qt.labels import PlainLabel
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy
+from PySide6.QtWidgets import QSizePolicy
 
 _DIGIT = re.compile(r"\d")
 
 
-class Caption(QLabel):
+class Caption(PlainLabel):
     """Shows the first of its forms that fits; the last one always."""
 
     def __init__(self, *forms: str) -> None:

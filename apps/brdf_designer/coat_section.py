@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
+from brdf_qt.labels import PlainLabel
 from brdf_qt.number_field import NumberField
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QLabel, QWidget
+from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_designer.desk_state import FitState
 from brdf_designer.fields import DEFAULT_PEEL
@@ -67,7 +68,7 @@ class CoatSection(PaintSection):
             field.gesture_finished.connect(self._end_coat)
         self.haze = computed()
         self.panel.add_row(tr("Haze"), self.haze, tr(_HAZE_TIP))
-        self.note = QLabel()
+        self.note = PlainLabel()
         self.note.setWordWrap(True)
         self.note.hide()
         self.box.addWidget(self.note)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from brdf_qt.choice_button import ChoiceButton
 from brdf_qt.form import Form
+from brdf_qt.labels import plain_tip
 from brdf_qt.number_field import NumberField
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.settings import settings
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
-    QComboBox,
     QHBoxLayout,
     QPushButton,
     QVBoxLayout,
@@ -62,7 +63,7 @@ class ColourHead(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.sets = QComboBox()
+        self.sets = QuietComboBox()
         self.sets.setObjectName("angle_set")
         for name, text in _SETS.items():
             self.sets.addItem(tr(text), name)
@@ -106,8 +107,10 @@ class ColourHead(QWidget):
             # A view at grazing sees nothing; one degree above it is enough.
             self.angle.setRange(max(known.low, light_deg - 89.0), min(known.high, light_deg + 89.0))
             self.angle.setToolTip(
-                tr("Aspecular angle of a further reading, with the light at {light:g}°.").format(
-                    light=light_deg
+                plain_tip(
+                    tr("Aspecular angle of a further reading, with the light at {light:g}°.").format(
+                        light=light_deg
+                    )
                 )
             )
 

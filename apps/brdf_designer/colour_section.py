@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from brdf_qt.colour_slider import ColourSlider
 from brdf_qt.icons import icon
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.number_field import NumberField
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
@@ -144,7 +145,7 @@ class Swatch(QAbstractButton):
         self._named = (colour.text, colour.in_gamut)
         tip = tr("Pick the colour at {angle}").format(angle=colour.text)
         self.setAccessibleName(tip)
-        self.setToolTip(tip if colour.in_gamut else f"{tip}\n{tr(OUTSIDE_TIP)}")
+        self.setToolTip(plain_tip(tip if colour.in_gamut else f"{tip}\n{tr(OUTSIDE_TIP)}"))
 
     def sizeHint(self) -> QSize:
         return QSize(56, 24)
@@ -177,7 +178,7 @@ class AngleEditor(QWidget):
         self.hue = 0.0
         self._lab: Lab | None = None
         self._text = ""
-        self._title = QLabel()
+        self._title = PlainLabel()
         font = self._title.font()
         font.setBold(True)
         self._title.setFont(font)
@@ -211,7 +212,7 @@ class AngleEditor(QWidget):
         self._reach()
 
     def _add_row(self, grid: QGridLayout, component: int) -> None:
-        slider, field, label = ColourSlider(""), NumberField(""), QLabel()
+        slider, field, label = ColourSlider(""), NumberField(""), PlainLabel()
         field.setFixedWidth(72)
         # Tab goes from number to number, whose keys do what the slider's do.
         slider.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
@@ -289,7 +290,7 @@ class AngleEditor(QWidget):
             )
         )
         self.remove.setAccessibleName(tr("Remove the reading at {angle}").format(angle=colour.text))
-        self.remove.setToolTip(tr("Remove the reading at {angle}").format(angle=colour.text))
+        self.remove.setToolTip(plain_tip(tr("Remove the reading at {angle}").format(angle=colour.text)))
         self._name()
 
     def show_colour(

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from brdf_qt.colour_slider import ColourSlider
+from brdf_qt.labels import PlainLabel
 from brdf_qt.number_field import NumberField
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
 from brdf_designer.desk_state import Colours
 from brdf_designer.display import lab_to_codes
@@ -116,7 +117,7 @@ class FlopPanel(QWidget):
         self._tracks.setSingleShot(True)
         self._tracks.setInterval(_QUIET_MS)
         self._tracks.timeout.connect(self._show_tracks)
-        self.note = QLabel()
+        self.note = PlainLabel()
         self.note.setWordWrap(True)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 4)
@@ -135,7 +136,7 @@ class FlopPanel(QWidget):
         field.setFixedWidth(72)
         # As over the angles: Tab goes from number to number.
         slider.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        label = QLabel(name)
+        label = PlainLabel(name)
         label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         label.setBuddy(field)
         for widget in (label, slider, field):

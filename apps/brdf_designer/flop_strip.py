@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from brdf_qt.burst import Burst
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
@@ -141,7 +142,7 @@ class Band(QWidget):
         if outside != self._outside:
             self._outside = outside
             parts = (tr(OUTSIDE_TIP), tr(_GRIPS_TIP)) if outside else (tr(_GRIPS_TIP),)
-            self.setToolTip("\n".join(parts))
+            self.setToolTip(plain_tip("\n".join(parts)))
         self.update()
 
     def tell(self) -> None:
@@ -300,7 +301,7 @@ class Band(QWidget):
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             place = self.grip_at(QPointF(event.pos()))
             if place is not None:
-                QToolTip.showText(event.globalPos(), GRIPS[place].tip(), self)
+                QToolTip.showText(event.globalPos(), plain_tip(GRIPS[place].tip()), self)
                 return True
         return super().event(event)
 

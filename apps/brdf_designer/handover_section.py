@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.form import Form
+from brdf_qt.labels import PlainLabel, plain_tip
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
@@ -39,11 +41,11 @@ class HandoverSection(QWidget):
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(8)
         form = Form()
-        self.formats = QComboBox()
+        self.formats = QuietComboBox()
         self.formats.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         for name, ending in names:
             self.formats.addItem(tr(TITLES[name]), name)
-            self.formats.setItemData(self.formats.count() - 1, ending, Qt.ItemDataRole.ToolTipRole)
+            self.formats.setItemData(self.formats.count() - 1, plain_tip(ending), Qt.ItemDataRole.ToolTipRole)
         self.formats.activated.connect(lambda _index: self.format_chosen.emit(self.chosen))
         form.add_row(
             tr("Format"), self.formats, tr("The kind of file; what it cannot hold of this paint stands below")
@@ -103,6 +105,6 @@ class HandoverSection(QWidget):
 
 
 def _wrapped() -> QLabel:
-    label = QLabel()
+    label = PlainLabel()
     label.setWordWrap(True)
     return label

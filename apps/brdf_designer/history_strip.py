@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import tr
 from PySide6.QtCore import (
     QAbstractListModel,
@@ -89,7 +90,9 @@ class HistoryModel(QAbstractListModel):
         state = self._states[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
             return state.step or tr("Opened")
-        if role in (Qt.ItemDataRole.ToolTipRole, Qt.ItemDataRole.AccessibleTextRole):
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return plain_tip(self._told(index.row(), state))
+        if role == Qt.ItemDataRole.AccessibleTextRole:
             return self._told(index.row(), state)
         if role == Qt.ItemDataRole.DecorationRole:
             return self.picture(state.paint)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.number_field import NumberField
-from brdf_qt.quiet_slider import QuietSlider
+from brdf_qt.quiet_fields import QuietComboBox, QuietSlider
 from brdf_qt.translation import tr
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from brdf_designer.variations_section import PictureButton
 from brdf_suite.pipeline.variations_mix import LEAST_SHARE, MOST_SHARE
@@ -37,7 +38,7 @@ class InterpolationSection(QWidget):
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(8)
-        self.others = QComboBox()
+        self.others = QuietComboBox()
         self.others.setAccessibleName(tr("The other paint"))
         self.others.setToolTip(
             tr("The paint at the other end: an open tab, a shipped paint, or one of a file")
@@ -46,7 +47,7 @@ class InterpolationSection(QWidget):
         self.others.setMaxVisibleItems(24)
         self.others.activated.connect(lambda _index: self.other_chosen.emit(self.others.currentData() or ""))
         box.addWidget(self.others)
-        self.hint = QLabel(tr("Choose the paint at the other end."))
+        self.hint = PlainLabel(tr("Choose the paint at the other end."))
         self.hint.setWordWrap(True)
         box.addWidget(self.hint)
         self.body = QWidget()
@@ -93,7 +94,9 @@ class InterpolationSection(QWidget):
         self.stops = [PictureButton(f"between_{round(100 * stop)}", 44) for stop in STOPS]
         for stop, button in zip(STOPS, self.stops, strict=True):
             button.setText(f"{100 * stop:.0f} %")
-            button.setToolTip(tr("Click to take the paint at {percent:.0f} %").format(percent=100 * stop))
+            button.setToolTip(
+                plain_tip(tr("Click to take the paint at {percent:.0f} %").format(percent=100 * stop))
+            )
             button.clicked.connect(lambda _=False, stop=stop: self.stop_taken.emit(stop))
             row.addWidget(button)
         box.addLayout(row)
@@ -106,11 +109,10 @@ class InterpolationSection(QWidget):
         self.slider.valueChanged.connect(lambda value: self._edited(value / 1000.0))
         box.addWidget(self.slider)
         ends = QHBoxLayout()
-        self.first, self.second = QLabel(), QLabel()
+        self.first, self.second = PlainLabel(), PlainLabel()
         self.second.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for label in (self.first, self.second):
             label.setMinimumWidth(24)
-            label.setTextFormat(Qt.TextFormat.PlainText)
         self.number = NumberField(
             tr("Share of the other paint"), "%", 100.0 * LEAST_SHARE, 100.0 * MOST_SHARE, 1.0, 1, 0.0
         )

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from brdf_qt.labels import PlainLabel
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPalette, QPen
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 _LENGTH = 32
 
@@ -19,7 +20,7 @@ class LineKey(QWidget):
         self._role, self._width, self._style = role, width, style
         row = QHBoxLayout(self)
         row.setContentsMargins(_LENGTH + 6, 0, 0, 0)
-        row.addWidget(QLabel(name))
+        row.addWidget(PlainLabel(name))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)

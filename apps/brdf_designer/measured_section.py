@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from brdf_qt.form import Form
+from brdf_qt.labels import PlainLabel
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
@@ -33,7 +35,7 @@ class MeasuredSection(QWidget):
         box.setSpacing(8)
         self.origin, self.gloss, self.summary, self.notices = (_wrapped() for _ in range(4))
         form = Form()
-        self.angles = QComboBox()
+        self.angles = QuietComboBox()
         for name, title in ANGLE_SETS:
             self.angles.addItem(tr(title), name)
         self.angles.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
@@ -106,9 +108,8 @@ def _summary(start: MeasuredStart) -> str:
 
 
 def _wrapped() -> QLabel:
-    label = QLabel()
+    label = PlainLabel()
     label.setWordWrap(True)
-    label.setTextFormat(Qt.TextFormat.PlainText)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     label.setMinimumWidth(80)
     return label

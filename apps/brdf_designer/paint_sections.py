@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from brdf_qt.form import Form
+from brdf_qt.labels import PlainLabel
 from brdf_qt.parameters import Parameter, ParameterPanel
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.text_fields import TextLine, TextNotes
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from brdf_designer.fields import Key
 from brdf_suite.documents.paint import INTERPOLATIONS, PARAMETERS, Paint
@@ -83,7 +85,7 @@ def _parameter(key: str) -> Parameter:
 
 def computed() -> QLabel:
     """Return a label for a computed value: italic, as everywhere."""
-    label = QLabel("–")
+    label = PlainLabel("–")
     font = label.font()
     font.setItalic(True)
     label.setFont(font)
@@ -123,7 +125,7 @@ class ModelSection(PaintSection):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         form = Form()
-        self.rule = QComboBox()
+        self.rule = QuietComboBox()
         for name in INTERPOLATIONS:
             self.rule.addItem(tr(_RULES[name]), name)
         self.rule.activated.connect(lambda row: self.edited.emit(("interpolation",), self.rule.itemData(row)))
@@ -137,8 +139,8 @@ class ModelSection(PaintSection):
         )
         self.box.addWidget(form)
         self.panel = self.add_panel("near_specular")
-        self.note = QLabel(tr("Not measured: no instrument of three angles looks below 15°."))
-        self.notices = QLabel()
+        self.note = PlainLabel(tr("Not measured: no instrument of three angles looks below 15°."))
+        self.notices = PlainLabel()
         for label in (self.note, self.notices):
             label.setWordWrap(True)
             self.box.addWidget(label)
@@ -171,7 +173,7 @@ class TextSection(PaintSection):
         self.name = TextLine(tr("Name"), 200)
         self.source = TextNotes(tr("Source"), 2)
         self.notes = TextNotes(tr("Notes"))
-        self.illuminant = QLabel()
+        self.illuminant = PlainLabel()
         for field, key, label, tip in (
             (self.name, "name", tr("Name"), tr("What the paint is called")),
             (self.source, "source", tr("Source"), tr("Where the readings come from")),

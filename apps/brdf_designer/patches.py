@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.fit_error import is_large, large_error_tip, marked
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
@@ -204,7 +205,7 @@ class PatchRow(QWidget):
             if colour is not None:
                 tip = f"{lab_text(colour.lab)}\n{tip}"
             if cell[3].toolTip() != tip:
-                cell[3].setToolTip(tip)
+                cell[3].setToolTip(plain_tip(tip))
             if delta_e is None:
                 cell[3].set_forms(tr("fit: none"))
                 continue
@@ -228,7 +229,7 @@ class PatchRow(QWidget):
                 _set_bold(captions[0], patch.passes is False)
                 captions[1].set_forms(*patch.words)
                 for caption in captions:
-                    caption.setToolTip(patch.tip)
+                    caption.setToolTip(plain_tip(patch.tip))
 
     def _new_cell(self, column: int) -> tuple[ColourField, Caption, Caption, Caption]:
         field, angle, numbers, fit = ColourField(), Caption(), Caption(), Caption()

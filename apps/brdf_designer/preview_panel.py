@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from brdf_qt.labels import PlainLabel
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QComboBox, QFrame, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from brdf_designer.caption import Caption
 from brdf_designer.preview_scene import LIGHTS
@@ -44,7 +46,7 @@ class PreviewPanel(QWidget):
         self.setMinimumSize(180, 120)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.caption = Caption("")
-        self.light = QComboBox()
+        self.light = QuietComboBox()
         self.light.setAccessibleName(tr("Light of the small picture"))
         self.light.setToolTip(tr("The light in which the small picture shows the paint"))
         for name in LIGHTS:
@@ -94,7 +96,7 @@ class PreviewPanel(QWidget):
             "No picture here: this screen has no OpenGL. The numbers, patches and curves are complete; Viewer on "
             "another computer can show the paint by its file."
         )
-        self.notice = QLabel(text)
+        self.notice = PlainLabel(text)
         self.notice.setWordWrap(True)
         self.notice.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.notice.setFrameShape(QFrame.Shape.StyledPanel)

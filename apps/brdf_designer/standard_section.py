@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.form import Form
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.number_field import NumberField
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.section import Section
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, Signal, SignalInstance
@@ -156,7 +158,7 @@ class StandardSection(QWidget):
         box = QVBoxLayout(self.body)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(8)
-        self.choices = QComboBox()
+        self.choices = QuietComboBox()
         self.choices.setAccessibleName(tr("Standard"))
         self.choices.setToolTip(
             tr("The paint against which the one in front is judged; the file has several")
@@ -184,7 +186,7 @@ class StandardSection(QWidget):
 
     def _formula_form(self) -> QWidget:
         form = Form()
-        self.formula = QComboBox()
+        self.formula = QuietComboBox()
         for name, title in FORMULAS:
             self.formula.addItem(tr(title), name)
         self.formula.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
@@ -198,7 +200,7 @@ class StandardSection(QWidget):
         row = QHBoxLayout(self.weights)
         row.setContentsMargins(0, 0, 0, 0)
         for text, weight in (("l", self.lightness), ("c", self.chroma)):
-            row.addWidget(QLabel(text))
+            row.addWidget(PlainLabel(text))
             row.addWidget(weight, 1)
             weight.edited.connect(lambda _value: self._choose_formula())
         tip = tr("A larger weight lets a larger difference pass")
@@ -250,7 +252,7 @@ class StandardSection(QWidget):
 
 def _button(text: str, tip: str, signal: SignalInstance | None) -> QPushButton:
     button = QPushButton(text)
-    button.setToolTip(tip)
+    button.setToolTip(plain_tip(tip))
     button.setAccessibleDescription(tip)
     button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
     button.setMinimumWidth(48)
@@ -269,9 +271,8 @@ def _row(*widgets: QWidget) -> QHBoxLayout:
 
 
 def _wrapped(text: str) -> QLabel:
-    label = QLabel(text)
+    label = PlainLabel(text)
     label.setWordWrap(True)
-    label.setTextFormat(Qt.TextFormat.PlainText)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     label.setMinimumWidth(80)
     return label

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.labels import plain_tip
 from brdf_qt.number_field import parse_number
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QSize, Qt, Signal
@@ -60,7 +61,7 @@ class WholeTable(QTableWidget):
             font.setBold(bold)
             item.setFont(font)
         if item.toolTip() != tip:
-            item.setToolTip(tip)
+            item.setToolTip(plain_tip(tip))
 
     def sizeHint(self) -> QSize:
         rows = sum(self.rowHeight(row) for row in range(self.rowCount()))
@@ -83,7 +84,7 @@ class ResultTable(WholeTable):
     def show_rows(self, title: str, rows: Sequence[ResultRow]) -> None:
         """Show the rows; ``title`` is the formula's."""
         heading = self.horizontalHeaderItem(1)
-        heading.setToolTip(title)
+        heading.setToolTip(plain_tip(title))
         self.set_row_count(len(rows))
         for number, row in enumerate(rows):
             for column, text in enumerate(row.cells):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.icons import icon
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import tr
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent
@@ -77,13 +78,13 @@ class DocumentTabs(QTabBar):
         self.setTabText(place, title if tab.clean else f"{MARK} {title}")
         where = str(tab.path) if tab.path else tr("Not yet in a file")
         state = "" if tab.clean else tr("Not saved")
-        self.setTabToolTip(place, "\n".join(part for part in (where, state) if part))
+        self.setTabToolTip(place, plain_tip("\n".join(part for part in (where, state) if part)))
         spoken = tab.title if tab.clean else tr("{title}, not saved").format(title=tab.title)
         self.setAccessibleTabName(place, spoken)
         button = self.tabButton(place, QTabBar.ButtonPosition.RightSide)
         if button is not None:
             text = tr("Close {title}").format(title=tab.title)
-            button.setToolTip(text)
+            button.setToolTip(plain_tip(text))
             button.setAccessibleName(text)
 
     def _place_of(self, button: QWidget) -> int:

@@ -6,11 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from brdf_qt.form import Form
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.number_field import NumberField
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIcon, QImage, QPixmap
-from PySide6.QtWidgets import QComboBox, QGridLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QGridLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from brdf_suite.pipeline.variations import LEAST_STEP, MOST_STEP, USUAL_STEP, Direction
 
@@ -105,7 +107,7 @@ class VariationsSection(QWidget):
         for column in range(3):
             grid.setColumnStretch(column, 1)
         box.addLayout(grid)
-        self.note = QLabel()
+        self.note = PlainLabel()
         self.note.setWordWrap(True)
         self.note.hide()
         box.addWidget(self.note)
@@ -136,7 +138,7 @@ class VariationsSection(QWidget):
         for state in states:
             button = self.buttons[state.direction]
             button.setText(state.text)
-            button.setToolTip(state.tip)
+            button.setToolTip(plain_tip(state.tip))
             button.setAccessibleName(state.text)
             button.setAccessibleDescription(state.tip)
             button.setEnabled(state.there)
@@ -156,7 +158,7 @@ class VariationsSection(QWidget):
 
 
 def _combo(choices: Sequence[tuple[str, str]]) -> QComboBox:
-    combo = QComboBox()
+    combo = QuietComboBox()
     for key, title in choices:
         combo.addItem(tr(title), key)
     combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)

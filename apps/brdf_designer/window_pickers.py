@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction, QColor, QKeySequence
@@ -102,7 +103,7 @@ def fill_recent(
     menu.clear()
     for number, path in enumerate(paths, 1):
         action = menu.addAction(f"&{number % 10} {path.name}")
-        action.setToolTip(str(path))
+        action.setToolTip(plain_tip(str(path)))
         action.triggered.connect(lambda _=False, path=path: open_path(path))
     menu.addSeparator()
     menu.addAction(tr("&Clear"), clear)
@@ -113,5 +114,5 @@ def name_step(action: QAction, word: str, name: str, *, can: bool) -> None:
     """Let Undo or Redo say what it would do."""
     action.setText(f"{word} {name}".rstrip())
     action.setIconText(word.replace("&", ""))
-    action.setToolTip(f"{action.text().replace('&', '')} ({action.shortcut().toString()})")
+    action.setToolTip(plain_tip(f"{action.text().replace('&', '')} ({action.shortcut().toString()})"))
     action.setEnabled(can)

@@ -9,8 +9,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from brdf_qt.elided_label import ElidedLabel
 from brdf_qt.file_watch import FileWatch
+from brdf_qt.labels import ElidedLabel
 from brdf_qt.message_bar import message_of
 from brdf_qt.progress_strip import ProgressStrip
 from brdf_qt.settings import settings, state_folder

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.translation import tr
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QWidget
 
 
-class ChoiceField(QComboBox):
+class ChoiceField(QuietComboBox):
     """Choices by key with titles (marked for translation); ``default`` is what Backspace or Delete goes back to.
 
     ``chosen(key)`` is never emitted by :meth:`set_choice`.
@@ -23,7 +23,6 @@ class ChoiceField(QComboBox):
         self.default = default
         for key, title in titles.items():
             self.addItem(tr(title), key)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(8)
         self.activated.connect(lambda index: self.chosen.emit(self.itemData(index)))
@@ -48,10 +47,3 @@ class ChoiceField(QComboBox):
             self.reset()
             return True
         return super().event(event)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Turn only the list that has the focus: a wheel that scrolls the inspector changes nothing."""
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()

@@ -6,11 +6,11 @@ from typing import Any, get_args
 
 import numpy as np
 from brdf_qt.choice_button import ChoiceButton
-from brdf_qt.elided_label import ElidedLabel
+from brdf_qt.labels import ElidedLabel, PlainLabel, plain_tip
 from brdf_qt.translation import tr
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent, QPalette
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.crosshair import Readout, number, rows_at
 from brdf_lobe_visualizer.options import Options
@@ -51,7 +51,7 @@ class CurvesPlot(QWidget):
         for axis in get_args(Axis):
             button = ChoiceButton(AXIS_LETTERS[axis])
             button.setObjectName(f"axis_{axis}")
-            button.setToolTip(f"{tr(AXIS_TITLES[axis])}\n{tr(AXIS_TIPS[axis])}")
+            button.setToolTip(plain_tip(f"{tr(AXIS_TITLES[axis])}\n{tr(AXIS_TIPS[axis])}"))
             button.setAccessibleName(tr(AXIS_TITLES[axis]))
             button.clicked.connect(lambda _on=False, axis=axis: self._choose(axis))
             self.axis_buttons[axis] = button
@@ -71,7 +71,7 @@ class CurvesPlot(QWidget):
         head.addWidget(self.log_angle)
         head.addStretch(1)
         self._box.addLayout(head)
-        self.empty = QLabel(tr("Nothing to draw: add a reflectance, or show one in the legend."))
+        self.empty = PlainLabel(tr("Nothing to draw: add a reflectance, or show one in the legend."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.empty.setWordWrap(True)
         self._box.addWidget(self.empty, 1)
@@ -255,7 +255,7 @@ class CurvesPlot(QWidget):
         # In few words, for there is little room; the tip has all figures.
         shown = [_short(lines, lines.errors[front.key])] if front.key in errors else []
         self.note.setText(" · ".join([*shown, *rest]))
-        self.note.setToolTip("\n".join([*errors.values(), *rest]))
+        self.note.setToolTip(plain_tip("\n".join([*errors.values(), *rest])))
 
     def _read(self, x: float, _y: float) -> None:
         if self._lines is None or not self._lines.lines:

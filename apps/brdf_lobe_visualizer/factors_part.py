@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import cast
 
+from brdf_qt.labels import PlainLabel
 from brdf_qt.settings import settings
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
 from brdf_lobe_visualizer.desk import Desk
@@ -30,7 +31,7 @@ class FactorsPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("factors")
         self.view = FactorsView()
-        self.note = QLabel()
+        self.note = PlainLabel()
         self.note.setObjectName("factors_note")
         self.channel = ChoiceField(CHANNELS, "colour")
         self.channel.setAccessibleName(tr("Channel of the maps"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from brdf_qt.form import Form
 from brdf_qt.icons import icon
 from brdf_qt.number_field import NumberField
-from brdf_qt.quiet_slider import QuietSlider
+from brdf_qt.quiet_fields import QuietSlider
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget

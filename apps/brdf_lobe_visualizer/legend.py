@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from brdf_qt.icons import icon
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.translation import tr
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QDropEvent, QKeyEvent, QPalette
@@ -14,7 +15,6 @@ from PySide6.QtWidgets import (
     QApplication,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QPushButton,
     QStackedWidget,
     QToolButton,
@@ -220,7 +220,7 @@ class Legend(QWidget):
             ),
         )
         for column, tip in enumerate(tips):
-            rows.headerItem().setToolTip(column, tip)
+            rows.headerItem().setToolTip(column, plain_tip(tip))
         header = rows.header()
         header.setStretchLastSection(False)
         header.setMinimumSectionSize(24)
@@ -245,7 +245,7 @@ class Legend(QWidget):
     def _head(self) -> QHBoxLayout:
         head = QHBoxLayout()
         head.setSpacing(4)
-        title = QLabel(tr("Legend"))
+        title = PlainLabel(tr("Legend"))
         font = title.font()
         font.setBold(True)
         title.setFont(font)
@@ -259,7 +259,7 @@ class Legend(QWidget):
             button = QToolButton()
             button.setIcon(icon(name))
             button.setAutoRaise(True)
-            button.setToolTip(text)
+            button.setToolTip(plain_tip(text))
             button.setAccessibleName(text)
             button.clicked.connect(signal)
             head.addWidget(button)
@@ -268,7 +268,7 @@ class Legend(QWidget):
     def _empty(self) -> QWidget:
         page = QWidget()
         box = QVBoxLayout(page)
-        text = QLabel(tr("Nothing is shown. Drop files here, or"))
+        text = PlainLabel(tr("Nothing is shown. Drop files here, or"))
         text.setWordWrap(True)
         text.setAlignment(Qt.AlignmentFlag.AlignCenter)
         box.addStretch(1)
@@ -344,7 +344,7 @@ def _fill(item: QTreeWidgetItem, row: LegendRow, before: LegendRow | None, ratio
     states = {False: Qt.CheckState.Unchecked, True: Qt.CheckState.Checked}
     item.setData(0, _KEY, row.key)
     item.setText(TITLE, row.title)
-    item.setToolTip(TITLE, row.tip)
+    item.setToolTip(TITLE, plain_tip(row.tip))
     item.setCheckState(TITLE, states[row.shown])
     item.setCheckState(SOLO, states[row.solo])
     item.setCheckState(REFERENCE, states[row.reference])

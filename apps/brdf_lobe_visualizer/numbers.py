@@ -8,12 +8,14 @@ from pathlib import Path
 from brdf_qt.choice_button import ChoiceButton
 from brdf_qt.dialogs import QtDialogs
 from brdf_qt.icons import icon
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.message_bar import Message, message_of
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.settings import settings
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.legend_line import line_icon
@@ -57,9 +59,9 @@ class NumbersPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("numbers")
         self.table = FiguresTable()
-        self.note = QLabel()
+        self.note = PlainLabel()
         self.buttons = {key: ChoiceButton(tr(title)) for key, title in _GROUPS.items()}
-        self.angles = QComboBox()
+        self.angles = QuietComboBox()
         self.angles.setAccessibleName(tr("Angles of the colours"))
         self.angles.setToolTip(tr("At which geometries the colours are read, D65 and 10°"))
         for key, title in _ANGLES.items():
@@ -81,7 +83,7 @@ class NumbersPanel(QWidget):
             button = QToolButton()
             button.setIcon(icon(name))
             button.setAutoRaise(True)
-            button.setToolTip(text)
+            button.setToolTip(plain_tip(text))
             button.setAccessibleName(text)
             button.clicked.connect(signal)
             head.addWidget(button)

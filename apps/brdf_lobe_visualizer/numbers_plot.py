@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from brdf_qt.labels import PlainLabel
 from brdf_qt.translation import tr
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QHideEvent, QPalette, QShowEvent
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.slice_pens import colour_of, dashed, grey_pen
 from brdf_lobe_visualizer.subjects import Subject
@@ -39,7 +40,7 @@ class AlbedoPlot(QWidget):
         self.setAccessibleName(tr("Albedo over the incidence"))
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(0, 0, 0, 0)
-        self.empty = QLabel(tr("No albedo yet."))
+        self.empty = PlainLabel(tr("No albedo yet."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._box.addWidget(self.empty, 1)
         self.plot: Any = None

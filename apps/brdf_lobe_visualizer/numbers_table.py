@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from brdf_qt.labels import plain_tip
 from brdf_qt.translation import tr
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
 from PySide6.QtGui import QGuiApplication, QIcon, QKeyEvent, QKeySequence
@@ -81,11 +82,8 @@ class FiguresModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.DecorationRole:
             return column.line
         if role == Qt.ItemDataRole.ToolTipRole:
-            return (
-                tr("{title}: figures of what it was before").format(title=column.title)
-                if column.stale
-                else column.title
-            )
+            stale = tr("{title}: figures of what it was before").format(title=column.title)
+            return plain_tip(stale if column.stale else column.title)
         return None
 
     def text(self, row: int, column: int) -> str:

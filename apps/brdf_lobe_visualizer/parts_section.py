@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from brdf_qt.elided_label import ElidedLabel
 from brdf_qt.form import Form
+from brdf_qt.labels import ElidedLabel, PlainLabel, plain_tip
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPixmap
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
 from brdf_lobe_visualizer.crosshair import number
@@ -70,7 +70,7 @@ class PartsSection(QWidget):
         self._grid.setVerticalSpacing(4)
         self._grid.setColumnStretch(1, 1)
         box.addWidget(self._list)
-        self.none = QLabel(tr("The selected reflectance has no fit."))
+        self.none = PlainLabel(tr("The selected reflectance has no fit."))
         self.none.setWordWrap(True)
         box.addWidget(self.none)
         self.reset = QPushButton(tr("Reset parts"))
@@ -125,7 +125,9 @@ class PartsSection(QWidget):
                 switch.setAccessibleName(f"{tr(PART_TITLES[part])} {text}")
                 switch.clicked.connect(lambda on, key=lobe.key: self._desk.switch_lobe(*key, on))
                 weight = ElidedLabel(lobe_weight(lobe))
-                weight.setToolTip(f"{weight.text()}\n{tr('Weight: red, green, blue of linear Rec. 2020')}")
+                weight.setToolTip(
+                    plain_tip(f"{weight.text()}\n{tr('Weight: red, green, blue of linear Rec. 2020')}")
+                )
                 self._grid.addWidget(switch, row, 0)
                 self._grid.addWidget(weight, row, 1)
                 row += 1

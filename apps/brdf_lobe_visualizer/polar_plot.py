@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from brdf_qt.elided_label import ElidedLabel
+from brdf_qt.labels import ElidedLabel, PlainLabel
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QEvent, QRect, Qt
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.crosshair import Readout, plain, rows_at
 from brdf_lobe_visualizer.options import Options
@@ -53,7 +53,7 @@ class PolarPlot(QWidget):
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(4)
-        self.empty = QLabel(tr("Nothing to draw: add a reflectance, or show one in the legend."))
+        self.empty = PlainLabel(tr("Nothing to draw: add a reflectance, or show one in the legend."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.empty.setWordWrap(True)
         self._box.addWidget(self.empty, 1)

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING
 
 from brdf_qt.form import Form
 from brdf_qt.icons import icon
+from brdf_qt.labels import PlainLabel
 from brdf_qt.message_bar import message_of
 from brdf_qt.number_field import NumberField
 from brdf_qt.settings import settings
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QObject, QSize
-from PySide6.QtWidgets import QFileDialog, QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QGridLayout, QPushButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.window import LobeWindow
@@ -70,7 +71,7 @@ class SaveSection(QWidget):
             button.clicked.connect(lambda _on=False, kind=kind: save.ask(kind))
             grid.addWidget(button, number // 2, number % 2)
         box.addLayout(grid)
-        self.told = QLabel()
+        self.told = PlainLabel()
         self.told.setWordWrap(True)
         self.told.hide()
         box.addWidget(self.told)

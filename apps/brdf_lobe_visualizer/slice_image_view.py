@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from brdf_qt.labels import PlainLabel
 from brdf_qt.translation import tr
 from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.crosshair import Readout, Row
 from brdf_lobe_visualizer.slice_images import Grid, ImageGrid
@@ -27,13 +28,13 @@ class SliceImageView(QWidget):
         self.images.setAccessibleName(title)
         self.setAccessibleName(title)
         self.readout = Readout(self.images)
-        self.working = QLabel(tr("working…"), self.images)
+        self.working = PlainLabel(tr("working…"), self.images)
         self.working.setObjectName("working")
         self.working.setAutoFillBackground(True)
         self.working.setMargin(2)
         self.working.hide()
         self._late = QTimer(self, singleShot=True, interval=_LATE_MS, timeout=self._tell_late)
-        self.empty = QLabel(tr("Nothing to draw: add a reflectance."))
+        self.empty = PlainLabel(tr("Nothing to draw: add a reflectance."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.empty.setWordWrap(True)
         box = QVBoxLayout(self)

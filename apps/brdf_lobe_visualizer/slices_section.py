@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from brdf_qt.form import Form
 from brdf_qt.number_field import NumberField
-from brdf_qt.quiet_slider import QuietSlider
+from brdf_qt.quiet_fields import QuietComboBox, QuietSlider
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QHBoxLayout,
     QPushButton,
     QVBoxLayout,
@@ -96,7 +95,7 @@ class SlicesSection(QWidget):
             lights,
             tr("The incidences of the unrolled hemispheres; 10°, 40° and 70° in the paper."),
         )
-        self.tone = QComboBox()
+        self.tone = QuietComboBox()
         for tone in TONES:
             self.tone.addItem(tr(_TONES[tone]), tone)
         self.tone.activated.connect(lambda index: state.set(tone=self.tone.itemData(index)))
@@ -108,12 +107,12 @@ class SlicesSection(QWidget):
             self.ev,
             tr("Stops above the exposure that fits the selected reflectance."),
         )
-        self.spacing = QComboBox()
+        self.spacing = QuietComboBox()
         for by_root, title in _SPACING.items():
             self.spacing.addItem(tr(title), by_root)
         self.spacing.activated.connect(lambda index: state.set(by_root=bool(self.spacing.itemData(index))))
         form.add_row(tr("θh of images"), self.spacing, tr("How θh is spaced along the half-angle image."))
-        self.polar = QComboBox()
+        self.polar = QuietComboBox()
         for polar in POLARS:
             self.polar.addItem(tr(_POLARS[polar]), polar)
         self.polar.activated.connect(lambda index: state.set(polar=self.polar.itemData(index)))

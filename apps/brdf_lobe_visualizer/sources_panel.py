@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QTreeWidget,
@@ -52,7 +52,7 @@ class SourcesPanel(QWidget):
         self._add = QPushButton(tr("Show"))
         self._add.setToolTip(tr("Put the selected ones into the legend (Enter, or a double click)"))
         self._add.clicked.connect(self._take)
-        self._none = QLabel(tr("No reflectance has this name."))
+        self._none = PlainLabel(tr("No reflectance has this name."))
         self._none.setMargin(8)
         self._none.hide()
         row = QHBoxLayout()
@@ -100,7 +100,7 @@ class SourcesPanel(QWidget):
         for name, origin in names:
             item = QTreeWidgetItem([name])
             item.setData(0, _ORIGIN, origin)
-            item.setToolTip(0, origin)
+            item.setToolTip(0, plain_tip(origin))
             group.addChild(item)
         self.tree.addTopLevelItem(group)
         group.setExpanded(True)

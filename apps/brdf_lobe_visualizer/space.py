@@ -9,12 +9,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from brdf_qt.camera_gestures import CameraGestures
+from brdf_qt.labels import PlainLabel
 from brdf_qt.settings import settings
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QImage, QPalette
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
-from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
+from PySide6.QtWidgets import QStackedLayout, QWidget
 
 from brdf_lobe_visualizer.camera import PRESETS, Camera, framed, preset, remembered, told
 from brdf_lobe_visualizer.desk import Desk
@@ -192,7 +193,7 @@ class _Holder(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setMinimumSize(200, 160)
-        self.notice = QLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self.notice = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self.notice.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.notice.setMargin(32)
         self._layout = QStackedLayout(self)

@@ -6,13 +6,14 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.main_window import Shortcut, SuiteWindow
 from brdf_qt.message_bar import Message
 from brdf_qt.section import Section
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent, QKeySequence, QShortcut
-from PySide6.QtWidgets import QDockWidget, QLabel, QMenu, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDockWidget, QMenu, QSplitter, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.plot_row import PlotRow
 
@@ -163,7 +164,7 @@ class LobeWindow(SuiteWindow):
         self.recent_menu.clear()
         for number, path in enumerate(paths, 1):
             action = self.recent_menu.addAction(f"&{number % 10} {path.name}")
-            action.setToolTip(str(path))
+            action.setToolTip(plain_tip(str(path)))
             action.triggered.connect(lambda _=False, path=path: self.open_asked.emit(path))
         self.recent_menu.addSeparator()
         self.recent_menu.addAction(tr("&Clear"), self.recent_cleared.emit)
@@ -197,7 +198,7 @@ class LobeWindow(SuiteWindow):
         self.top_split.setObjectName("top_split")
         self.top_split.setHandleWidth(8)
         self.top_split.setChildrenCollapsible(False)
-        absent = QLabel(tr("No view in three dimensions"))
+        absent = PlainLabel(tr("No view in three dimensions"))
         absent.setAlignment(Qt.AlignmentFlag.AlignCenter)
         absent.setObjectName("no_view")
         self.top_split.addWidget(absent)

@@ -9,7 +9,6 @@ from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QListWidget,
     QListWidgetItem,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_qt.command_search import search
+from brdf_qt.labels import PlainLabel
 from brdf_qt.translation import tr
 
 _ACTION = Qt.ItemDataRole.UserRole
@@ -66,7 +66,7 @@ class CommandPalette(QFrame):
         self.found.setUniformItemSizes(True)
         self.found.setSpacing(3)
         self.found.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._empty = QLabel(tr("No command has this name."))
+        self._empty = PlainLabel(tr("No command has this name."))
         self._empty.setMargin(8)
         box = QVBoxLayout(self)
         box.setContentsMargins(8, 8, 8, 8)
@@ -140,6 +140,6 @@ class _KeyLabel(QFrame):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 6, 0)
         row.addStretch(1)
-        label = QLabel(keys)
+        label = PlainLabel(keys)
         label.setForegroundRole(label.foregroundRole().PlaceholderText)
         row.addWidget(label)

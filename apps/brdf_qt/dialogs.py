@@ -6,8 +6,9 @@ from enum import Enum
 from pathlib import Path
 from typing import Protocol
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QIcon
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QLabel, QMessageBox, QWidget
 
 from brdf_qt.icons import icon
 from brdf_qt.translation import tr
@@ -55,6 +56,16 @@ def without_icons(dialog: QDialog) -> None:
             button.setIcon(QIcon())
 
 
+def set_plain_text(box: QMessageBox, text: str, more: str) -> None:
+    """Give a question its text and what is said below it, both drawn as they are: they hold names of files."""
+    box.setText(text)
+    box.setInformativeText(more)
+    for label in box.findChildren(
+        QLabel
+    ):  # the format that a box can be given is that of its first text alone
+        label.setTextFormat(Qt.TextFormat.PlainText)
+
+
 class QtDialogs:
     """The questions as dialogs over ``window``."""
 
@@ -66,8 +77,8 @@ class QtDialogs:
         box = QMessageBox(self._window)
         box.setIconPixmap(icon("floppy-disk").pixmap(_ICON, _ICON))
         box.setWindowTitle(tr("Unsaved Changes"))
-        box.setText(tr("Save the changes to “{name}”?").format(name=name))
-        box.setInformativeText(tr("Without saving, they are lost."))
+        question = tr("Save the changes to “{name}”?").format(name=name)
+        set_plain_text(box, question, tr("Without saving, they are lost."))
         kinds = QMessageBox.StandardButton
         box.setStandardButtons(kinds.Save | kinds.Discard | kinds.Cancel)
         box.setDefaultButton(kinds.Save)
@@ -81,8 +92,8 @@ class QtDialogs:
         box.setIconPixmap(icon("warning").pixmap(_ICON, _ICON))
         box.setWindowTitle(tr("File Changed"))
         text = tr("“{name}” was changed by another program since it was opened or saved here.")
-        box.setText(text.format(name=path.name))
-        box.setInformativeText(tr("Overwriting it loses what it holds now.") + f"\n{path}")
+        more = tr("Overwriting it loses what it holds now.") + f"\n{path}"
+        set_plain_text(box, text.format(name=path.name), more)
         roles = QMessageBox.ButtonRole
         overwrite = box.addButton(tr("Overwrite"), roles.DestructiveRole)
         save_as = box.addButton(tr("Save As…"), roles.AcceptRole)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QLayout, QWidget
 
+from brdf_qt.labels import PlainLabel, plain_tip
+
 LABEL_WIDTH = 96
 
 
@@ -23,12 +25,12 @@ class Form(QWidget):
 
     def add_row(self, text: str, field: QWidget, tip: str = "") -> QLabel:
         """Add a row; ``tip`` explains the term and goes on both. Returns the label."""
-        label = QLabel(text)
+        label = PlainLabel(text)
         label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         label.setBuddy(field)
         if tip:
-            label.setToolTip(tip)
-            field.setToolTip(tip)
+            label.setToolTip(plain_tip(tip))
+            field.setToolTip(plain_tip(tip))
         if not field.accessibleName():
             field.setAccessibleName(text)
         row = self._grid.rowCount()

@@ -14,9 +14,10 @@ from typing import Any, Protocol
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
-from PySide6.QtWidgets import QLabel, QPushButton, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QPushButton, QStackedLayout, QVBoxLayout, QWidget
 
 from brdf_qt.application import surface_format
+from brdf_qt.labels import PlainLabel
 from brdf_qt.translation import tr
 from brdf_suite.errors import SuiteError
 from brdf_suite.realtime.context import Context, adopt_context
@@ -315,7 +316,7 @@ class _Notice(QWidget):
 
     def __init__(self, retry: Callable[[], None]) -> None:
         super().__init__()
-        self._text = QLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._text = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         again = QPushButton(tr("Try again"))
         again.clicked.connect(retry)

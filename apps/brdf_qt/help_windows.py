@@ -86,6 +86,7 @@ class AboutWindow(QDialog):
         )
         licence = tr("Apache License 2.0. Qt {version} under the LGPL.").format(version=qVersion())
         text = QLabel(f"<h3>BRDF Suite {program} {version('brdf-suite')}</h3><p>{what}</p><p>{licence}</p>")
+        text.setTextFormat(Qt.TextFormat.RichText)
         text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         box = QVBoxLayout(self)
         box.setContentsMargins(24, 16, 24, 16)

@@ -15,6 +15,7 @@ from brdf_qt.application import error_relay
 from brdf_qt.command_palette import CommandPalette
 from brdf_qt.help_windows import AboutWindow, ShortcutsWindow
 from brdf_qt.icons import icon as icon_of
+from brdf_qt.labels import plain_tip
 from brdf_qt.message_bar import MessageBar
 from brdf_qt.panel import Panel
 from brdf_qt.progress_strip import ProgressStrip
@@ -100,7 +101,7 @@ class SuiteWindow(QMainWindow):
         if shortcut is not None:
             action.setShortcut(QKeySequence(shortcut))
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{plain} ({keys})" if keys else plain)
+        action.setToolTip(plain_tip(f"{plain} ({keys})" if keys else plain))
         action.setStatusTip("")
         if slot is not None:
             action.triggered.connect(lambda _checked=False: slot())

@@ -23,8 +23,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from brdf_qt.elided_label import ElidedLabel
 from brdf_qt.icons import icon
+from brdf_qt.labels import ElidedLabel, PlainLabel, plain_tip
 from brdf_qt.translation import mark, tr
 from brdf_suite.errors import FileError, SuiteError
 
@@ -81,7 +81,7 @@ class _Row(QFrame):
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 6, 8, 6)
         row.setSpacing(8)
-        self._sign = sign = QLabel()
+        self._sign = sign = PlainLabel()
         self._draw_sign()
         sign.setAccessibleName(tr(_WORDS[message.severity]))
         row.addWidget(sign, 0, Qt.AlignmentFlag.AlignTop)
@@ -91,7 +91,7 @@ class _Row(QFrame):
         self._whole = [self.what, *(self._label(text) for text in (message.where, message.todo) if text)]
         self._line = ElidedLabel(message.what)
         self._line.setFont(self.what.font())
-        self._line.setToolTip("\n".join(label.text() for label in self._whole))
+        self._line.setToolTip(plain_tip("\n".join(label.text() for label in self._whole)))
         self._line.hide()
         for label in (*self._whole, self._line):
             texts.addWidget(label)
@@ -145,9 +145,8 @@ class _Row(QFrame):
             self.opened.emit(self.message.key)
 
     def _label(self, text: str, *, bold: bool = False) -> QLabel:
-        label = QLabel(text)
+        label = PlainLabel(text)
         label.setWordWrap(True)
-        label.setTextFormat(Qt.TextFormat.PlainText)
         label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         policy.setHeightForWidth(True)

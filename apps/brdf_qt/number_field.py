@@ -31,6 +31,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QToolTip, QWidget
 
 from brdf_qt.burst import Burst
+from brdf_qt.labels import plain_tip
 from brdf_qt.text_fields import is_of_window
 
 _NUMBER = re.compile(r"[-+−]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?")
@@ -188,7 +189,9 @@ class NumberField(QDoubleSpinBox):
         unit = f" {self.unit}" if self.unit else ""
         which = "less than the least" if low else "more than the most"
         text = f"{number:g}{unit} is {which} that can be set; it is {end}{unit} now."
-        QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), text, self, self.rect(), _TOLD_MS)
+        QToolTip.showText(
+            self.mapToGlobal(self.rect().bottomLeft()), plain_tip(text), self, self.rect(), _TOLD_MS
+        )
         self.limited.emit(text)
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
@@ -213,7 +216,7 @@ class NumberField(QDoubleSpinBox):
             event.ignore()
             return False
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
-            QToolTip.showText(event.globalPos(), self._tip(), self)
+            QToolTip.showText(event.globalPos(), plain_tip(self._tip()), self)
             return True
         return super().event(event)
 

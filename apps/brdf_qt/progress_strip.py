@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
-from brdf_qt.elided_label import ElidedLabel
+from brdf_qt.labels import ElidedLabel
 from brdf_qt.translation import tr
 
 _ONLY = ""

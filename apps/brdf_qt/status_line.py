@@ -6,14 +6,16 @@ from typing import Literal
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPalette
-from PySide6.QtWidgets import QLabel, QStatusBar, QWidget
+from PySide6.QtWidgets import QStatusBar, QWidget
+
+from brdf_qt.labels import PlainLabel, plain_tip
 
 State = Literal["fresh", "stale", "warning"]
 _LEAST = 8
 """Characters that an elastic cell keeps."""
 
 
-class StatusCell(QLabel):
+class StatusCell(PlainLabel):
     """One value; stale values are dimmed and bracketed, warnings are bold: never by colour alone.
 
     An ``elastic`` one gives way where the line is too short for all: it ends in an ellipsis, and its tip has the whole.
@@ -22,11 +24,11 @@ class StatusCell(QLabel):
     def __init__(
         self, name: str, tip: str = "", parent: QWidget | None = None, *, elastic: bool = False
     ) -> None:
-        super().__init__(parent)
+        super().__init__("", parent)
         self._elastic = elastic
         self.setObjectName(f"status_{name}")
         self.setAccessibleName(name)
-        self.setToolTip(tip)
+        self.setToolTip(plain_tip(tip))
         self.setMargin(3)
         # Filled, a cell is drawn without the window behind it, a hundred times a second in a drag.
         self.setAutoFillBackground(True)
@@ -41,7 +43,7 @@ class StatusCell(QLabel):
         self._shown = (text, tip, state)
         self.setText(f"({text})" if state == "stale" and text else text)
         whole = text if self._elastic else ""
-        self.setToolTip("\n".join(part for part in (whole, tip, self._tip) if part))
+        self.setToolTip(plain_tip("\n".join(part for part in (whole, tip, self._tip) if part)))
         self.setAccessibleDescription(text)
         # What is as it was is not drawn anew: a drag sets these a hundred times a second.
         font = self.font()

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from brdf_qt.labels import plain_tip
+from brdf_qt.quiet_fields import QuietComboBox
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QWidget
+from PySide6.QtWidgets import QWidget
 
 
-class ChoiceBox(QComboBox):
+class ChoiceBox(QuietComboBox):
     """Emits ``picked(key)`` when the user takes a choice, and not when it is shown."""
 
     picked = Signal(str)
@@ -20,7 +22,7 @@ class ChoiceBox(QComboBox):
         for key, title in titles.items():
             self.addItem(title, key)
             if tips is not None:
-                self.setItemData(self.count() - 1, tips[key], Qt.ItemDataRole.ToolTipRole)
+                self.setItemData(self.count() - 1, plain_tip(tips[key]), Qt.ItemDataRole.ToolTipRole)
         self.activated.connect(lambda index: self.picked.emit(self.itemData(index)))
 
     def show_choice(self, key: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from brdf_qt.labels import plain_tip
 from brdf_qt.main_window import SuiteWindow
 from brdf_qt.translation import tr
 from PySide6.QtCore import QObject, Qt, Signal
@@ -120,6 +121,7 @@ class ViewerCommands(QObject):
         menu.clear()
         for path in paths:
             action = menu.addAction(path)
+            action.setToolTip(plain_tip(path))
             action.triggered.connect(lambda _=False, path=path: self.recent_wanted.emit(kind, path))
         menu.setEnabled(not menu.isEmpty())
 
@@ -291,7 +293,7 @@ class ViewerCommands(QObject):
         self._renderers = self._choices(menu, titles, self.renderer_wanted)
         for number, action in enumerate(self._renderers.actions(), 1):
             action.setShortcut(QKeySequence(f"Ctrl+{number}"))
-            action.setToolTip(tr(RENDERER_TIPS[action.data()]) + f" (Ctrl+{number})")
+            action.setToolTip(plain_tip(tr(RENDERER_TIPS[action.data()]) + f" (Ctrl+{number})"))
         menu.addSeparator()
         qualities = {
             key: tr("Ray-traced: {quality}").format(quality=tr(QUALITY_TITLES[key])) for key in QUALITY_TITLES

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from brdf_qt.form import Form
+from brdf_qt.labels import PlainLabel
+from brdf_qt.quiet_fields import QuietComboBox, QuietSpinBox
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QDialog,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QSpinBox,
@@ -55,14 +55,14 @@ class ExportDialog(QDialog):
         self.setWindowTitle("Export")
         self.setObjectName("export")
         self._screen_size, self._ask_source = screen_size, ask_source
-        self.kind = QComboBox()
+        self.kind = QuietComboBox()
         for key, title in KIND_TITLES.items():
             self.kind.addItem(title, key)
-        self.preset = QComboBox()
+        self.preset = QuietComboBox()
         self.width_field, self.height_field = (_number(1, _LARGEST, 1, " px") for _ in range(2))
-        self.format = QComboBox()
-        self.colour_space = QComboBox()
-        self.samples = QComboBox()
+        self.format = QuietComboBox()
+        self.colour_space = QuietComboBox()
+        self.samples = QuietComboBox()
         for count in _SAMPLES:
             self.samples.addItem(str(count), count)
         self.samples.setCurrentIndex(_SAMPLES.index(4))
@@ -121,7 +121,7 @@ class ExportDialog(QDialog):
         row = QHBoxLayout(size)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.width_field, 1)
-        row.addWidget(QLabel("×"))
+        row.addWidget(PlainLabel("×"))
         row.addWidget(self.height_field, 1)
         chosen = QWidget()
         row = QHBoxLayout(chosen)
@@ -232,6 +232,6 @@ class ExportDialog(QDialog):
 
 
 def _number(low: int, high: int, value: int, unit: str) -> QSpinBox:
-    field = QSpinBox(minimum=low, maximum=high, suffix=unit)
+    field = QuietSpinBox(minimum=low, maximum=high, suffix=unit)
     field.setValue(value)
     return field

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from brdf_qt.fit_error import is_large, large_error_tip, marked
+from brdf_qt.labels import plain_tip
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
@@ -126,7 +127,7 @@ class PaintPatches(QWidget):
         if event.type() == QHelpEvent.Type.ToolTip:
             for patch, box in zip(self._patches, self._boxes(), strict=True):
                 if box.contains(QPointF(event.pos())):
-                    QToolTip.showText(event.globalPos(), _words(patch), self)
+                    QToolTip.showText(event.globalPos(), plain_tip(_words(patch)), self)
                     return True
             QToolTip.hideText()
             return True

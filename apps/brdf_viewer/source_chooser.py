@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from brdf_qt.icons import icon
+from brdf_qt.labels import plain_tip
+from brdf_qt.quiet_fields import QuietComboBox
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
 
@@ -32,13 +34,13 @@ class SourceChooser(QWidget):
 
     def __init__(self, browse_tip: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.list = QComboBox()
+        self.list = QuietComboBox()
         self.list.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.list.setMinimumContentsLength(14)
         self.list.activated.connect(lambda index: self.chosen.emit(self.list.itemData(index)))
         self.button = QToolButton()
         self.button.setIcon(icon("folder-open"))
-        self.button.setToolTip(browse_tip)
+        self.button.setToolTip(plain_tip(browse_tip))
         self.button.setAccessibleName(browse_tip)
         self.button.clicked.connect(self.browse)
         row = QHBoxLayout(self)
@@ -82,4 +84,4 @@ class SourceChooser(QWidget):
 
     def _add_file(self, source: Source) -> None:
         self.list.addItem(source.title, source.key)
-        self.list.setItemData(self.list.count() - 1, source.key, Qt.ItemDataRole.ToolTipRole)
+        self.list.setItemData(self.list.count() - 1, plain_tip(source.key), Qt.ItemDataRole.ToolTipRole)

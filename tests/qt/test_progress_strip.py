@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.elided_label import ElidedLabel
+from brdf_qt.labels import ElidedLabel
 from brdf_qt.progress_strip import ProgressStrip
 from brdf_qt.theme import palette
 from PySide6.QtGui import QPalette

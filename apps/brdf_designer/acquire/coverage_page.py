@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.translation import tr
 from numpy.typing import NDArray
 from PySide6.QtCore import Signal
@@ -34,7 +35,7 @@ class CoveragePage(AcquirePage):
         self._state: CoverageState | None = None
         self.map = MapPlot(tr("Coverage of the table"))
         self.centre.addWidget(self.map, 1)
-        self.what = QComboBox()
+        self.what = QuietComboBox()
         for key, name in (
             ("share", tr("Share of the φd bins measured")),
             ("pixels", tr("Pixels in them")),

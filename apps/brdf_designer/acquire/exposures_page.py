@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 from brdf_qt.form import Form
+from brdf_qt.labels import plain_tip
 from brdf_qt.number_field import NumberField
-from brdf_qt.quiet_slider import QuietSlider
+from brdf_qt.quiet_fields import QuietSlider
 from brdf_qt.translation import tr
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIcon, QPainter, QPixmap, QTransform
@@ -155,7 +156,7 @@ class ExposuresPage(AcquirePage):
             sign.addPixmap(small, QIcon.Mode.Selected)
             item = QListWidgetItem(sign, text)
             item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
-            item.setToolTip(shot.file)
+            item.setToolTip(plain_tip(shot.file))
             self.strip.addItem(item)
         # At first the longest exposure that is hardly clipped; it shows most.
         if self._chosen < 0:

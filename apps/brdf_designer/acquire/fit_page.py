@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 from brdf_qt.form import Form
+from brdf_qt.quiet_fields import QuietComboBox, QuietSpinBox
 from brdf_qt.translation import tr
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QSpinBox
+from PySide6.QtWidgets import QComboBox
 
 from brdf_designer.acquire.lines_plot import CHANNELS, Axis, Curve, LinesPlot
 from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
@@ -55,7 +56,7 @@ class FitPage(AcquirePage):
         )
         self.centre.addWidget(self.table)
         form = Form()
-        self.model = QComboBox()
+        self.model = QuietComboBox()
         for name, title in (
             ("cook-torrance", tr("Cook-Torrance")),
             ("ggx", tr("GGX lobes")),
@@ -63,7 +64,7 @@ class FitPage(AcquirePage):
         ):
             self.model.addItem(title, name)
         self.model.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.lobes = QSpinBox()
+        self.lobes = QuietSpinBox()
         self.lobes.setRange(LEAST_LOBES, MOST_LOBES)
         self.lobes.setValue(USUAL_LOBES)
         self.model.activated.connect(lambda _index: self.choice_edited.emit())
@@ -77,7 +78,7 @@ class FitPage(AcquirePage):
         self.note = wrapped("")
         self.add_part("model", tr("Model"), form, self.start, self.note)
         look = Form()
-        self.angle, self.channel = QComboBox(), QComboBox()
+        self.angle, self.channel = QuietComboBox(), QuietComboBox()
         for name, key in (
             (tr("Luminance"), -1),
             (tr("Red"), 0),

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from brdf_qt.choice_button import ChoiceButton
 from brdf_qt.form import Form
+from brdf_qt.labels import plain_tip
 from brdf_qt.number_field import NumberField
-from brdf_qt.quiet_slider import QuietSlider
+from brdf_qt.quiet_fields import QuietSlider
 from brdf_qt.translation import tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QSizePolicy
@@ -46,7 +47,7 @@ class MaskPage(AcquirePage):
             (self.take_in, tr("The brush takes pixels back into the measurement (X changes)")),
         ):
             modes.addButton(one)
-            one.setToolTip(tip)
+            one.setToolTip(plain_tip(tip))
             one.setAutoRaise(False)
             one.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
             one.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

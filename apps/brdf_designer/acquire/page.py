@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.section import Inspector, Section
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
@@ -80,7 +81,7 @@ class Facts(QWidget):
             texts = rows[number] if number < len(rows) else ("", "", "")
             for label, text in zip(labels, texts, strict=False):
                 label.setText(text)
-                label.setToolTip(texts[2])
+                label.setToolTip(plain_tip(texts[2]))
                 label.setVisible(number < len(rows))
         self.setAccessibleDescription("; ".join(f"{name}: {value}" for name, value, _ in rows))
 
@@ -92,9 +93,8 @@ class Facts(QWidget):
 
 def wrapped(text: str) -> QLabel:
     """Return a label that breaks its lines and can be copied from."""
-    label = QLabel(text)
+    label = PlainLabel(text)
     label.setWordWrap(True)
-    label.setTextFormat(Qt.TextFormat.PlainText)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     label.setMinimumWidth(64)
     policy = QSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
@@ -106,7 +106,7 @@ def wrapped(text: str) -> QLabel:
 def button(text: str, tip: str) -> QPushButton:
     """Return a button that gives way in a narrow column."""
     made = QPushButton(text)
-    made.setToolTip(tip)
+    made.setToolTip(plain_tip(tip))
     made.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
     return made
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.translation import tr
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QSplitter
+from PySide6.QtWidgets import QSplitter
 
 from brdf_designer.acquire.lines_plot import CHANNELS, Axis, Curve, LinesPlot
 from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
@@ -45,7 +46,7 @@ class ResponsePage(AcquirePage):
         split.setStretchFactor(1, 2)
         split.setChildrenCollapsible(False)
         self.centre.addWidget(split, 1)
-        self.kind = QComboBox()
+        self.kind = QuietComboBox()
         self.kind.addItem(tr("As session.json says"), "auto")
         self.kind.addItem(tr("Linear camera"), "linear")
         self.kind.setAccessibleName(tr("Kind of response"))

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from brdf_qt.form import Form
 from brdf_qt.icons import icon
+from brdf_qt.labels import plain_tip
 from brdf_qt.number_field import NumberField
 from brdf_qt.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
@@ -250,7 +251,7 @@ def fill_problems(rows: QTreeWidget, problems: Sequence[Problem]) -> None:
         item.setIcon(0, icon(_SIGNS[problem.severity]))
         for column in range(3):
             item.setTextAlignment(column, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
-            item.setToolTip(column, problem.reason)
+            item.setToolTip(column, plain_tip(problem.reason))
         rows.addTopLevelItem(item)
     shown = min(len(problems), _MOST_ROWS) + 1
     rows.setMaximumHeight(rows.header().sizeHint().height() + shown * (rows.fontMetrics().height() + 12))

@@ -5,8 +5,8 @@ Closing it only hides it: what runs goes on, what was found stays, and nothing i
 
 from __future__ import annotations
 
-from brdf_qt.elided_label import ElidedLabel
 from brdf_qt.icons import icon
+from brdf_qt.labels import ElidedLabel, plain_tip
 from brdf_qt.message_bar import MessageBar
 from brdf_qt.progress_strip import ProgressStrip
 from brdf_qt.settings import settings
@@ -89,7 +89,7 @@ class AcquireWindow(QWidget):
         self.stack = QStackedWidget()
         for number, step in enumerate(STEPS, 1):
             item = QListWidgetItem()
-            item.setToolTip(tr("Alt+{number}").format(number=number))
+            item.setToolTip(plain_tip(tr("Alt+{number}").format(number=number)))
             self.rail.addItem(item)
             self.stack.addWidget(self.pages[step.key])
             self.show_step(step.key, "todo", "")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.form import Form
+from brdf_qt.labels import plain_tip
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
 from PySide6.QtCore import Signal
@@ -32,7 +33,7 @@ class CameraSection(Section):
             button = QToolButton()
             button.setText(title)
             button.setObjectName(f"preset_{key}")
-            button.setToolTip(f"Look from the {title.lower()} side ({index + 1})")
+            button.setToolTip(plain_tip(f"Look from the {title.lower()} side ({index + 1})"))
             button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)
             button.clicked.connect(lambda _=False, key=key: self.preset_chosen.emit(key))
             self.presets.addButton(button)

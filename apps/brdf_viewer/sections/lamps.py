@@ -7,9 +7,11 @@ from math import atan2, cos, degrees, hypot, radians, sin
 
 from brdf_qt.form import Form
 from brdf_qt.icons import icon
+from brdf_qt.labels import plain_tip
 from brdf_qt.number_field import NumberField
+from brdf_qt.quiet_fields import QuietComboBox
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Lamp
 from brdf_viewer.choice_box import ChoiceBox
@@ -38,7 +40,7 @@ class LampFields(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._lamps: tuple[Lamp, ...] = ()
-        self.list = QComboBox()
+        self.list = QuietComboBox()
         self.list.setAccessibleName("Lamps")
         self.list.activated.connect(lambda _index: self._show())
         self.add_button = _button("plus", "Add a lamp beside the environment", self._add)
@@ -50,7 +52,7 @@ class LampFields(QWidget):
         inside.addWidget(self.list, 1)
         inside.addWidget(self.add_button)
         inside.addWidget(self.remove_button)
-        self.kind = QComboBox()
+        self.kind = QuietComboBox()
         for key, title in KIND_TITLES.items():
             self.kind.addItem(title, key)
         self.kind.activated.connect(lambda index: self._change(kind=self.kind.itemData(index)))
@@ -182,7 +184,7 @@ def placed(lamp: Lamp, azimuth_deg: float, elevation_deg: float, distance: float
 def _button(name: str, tip: str, slot: object) -> QToolButton:
     button = QToolButton()
     button.setIcon(icon(name))
-    button.setToolTip(tip)
+    button.setToolTip(plain_tip(tip))
     button.setAccessibleName(tip)
     button.clicked.connect(lambda _=False: slot())
     return button

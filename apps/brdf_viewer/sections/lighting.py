@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from brdf_qt.form import Form
+from brdf_qt.labels import plain_tip
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
 from PySide6.QtCore import Signal
@@ -94,7 +95,7 @@ class LightingSection(Section):
         for index, (key, preset) in enumerate(PRESETS.items()):
             button = QToolButton()
             button.setText(preset.title)
-            button.setToolTip(preset.tip)
+            button.setToolTip(plain_tip(preset.tip))
             button.setCheckable(True)
             button.setObjectName(f"lighting_{key}")
             button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)

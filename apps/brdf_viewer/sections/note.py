@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+from brdf_qt.labels import PlainLabel
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
 
 def note(text: str = "") -> QLabel:
     """Return a small label for facts under a field; hidden while it is empty."""
-    label = QLabel(text)
+    label = PlainLabel(text)
     label.setWordWrap(True)
-    label.setTextFormat(Qt.TextFormat.PlainText)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     label.setVisible(bool(text))
     return label

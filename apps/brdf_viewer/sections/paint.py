@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from brdf_qt.fit_error import fit_tips, is_large, marked
 from brdf_qt.form import Form
+from brdf_qt.labels import plain_tip
 from brdf_qt.section import Section
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
@@ -46,7 +47,7 @@ class PaintSection(Section):
         font = self.fit.font()
         font.setBold(worst_delta_e is not None and is_large(worst_delta_e))
         self.fit.setFont(font)
-        self.fit.setToolTip(fit_tips(worst_delta_e, time_limited, exact_follows))
+        self.fit.setToolTip(plain_tip(fit_tips(worst_delta_e, time_limited, exact_follows)))
 
     def set_following(self, following: bool, linked: bool) -> None:
         """Show whether Designer is followed, and whether it is there."""

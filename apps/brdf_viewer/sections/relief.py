@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from brdf_qt.form import Form
 from brdf_qt.icons import icon
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.number_field import NumberField
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.section import Section
 from brdf_qt.translation import tr
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QWidget
 
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.parameter import Parameter
@@ -33,16 +35,16 @@ class FileChoice(QWidget):
 
     def __init__(self, what: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.name = QLabel("None")
+        self.name = PlainLabel("None")
         self.name.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.open = QToolButton()
         self.open.setIcon(icon("folder-open"))
-        self.open.setToolTip(f"Open {what}")
+        self.open.setToolTip(plain_tip(f"Open {what}"))
         self.open.setAccessibleName(f"Open {what}")
         self.open.clicked.connect(self.browse)
         self.clear = QToolButton()
         self.clear.setIcon(icon("x"))
-        self.clear.setToolTip(f"Take {what} away")
+        self.clear.setToolTip(plain_tip(f"Take {what} away"))
         self.clear.setAccessibleName(f"Take {what} away")
         self.clear.clicked.connect(self.cleared)
         row = QHBoxLayout(self)
@@ -57,7 +59,7 @@ class FileChoice(QWidget):
     def set_path(self, path: str | None) -> None:
         """Show a file's name, or that there is none."""
         self.name.setText("None" if path is None else title_of(path, {}))
-        self.name.setToolTip(path or "")
+        self.name.setToolTip(plain_tip(path or ""))
         self.clear.setEnabled(path is not None)
 
 
@@ -88,7 +90,7 @@ class ReliefSection(Section):
         self.paint.chosen.connect(lambda key: self.two_tone_edited.emit("paint", key or None))
         self.paint.browse.connect(self.paint_browse_wanted)
         self.mask = self._file("mask", "a mask", self.two_tone_edited)
-        self.projection = QComboBox()
+        self.projection = QuietComboBox()
         for key, title in PROJECTION_TITLES.items():
             self.projection.addItem(title, key)
         self.projection.activated.connect(

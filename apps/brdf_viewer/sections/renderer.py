@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.form import Form
+from brdf_qt.labels import plain_tip
 from brdf_qt.number_field import NumberField
 from brdf_qt.section import Section
 from brdf_qt.translation import tr
@@ -93,7 +94,9 @@ class RendererSection(Section):
         """Offer to take the noise away; ``missing`` says why that cannot be, empty where it can."""
         self.denoised.setEnabled(not missing)
         self.denoised.setToolTip(
-            missing or tr("A denoiser guesses what the noise hides: good to look at, nothing to measure")
+            plain_tip(
+                missing or tr("A denoiser guesses what the noise hides: good to look at, nothing to measure")
+            )
         )
 
     def show_work(self, *, running: bool, stopped: bool, has_picture: bool) -> None:

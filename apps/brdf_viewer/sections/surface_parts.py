@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from brdf_qt.labels import PlainLabel
+from brdf_qt.quiet_fields import QuietComboBox
 from PySide6.QtCore import QItemSelectionModel, Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QComboBox,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QTreeWidget,
     QTreeWidgetItem,
     QVBoxLayout,
@@ -57,7 +57,7 @@ class SurfaceParts(QWidget):
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         self.list.itemSelectionChanged.connect(self._show_material)
-        self.material = QComboBox()
+        self.material = QuietComboBox()
         self.material.setAccessibleName("Material of the picked parts")
         self.material.setToolTip("What the picked parts are made of")
         self.material.addItem("As in the file", _OWN)
@@ -66,7 +66,7 @@ class SurfaceParts(QWidget):
         self.material.activated.connect(self._edited)
         row = QHBoxLayout()
         row.setSpacing(8)
-        row.addWidget(QLabel("Picked parts"))
+        row.addWidget(PlainLabel("Picked parts"))
         row.addWidget(self.material, 1)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from brdf_qt.form import Form
+from brdf_qt.labels import plain_tip
+from brdf_qt.quiet_fields import QuietComboBox
 from brdf_qt.section import Section
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
+from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_suite.realtime.display import Unshowable
 from brdf_viewer.sections.note import note, set_note
@@ -44,10 +46,12 @@ class ToneSection(Section):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Tone", "tone", parent)
-        self.curve = QComboBox()
+        self.curve = QuietComboBox()
         for key, title in TONE_TITLES.items():
             self.curve.addItem(title, key)
-            self.curve.setItemData(self.curve.count() - 1, TONE_TIPS[key], Qt.ItemDataRole.ToolTipRole)
+            self.curve.setItemData(
+                self.curve.count() - 1, plain_tip(TONE_TIPS[key]), Qt.ItemDataRole.ToolTipRole
+            )
         self.curve.activated.connect(lambda index: self.tone_curve_edited.emit(self.curve.itemData(index)))
         self.clipping = QCheckBox("Too bright")
         self.clipping.setToolTip(
@@ -59,7 +63,7 @@ class ToneSection(Section):
             "Mark what is more colourful than the screen: grey stripes the other way, or blue"
         )
         self.gamut.clicked.connect(self.gamut_marks_edited)
-        self.style_box = QComboBox()
+        self.style_box = QuietComboBox()
         for key, title in STYLE_TITLES.items():
             self.style_box.addItem(title, key)
         self.style_box.activated.connect(

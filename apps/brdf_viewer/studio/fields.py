@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from brdf_qt.labels import plain_tip
 from brdf_qt.number_field import NumberField
+from brdf_qt.quiet_fields import QuietComboBox
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QWidget
 
@@ -47,7 +49,7 @@ class Edits(QObject):
 
     def choice(self, name: str, titles: dict[str, str]) -> QComboBox:
         """Return a list whose choices are changes of ``name``."""
-        box = QComboBox()
+        box = QuietComboBox()
         for key, title in titles.items():
             box.addItem(title, key)
         box.setObjectName(f"studio_{name}")
@@ -57,7 +59,7 @@ class Edits(QObject):
     def tick(self, name: str, text: str, tip: str) -> QCheckBox:
         """Return a check box whose clicks are changes of ``name``."""
         box = QCheckBox(text)
-        box.setToolTip(tip)
+        box.setToolTip(plain_tip(tip))
         box.setObjectName(f"studio_{name}")
         box.clicked.connect(lambda on: self.changed.emit(name, on))
         return box

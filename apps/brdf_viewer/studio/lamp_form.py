@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 
 from brdf_qt.form import Form
+from brdf_qt.labels import plain_tip
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from brdf_suite.documents.studio import PARAMETERS, Lamp, Point
@@ -78,7 +79,7 @@ class LampForm(QWidget):
             field.set_value(angle_of(size, distance))
             label.setText(text)
             metres = f"{size:.3g} m"
-            field.setToolTip(f"{text}: {metres}, as the angle that it takes up seen squarely")
+            field.setToolTip(plain_tip(f"{text}: {metres}, as the angle that it takes up seen squarely"))
         self.roll.set_value(lamp.roll_deg)
         self.aimed.setChecked(lamp.facing is None)
         facing_azimuth, facing_elevation = facing_deg(lamp)

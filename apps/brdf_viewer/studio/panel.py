@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from brdf_qt.icons import icon
+from brdf_qt.labels import PlainLabel, plain_tip
 from brdf_qt.text_fields import TextLine
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
-    QLabel,
     QListWidget,
     QMenu,
     QPushButton,
@@ -176,7 +176,7 @@ class StudioPanel(QScrollArea):
         part = QWidget()
         box = QVBoxLayout(part)
         box.setContentsMargins(0, 0, 0, 0)
-        text = QLabel("No studio is open. Begin one, or edit the light of the picture.")
+        text = PlainLabel("No studio is open. Begin one, or edit the light of the picture.")
         text.setWordWrap(True)
         box.addWidget(text)
         for key, (title, _) in TEMPLATES.items():
@@ -193,7 +193,7 @@ class StudioPanel(QScrollArea):
         box = QVBoxLayout(part)
         box.setContentsMargins(0, 0, 0, 0)
         row = QHBoxLayout()
-        row.addWidget(QLabel("Lamps"), 1)
+        row.addWidget(PlainLabel("Lamps"), 1)
         for button in (self.add, self.double, self.remove):
             row.addWidget(button)
         self.list.setFixedHeight(_LIST_ROWS * (self.fontMetrics().height() + 4) + 4)
@@ -267,7 +267,7 @@ def lamp_line(index: int, lamp: Lamp) -> str:
 def _tool(name: str, tip: str, signal: object) -> QToolButton:
     button = QToolButton()
     button.setIcon(icon(name))
-    button.setToolTip(tip)
+    button.setToolTip(plain_tip(tip))
     button.setAccessibleName(tip)
     button.setAutoRaise(True)
     if signal is not None:

@@ -1,7 +1,14 @@
-"""A line of text that gives way: it ends in an ellipsis where there is no room, and its tip has the whole."""
+"""Texts of a window: drawn as they are, whatever a name from a file holds, and shortened where there is no room.
+
+Qt draws what looks like HTML as such, in labels and in tips: ``<img src=…>`` in the name of a paint would have a file
+read. Labels of the programs are :class:`PlainLabel`, and tips with words from elsewhere go through :func:`plain_tip`.
+"""
 
 from __future__ import annotations
 
+from html import escape
+
+from PySide6 import QtGui
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
@@ -10,19 +17,38 @@ _LEAST = 8
 """Characters that it keeps."""
 
 
-class ElidedLabel(QLabel):
-    """Wants the width of its text, and takes less."""
+def plain_tip(text: str) -> str:
+    """Return what a tool tip has to be set to so that it shows ``text`` as it is.
+
+    >>> plain_tip("Blue, 15°"), plain_tip("<b>Blue</b>")
+    ('Blue, 15°', '<p>&lt;b&gt;Blue&lt;/b&gt;</p>')
+    """
+    if not QtGui.Qt.mightBeRichText(text):
+        return text
+    return f"<p>{escape(text).replace(chr(10), '<br>')}</p>"
+
+
+class PlainLabel(QLabel):
+    """A label that draws its text as it is, whatever tags it holds."""
+
+    def __init__(self, text: str = "", parent: QWidget | None = None, **options: object) -> None:
+        super().__init__(parent, **options)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setText(text)
+
+
+class ElidedLabel(PlainLabel):
+    """Wants the width of its text, and takes less: it ends in an ellipsis, and its tip has the whole."""
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setTextFormat(Qt.TextFormat.PlainText)
+        super().__init__("", parent)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self.setText(text)
 
     def setText(self, text: str) -> None:
         if text != self.text():
             super().setText(text)
-            self.setToolTip(text)
+            self.setToolTip(plain_tip(text))
 
     @property
     def shown_text(self) -> str:
