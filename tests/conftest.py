@@ -58,6 +58,12 @@ class PatientBot(QtBot):
     def waitSignals(self, signals, *, timeout=PATIENCE_MS, **more):  # noqa: N802 - the name is Qt's
         return super().waitSignals(signals, timeout=max(timeout, PATIENCE_MS), **more)
 
+    def waitExposed(self, widget, *, timeout=PATIENCE_MS):  # noqa: N802 - the name is Qt's
+        return super().waitExposed(widget, timeout=max(timeout, PATIENCE_MS))
+
+    def waitActive(self, widget, *, timeout=PATIENCE_MS):  # noqa: N802 - the name is Qt's
+        return super().waitActive(widget, timeout=max(timeout, PATIENCE_MS))
+
 
 @pytest.fixture
 def qtbot(qapp, request: pytest.FixtureRequest) -> QtBot:

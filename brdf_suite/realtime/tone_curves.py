@@ -115,11 +115,11 @@ def tone_aces(c: ArrayLike) -> Floats:
 
 
 def tone_agx(c: ArrayLike) -> Floats:
-    """AgX without a look: 10 stops below 0.18 are black and 6.5 above are white, 0.18 becomes 0.22."""
+    """AgX without a look: 10 stops below 0.18 are black and 6.5 above are white, 0.18 becomes 0.22; 0 to 1 out."""
     drawn_in = np.maximum(np.asarray(c, np.float64) @ _AGX_INSET.T, 1e-10)
     stops = _AGX_STOPS_BELOW + _AGX_STOPS_ABOVE
     x = np.clip((np.log2(drawn_in / 0.18) + _AGX_STOPS_BELOW) / stops, 0.0, 1.0)
-    return np.asarray(np.maximum(agx_sigmoid(x) @ _AGX_OUTSET.T, 0.0) ** 2.2)
+    return np.asarray(np.clip(agx_sigmoid(x) @ _AGX_OUTSET.T, 0.0, 1.0) ** 2.2)  # the outset leaves 0 to 1
 
 
 def agx_sigmoid(x: ArrayLike) -> Floats:

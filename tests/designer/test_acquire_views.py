@@ -28,7 +28,9 @@ BLACK = image_of(np.zeros((40, 60), np.uint8))
 def shown(widget, qtbot, size=(240, 200)):
     qtbot.addWidget(widget)
     widget.resize(*size)
-    widget.show()
+    # A widget that is not on the screen yet may take another size, and with it other places of its picture.
+    with qtbot.waitExposed(widget):
+        widget.show()
     return widget
 
 
@@ -81,9 +83,13 @@ def test_the_pixel_under_the_cursor_is_told_and_none_outside(qtbot):
     view = shown(PictureView("picture"), qtbot)
     view.show_image(BLACK)
     at = view.to_screen.map(QPointF(12.5, 7.5))
-    with qtbot.waitSignal(view.hovered) as told:
+
+    def is_there(*place):
+        return place == pytest.approx((12.5, 7.5), abs=1.0)
+
+    # The platform sends moves of its own, when it comes to it.
+    with qtbot.waitSignal(view.hovered, check_params_cb=is_there):
         QTest.mouseMove(view, QPoint(round(at.x()), round(at.y())))
-    assert told.args == pytest.approx([12.5, 7.5], abs=1.0)
     with qtbot.waitSignal(view.left_picture):
         QTest.mouseMove(view, QPoint(1, 1))
 
@@ -247,10 +253,12 @@ def test_the_cell_under_the_cursor_is_told(qtbot):
     plot = shown(MapPlot("map"), qtbot, (400, 300))
     plot.show_map(coverage_map(coverage(), "share"))
     place = plot._place()
-    with qtbot.waitSignal(plot.hovered) as told:
+
+    def is_the_middle(*cell):
+        return cell == pytest.approx((45, 45), abs=2)
+
+    # The platform sends moves of its own, when it comes to it.
+    with qtbot.waitSignal(plot.hovered, check_params_cb=is_the_middle):
         QTest.mouseMove(plot, place.center().toPoint())
-    assert told.args[0] == pytest.approx(45, abs=2)
-    assert told.args[1] == pytest.approx(45, abs=2)
-    with qtbot.waitSignal(plot.hovered) as told:
+    with qtbot.waitSignal(plot.hovered, check_params_cb=lambda *cell: cell == (-1, -1)):
         QTest.mouseMove(plot, QPoint(1, 1))
-    assert told.args == [-1, -1]

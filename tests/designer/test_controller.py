@@ -66,6 +66,7 @@ def test_an_edit_reaches_document_view_and_link(desk, qtbot):
 def test_many_changes_of_one_turn_are_published_once_the_newest(desk, qtbot):
     for lightness in (30.0, 31.0, 32.0):
         desk.controller.edit(("lab", 1, 0), lightness)
+    qtbot.waitUntil(lambda: len(desk.published) >= 1)
     qtbot.wait(20)
     assert len(desk.published) == 1
     assert desk.published[0][1]["measurements"][1]["lab"][0] == 32.0

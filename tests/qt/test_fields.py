@@ -32,8 +32,8 @@ def field(qtbot) -> NumberField:
     field = NumberField("Gloss", "GU", 0.0, 200.0, 0.5, 1, 90.0)
     field.resize(120, 26)
     qtbot.addWidget(field)
-    field.show()
-    qtbot.waitExposed(field)
+    with qtbot.waitExposed(field):
+        field.show()
     return field
 
 
@@ -97,8 +97,8 @@ def test_an_angle_that_is_typed_beyond_its_range_is_the_same_angle_within(qtbot)
     field = NumberField("Azimuth", "°", -180.0, 180.0, 1.0, 1, 0.0)
     field.setWrapping(True)
     qtbot.addWidget(field)
-    field.show()
-    qtbot.waitExposed(field)
+    with qtbot.waitExposed(field):
+        field.show()
     heard = []
     field.limited.connect(heard.append)
     type_in(field, "270")
@@ -219,8 +219,8 @@ def slider(qtbot) -> ColourSlider:
     slider = ColourSlider("L*", "", 0.0, 150.0, 0.1)
     slider.resize(310, 22)
     qtbot.addWidget(slider)
-    slider.show()
-    qtbot.waitExposed(slider)
+    with qtbot.waitExposed(slider):
+        slider.show()
     return slider
 
 

@@ -38,8 +38,8 @@ def window(qtbot) -> SuiteWindow:
     window = SuiteWindow("Trial")
     qtbot.addWidget(window)
     window.restore_layout()
-    window.show()
-    qtbot.waitExposed(window)
+    with qtbot.waitExposed(window):
+        window.show()
     return window
 
 
@@ -272,8 +272,8 @@ def test_elastic_cells_give_way_in_a_short_status_line_and_no_other_does(qtbot):
     fixed.set("12.4 ms", "Time to draw a frame")
     elastic.set("Designer is not open, not followed", "Nobody else is there")
     line.resize(600, 30)
-    line.show()
-    qtbot.waitExposed(line)
+    with qtbot.waitExposed(line):
+        line.show()
     assert elastic.shown_text == elastic.text()
     line.resize(220, 30)
     qtbot.waitUntil(lambda: elastic.shown_text.endswith("…"))

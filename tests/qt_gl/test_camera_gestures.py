@@ -24,8 +24,8 @@ def widget(qtbot) -> QWidget:
     widget.resize(400, 200)
     widget.setMouseTracking(True)
     qtbot.addWidget(widget)
-    widget.show()
-    qtbot.waitExposed(widget)
+    with qtbot.waitExposed(widget):
+        widget.show()
     return widget
 
 

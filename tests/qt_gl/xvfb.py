@@ -8,6 +8,7 @@ import subprocess
 import sys
 
 import pytest
+from PySide6.QtGui import QGuiApplication
 
 _servers: list[subprocess.Popen[bytes]] = []
 _HOLD = '"$@" & server=$!; read -r _; kill $server'
@@ -18,6 +19,11 @@ def use_screen() -> None:
     """Point Qt at an X server, started where there is none; before any QApplication exists."""
     if sys.platform != "linux":
         return
+    application = QGuiApplication.instance()
+    if application is not None and application.platformName() != "xcb":
+        pytest.fail(
+            f"windows are on {application.platformName()!r} in this process already: run this test in another"
+        )
     os.environ["QT_QPA_PLATFORM"] = "xcb"
     os.environ.setdefault("LIBGL_ALWAYS_SOFTWARE", "1")
     # Windows of two workers on one screen would take the focus from each other.

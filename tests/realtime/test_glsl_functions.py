@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.colorimetry import REC709_TO_WORKING, WORKING_TO_SRGB
@@ -79,6 +79,7 @@ def test_the_faithful_curve_changes_nothing_up_to_its_shoulder():
     assert bright.max() < 1.0
 
 
+@example([0.0, 0.0, 4.0], "agx")
 @given(
     st.lists(st.floats(0, 1e4), min_size=3, max_size=3),
     st.sampled_from(["faithful", "neutral", "characteristic", "agx"]),

@@ -22,8 +22,8 @@ def view(qtbot):
     qtbot.addWidget(made)
     made.resize(400, 300)
     made.show_points(MapPoints(IDS, IDS, LAB, np.zeros(4), np.zeros(4), CODES))
-    made.show()
-    qtbot.waitExposed(made)
+    with qtbot.waitExposed(made):
+        made.show()
     made.heard = []
     made.chosen.connect(lambda ids, mode: made.heard.append((ids, mode)))
     return made

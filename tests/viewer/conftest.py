@@ -147,8 +147,11 @@ def start(qtbot, lights) -> Iterator[Callable[..., Viewer]]:
             controller.window.picture.setMaximumSize(*PICTURE)
         controller.window.resize(*size)
         if wait:
-            with qtbot.waitSignal(controller.picture_complete):
-                controller.window.show()
+            complete = []
+            controller.picture_complete.connect(lambda: complete.append(True))
+            controller.window.show()
+            qtbot.waitUntil(lambda: bool(complete or controller.window.picture.failure))
+            assert not controller.window.picture.failure
             # What is baked in the background changes the picture, and its line in the window the picture's height.
             qtbot.waitUntil(lambda: is_idle(controller))
             controller.window.activateWindow()

@@ -230,8 +230,8 @@ def test_the_line_is_taken_near_it_and_only_there(qtbot) -> None:
     widget.resize(400, 100)
     widget.setMouseTracking(True)
     qtbot.addWidget(widget)
-    widget.show()
-    qtbot.waitExposed(widget)
+    with qtbot.waitExposed(widget):
+        widget.show()
     gesture = DividerGesture(widget)
     heard = []
     gesture.moved.connect(heard.append)

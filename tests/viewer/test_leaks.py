@@ -184,6 +184,5 @@ def test_the_window_makes_no_more_widgets(viewer, qtbot) -> None:
     for number in range(30):
         work(number)
     viewer.pixels()
-    qtbot.wait(50)
-    assert len(QApplication.allWidgets()) <= widgets
+    qtbot.waitUntil(lambda: len(QApplication.allWidgets()) <= widgets)
     assert viewer.controller.drawer.counters.live <= live

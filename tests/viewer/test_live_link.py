@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import math
 import os
 import subprocess
 import sys
@@ -256,7 +257,8 @@ def test_the_view_is_published(viewer, qtbot) -> None:
 def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> None:
     """Paints as the link delivers them: no OpenGL object, no texture write, no memory, no new program.
 
-    Memory is looked at three times: what leaks grows each time, what a thread or a library takes once does not.
+    Memory is looked at until it has not grown once: what leaks grows each time, what a thread or a library takes
+    once, whenever it comes to it, does not.
     """
     viewer = start(size=(640, 420))
     viewer.stage.change_view(
@@ -278,8 +280,8 @@ def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> Non
     gc.collect()
     counters = viewer.controller.drawer.counters
     made, uploads, writes = counters.total_created, counters.texture_uploads, counters.buffer_writes
-    growth = []
-    for _ in range(3):
+    growth = [math.inf]
+    while len(growth) <= 12 and min(growth) >= 0.6e6:
         memory = resident()
         for step in range(40):
             change(step)
@@ -287,7 +289,7 @@ def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> Non
         growth.append(resident() - memory)
     assert counters.total_created == made
     assert counters.texture_uploads == uploads
-    assert counters.buffer_writes - writes <= 120
+    assert counters.buffer_writes - writes <= 40 * (len(growth) - 1)
     assert [id(program) for program in fitter.programs] == programs
     assert min(growth) < 0.6e6, growth
 

@@ -82,7 +82,7 @@ vec3 tone_agx(vec3 c)
     vec3 x = clamp((log2(max(inset * c, 1e-10)) + 12.473931188) / 16.5, 0.0, 1.0);
     vec3 toe = tone_agx_branch(max(pivot - x, 0.0), 0.512277382, 3.0);
     vec3 shoulder = tone_agx_branch(max(x - pivot, 0.0), 0.541464156, 3.25);
-    return pow(max(outset * (0.5 + shoulder - toe), 0.0), vec3(2.2));
+    return pow(clamp(outset * (0.5 + shoulder - toe), 0.0, 1.0), vec3(2.2));  // the outset leaves 0 to 1
 }
 
 vec3 tone_curve(vec3 c, int kind)

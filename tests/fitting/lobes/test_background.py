@@ -71,9 +71,9 @@ def test_a_caller_in_time_has_its_optimum_before_anything_is_made_of_it() -> Non
 
     def then(answer: object) -> None:
         made.append(answer)
-        free.wait(30.0)  # what is made of it takes longer than the caller's limit
+        free.wait(2.0 * PATIENCE_S)  # what is made of it takes longer than the caller's limit
 
-    answer = solver.solve([target()], time.perf_counter() + 15.0, then=then)
+    answer = solver.solve([target()], time.perf_counter() + PATIENCE_S, then=then)
     assert answer.optimal
     assert answer.exact is None
     free.set()

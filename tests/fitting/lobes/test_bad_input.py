@@ -121,5 +121,5 @@ def test_a_fit_that_is_refused_leaves_the_one_before_it_in_work() -> None:
                 fitter.fit_samples(**{"base": base, "coat": coat, **bad})
         assert fit.exact is not None
         assert not fit.exact.cancelled()
-    assert not fit.exact.result(timeout=60.0).time_limited
+    assert not fit.exact.result(timeout=250.0).time_limited
     fitter.close()

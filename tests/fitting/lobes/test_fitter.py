@@ -17,6 +17,7 @@ from brdf_suite.errors import FittingError
 from brdf_suite.fitting import LobeBasis, LobeFitter, LobeWeights, log_spaced
 
 MakePaint = Callable[..., Any]
+PATIENCE_S = 250.0
 
 
 def targets(fitter: LobeFitter) -> tuple[np.ndarray, np.ndarray]:
@@ -163,7 +164,7 @@ def test_one_lobe_is_enough_to_answer() -> None:
 def test_the_limit_gives_the_best_answer_at_hand_and_the_optimum_later() -> None:
     basis = log_spaced(300, 1.0, 50_000.0)
     hurried = LobeFitter(basis, time_limit_s=1e-5)
-    patient = LobeFitter(basis, time_limit_s=30.0)
+    patient = LobeFitter(basis, time_limit_s=PATIENCE_S)
     rng = np.random.default_rng(2)
     for _ in range(5):
         base, coat = targets(hurried)
@@ -180,7 +181,7 @@ def test_the_limit_gives_the_best_answer_at_hand_and_the_optimum_later() -> None
             assert (error.relative <= 1.0).all()  # never worse than no weights at all
             assert (error.relative <= 3.0 * exact.relative + 0.2).all()
         assert fit.exact is not None
-        exact_fit = fit.exact.result(timeout=60.0)
+        exact_fit = fit.exact.result(timeout=PATIENCE_S)
         assert not exact_fit.time_limited
         assert not exact_fit.weights.time_limited
         assert exact_fit.weights.ior == 1.4
@@ -191,7 +192,7 @@ def test_the_limit_gives_the_best_answer_at_hand_and_the_optimum_later() -> None
             assert error.method == ("optimum",) * 3
             np.testing.assert_allclose(error.absolute, exact.absolute, rtol=1e-6, atol=1e-12)
     # The next fit with time enough is exact again: the interrupted run left nothing behind.
-    hurried.time_limit_s = 30.0
+    hurried.time_limit_s = PATIENCE_S
     after = hurried.fit_samples(base, coat, ior=1.5)
     assert not after.time_limited
     np.testing.assert_allclose(after.base_error.absolute, best.base_error.absolute, rtol=1e-6, atol=1e-12)
@@ -231,11 +232,11 @@ def test_a_fitter_that_is_lost_takes_its_thread_along() -> None:
 
 def test_the_limit_is_that_of_one_fit_and_not_of_all_together() -> None:
     """The solver itself counts the time of all its runs; a drag of minutes must not run out of it."""
-    fitter = LobeFitter(time_limit_s=0.2)
+    fitter = LobeFitter(time_limit_s=1.0)
     rng = np.random.default_rng(6)
     base, coat = targets(fitter)
     limited: list[bool] = []
-    end = time.perf_counter() + 10 * fitter.time_limit_s  # by the clock: how many fits that is, is no matter
+    end = time.perf_counter() + 2.5 * fitter.time_limit_s  # by the clock: how many fits that is, is no matter
     while len(limited) < 200 or time.perf_counter() < end:
         target = base * rng.uniform(0.5, 1.5, base.shape)
         limited.append(fitter.fit_samples(target, coat, ior=1.5).time_limited)

@@ -291,5 +291,5 @@ assert not answer.exact.done()
 print("in work", flush=True)
 {ending}
 """
-    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=PATIENCE_S)
     assert (ended.returncode, ended.stdout.strip(), ended.stderr) == (0, "in work", "")
