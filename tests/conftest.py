@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import gc
 import os
 import signal
 from collections.abc import Callable
@@ -17,6 +18,13 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 CHECKOUT = Path(__file__).resolve().parent.parent
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_finish() -> None:
+    """Keep the thousands of collected tests out of every later search for garbage."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")
@@ -72,13 +80,19 @@ def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture(scope="session")
 def cache_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of :func:`shared_cache`."""
-    return tmp_path_factory.mktemp("cache")
+    """The folder of :func:`shared_cache`: one for all workers, which take turns as programs do."""
+    given = os.environ.get("BRDF_SUITE_TESTS_CACHE")
+    if given:
+        return Path(given)
+    own = tmp_path_factory.getbasetemp()
+    folder = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "cache of all tests"
+    folder.mkdir(exist_ok=True)
+    return folder
 
 
 @pytest.fixture
 def shared_cache(own_cache: None, cache_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """One cache for all tests that ask for it: each light is filtered and each surface baked once a session."""
+    """One cache for all tests that ask for it: each light is filtered and each surface baked once a run."""
     monkeypatch.setenv("BRDF_SUITE_CACHE", str(cache_folder))
     return cache_folder
 
