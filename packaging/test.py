@@ -15,6 +15,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import tempfile
 from collections.abc import Sequence
 
 from changed import changed_files, select
@@ -87,10 +88,15 @@ def main() -> int:
     # A worker has a core: threads of linear algebra would wait for each other in a loop, a quarter of all time.
     environment.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
-        codes = [
-            subprocess.run([python, "-m", "pytest", *run], cwd=ROOT, env=environment, check=False).returncode
-            for run in runs
-        ]
+        with tempfile.TemporaryDirectory(prefix="brdf-suite-tests-") as cache:
+            # Lights that are filtered and surfaces that are baked once serve all workers of all runs.
+            environment["BRDF_SUITE_TESTS_CACHE"] = cache
+            codes = [
+                subprocess.run(
+                    [python, "-m", "pytest", *run], cwd=ROOT, env=environment, check=False
+                ).returncode
+                for run in runs
+            ]
     except KeyboardInterrupt:  # pytest has printed what there was to print
         return 130
     return next((code for code in codes if code), 0)

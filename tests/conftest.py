@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import gc
 import importlib.util
 import os
 import signal
@@ -28,6 +29,13 @@ _untimed = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow],
 settings.register_profile("ci", _untimed, max_examples=60, derandomize=True, database=None)
 settings.register_profile("nightly", _untimed, max_examples=600)
 settings.load_profile("ci")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_finish() -> None:
+    """Keep the thousands of collected tests out of every later search for garbage."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")
@@ -98,13 +106,19 @@ def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture(scope="session")
 def cache_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of :func:`shared_cache`."""
-    return tmp_path_factory.mktemp("cache")
+    """The folder of :func:`shared_cache`: one for all workers, which take turns as programs do."""
+    given = os.environ.get("BRDF_SUITE_TESTS_CACHE")
+    if given:
+        return Path(given)
+    own = tmp_path_factory.getbasetemp()
+    folder = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "cache of all tests"
+    folder.mkdir(exist_ok=True)
+    return folder
 
 
 @pytest.fixture
 def shared_cache(own_cache: None, cache_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """One cache for all tests that ask for it: each light is filtered and each surface baked once a session."""
+    """One cache for all tests that ask for it: each light is filtered and each surface baked once a run."""
     monkeypatch.setenv("BRDF_SUITE_CACHE", str(cache_folder))
     return cache_folder
 

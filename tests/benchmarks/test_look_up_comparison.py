@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from brdf_suite.cli.bench import load_module
 
 compare_look_ups = load_module(Path(__file__).resolve().with_name("compare_look_ups.py"))
 
 
+@pytest.mark.usefixtures("shared_cache")
 def test_the_default_is_nearest_to_direct_integration(capsys) -> None:
     errors, names = compare_look_ups.compare(["overcast"], ["copper", "teal_violet_shift"], count=60)
     assert names == ["copper"]  # the other was read under two lights

@@ -74,6 +74,7 @@ def test_start_up_imports_nothing_slow():
     assert modules & SLOW == set()
 
 
+@pytest.mark.usefixtures("shared_cache")
 def test_a_screenshot_shows_the_paint(tmp_path):
     done = run("red", "--theme", "light", "--size", "900x600", "--screenshot", str(tmp_path / "a.png"))
     assert done.returncode == 0, done.stderr

@@ -125,6 +125,7 @@ def test_a_window_has_one(qapp) -> None:
     assert thumbnails_of(window) is thumbnails_of(window)
 
 
+@pytest.mark.usefixtures("shared_cache")
 def test_the_real_process_draws_a_lit_sphere_and_refuses_what_cannot_be(qtbot) -> None:
     thumbnails = Thumbnails()
     try:

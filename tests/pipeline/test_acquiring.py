@@ -31,6 +31,7 @@ from brdf_suite.pipeline.acquiring_coverage import (
 from brdf_suite.pipeline.acquiring_options import Acquired, AcquireOptions
 from brdf_suite.pipeline.acquiring_output import acquire, acquire_partial, work_path
 from brdf_suite.pipeline.acquiring_simulated import SimulatorSource
+from brdf_suite.pipeline.acquiring_source import Stack
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -40,6 +41,20 @@ POSITIONS = 12
 BINS = (30, 30, 60)
 OPTIONS = AcquireOptions(bins=BINS)
 """Bins of three times the usual width: the steps are the same, and the tables small."""
+
+
+class Photographed(SimulatorSource):
+    """A source that traces each photograph once, however often it is read."""
+
+    def __init__(self, simulator: Simulator) -> None:
+        super().__init__(simulator)
+        self.taken: dict[int, Stack] = {}
+
+    def position(self, k: int) -> Stack:
+        if k not in self.taken:
+            self.taken[k] = super().position(k)
+            self.taken[k].codes.flags.writeable = False
+        return self.taken[k]
 
 
 @pytest.fixture(scope="module")
@@ -117,7 +132,7 @@ def test_a_sphere_that_moves_is_measured_where_it_stood_longest() -> None:
         white=False,
     )
     simulator = Simulator(CookTorrance(TABLE_1["table1_polaris_silver"]), settings)
-    road = Acquisition(SimulatorSource(simulator), OPTIONS)
+    road = Acquisition(Photographed(simulator), OPTIONS)
     road.calibrate()
     assert road.geometry is not None
     assert road.refinement is not None
@@ -362,7 +377,7 @@ def test_a_matt_sphere_stands_as_stated() -> None:
         dark=False,
         flat_field=False,
     )
-    road = Acquisition(SimulatorSource(Simulator(matt, settings, "chalk")), OPTIONS)
+    road = Acquisition(Photographed(Simulator(matt, settings, "chalk")), OPTIONS)
     road.calibrate()
     assert road.refinement is None
     assert road.geometry == road.outline.geometry

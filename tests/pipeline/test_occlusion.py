@@ -119,7 +119,7 @@ def test_a_surface_is_shaped_and_baked_as_the_view_says(folder: Path) -> None:
         assert len(baked.parts) == len(mesh.parts)
 
 
-def test_a_picture_from_the_command_has_the_ground(folder: Path) -> None:
+def test_a_picture_from_the_command_has_the_ground(shared_cache: Path) -> None:
     view = View(
         environment="booth", surface="sphere", background="grey", surface_look=SurfaceLook(ground=True)
     )

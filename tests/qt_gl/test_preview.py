@@ -16,6 +16,8 @@ from PySide6.QtTest import QTest
 
 from brdf_suite.lighting.environment import Environment
 
+pytestmark = pytest.mark.usefixtures("shared_cache")
+
 
 class NoDialogs:
     def unsaved(self, _name: str) -> Answer:

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication
 from shiboken6 import isValid
 
 from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.realtime.renderer import Renderer
 
 _FILE = Path(__file__).parent.parent / "qt_gl" / "xvfb.py"
 _spec = importlib.util.spec_from_file_location("xvfb", _FILE)
@@ -44,6 +45,21 @@ def own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def exact_fits(monkeypatch: pytest.MonkeyPatch) -> None:
     """Fits are exact at once, however busy the machine is; the tests of the time limit set one of their own."""
     monkeypatch.setitem(PaintFitter.__init__.__kwdefaults__, "time_limit_s", 60.0)
+
+
+@pytest.fixture
+def four_samples() -> None:
+    """The picture is drawn with as many samples a pixel as the user's."""
+
+
+@pytest.fixture(autouse=True)
+def one_sample(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Draw one sample a pixel, in a quarter of the time, where a test does not ask for ``four_samples``.
+
+    The programs that tests start draw with four, and so do pictures that fill the window.
+    """
+    if not {"four_samples", "filled"} & set(request.fixturenames):
+        monkeypatch.setattr(Renderer.render, "__defaults__", (0,))
 
 
 def write_light(path: Path, up: float, front: float, back: float) -> Path:

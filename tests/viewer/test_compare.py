@@ -66,6 +66,7 @@ def test_choosing_a_second_paint_shows_both_side_by_side(viewer) -> None:
     assert viewer.window.compare.mode.currentData() == "side"
 
 
+@pytest.mark.usefixtures("four_samples")
 def test_a_swipe_is_dragged_by_its_line_as_one_step(start) -> None:
     red = alone(start, "solid_red")
     viewer = start(follow=False)

@@ -37,6 +37,7 @@ def run(viewer, settings: ExportSettings) -> None:
     viewer.qtbot.waitUntil(lambda: not viewer.export.running)
 
 
+@pytest.mark.usefixtures("four_samples")
 def test_a_picture_as_it_is_on_screen(exporting) -> None:
     """The dialog's own settings, and the exported picture is the one on screen."""
     exporting.window.findChild(QAction, "action_Export Picture").trigger()

@@ -95,6 +95,7 @@ def test_a_normal_map_is_opened_and_taken_away(ball, images, asked, qtbot) -> No
     assert np.array_equal(ball.pixels(), before)
 
 
+@pytest.mark.usefixtures("four_samples")
 def test_two_tone_wants_a_paint_and_a_mask(ball, images, asked, qtbot) -> None:
     before = ball.pixels().astype(int)
     own = section(ball)
