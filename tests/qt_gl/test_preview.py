@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import threading
+
 import numpy as np
 import pytest
 from brdf_designer.assembly import Designer, shipped_paint
@@ -15,6 +17,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.pipeline.seen_weights import SeenWeights
 
 pytestmark = pytest.mark.usefixtures("shared_cache")
 
@@ -135,3 +138,20 @@ def test_a_smaller_light_holds_the_same_light():
     assert small.radiance.mean() == pytest.approx(float(radiance.mean()), rel=1e-5)
     odd = Environment("odd", radiance[:, :1000])
     assert smaller(odd, LIGHT_WIDTH) is odd
+
+
+def test_weights_for_every_angle_of_the_view_come_later_and_are_drawn(designer, preview, qtbot, monkeypatch):
+    """A paint read under two lights is drawn at once by its single fit, and again when the better weights are there."""
+    find, go_on = SeenWeights.find, threading.Event()
+
+    def find_when_allowed(weights: SeenWeights) -> None:
+        assert go_on.wait(120.0)
+        find(weights)
+
+    monkeypatch.setattr(SeenWeights, "find", find_when_allowed)
+    designer.open("gold_green_shift")
+    qtbot.waitUntil(lambda: preview.is_complete and preview.drawn is designer.desk.fit)
+    frames = []
+    preview.panel.surface.frame_drawn.connect(lambda *_: frames.append(1))
+    go_on.set()
+    qtbot.waitUntil(lambda: len(frames) > 0)
