@@ -27,3 +27,16 @@ def part(progress: Progress | None, start: float, end: float) -> Progress | None
         report(progress, start + (end - start) * fraction, what)
 
     return mapped
+
+
+def stage(progress: Progress | None, start: float, end: float, name: str) -> Progress | None:
+    """As :func:`part`, for a step that a user knows by ``name``: its words follow the name and a colon."""
+    within = part(progress, start, end)
+    if within is None:
+        return None
+    report(within, 0.0, name)
+
+    def named(fraction: float, what: str) -> None:
+        report(within, fraction, f"{name}: {what}")
+
+    return named

@@ -14,6 +14,7 @@ import venv
 import zipfile
 from pathlib import Path
 
+from installed_size import installed_sizes, size_lines
 from installer import Installer, InstallError
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -24,6 +25,7 @@ NEEDED = (
     "brdf_suite/_resources/paints/cook_torrance/table1_blue.brdfpaint",
     "brdf_suite/_resources/meshes/speed_form.glb",
     "brdf_suite/_resources/environments/booth.exr",
+    "brdf_suite/_resources/occlusion/",
     "brdf_suite/_resources/colour/cie.csv",
     "brdf_suite/realtime/shaders/",
     "brdf_designer/__main__.py",
@@ -74,6 +76,8 @@ def main() -> int:
         except InstallError as failure:
             print(f"{failure}\n{wheel.name} could not be installed", file=sys.stderr)
             return 1
+        (site_packages,) = (folder / "env").glob("lib/python*/site-packages")
+        print("\n".join(size_lines(installed_sizes(site_packages))), flush=True)
         clean = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "VIRTUAL_ENV"))}
         clean["BRDF_SUITE_CACHE"] = str(folder / "cache")
         picture = folder / "wheel.png"

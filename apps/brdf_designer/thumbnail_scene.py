@@ -10,6 +10,7 @@ from functools import lru_cache
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_to_json
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import SurfaceLook
 
 SIZE = 128
 """Width and height of a picture in pixels; sharp at 64 points on a screen of double density."""
@@ -33,6 +34,8 @@ class ThumbnailScene:
             surface=self.surface,
             background="colour",
             background_colour=_GROUND,
+            # Nothing shades a sphere, and baking that would keep the first picture back.
+            surface_look=SurfaceLook(occlusion=self.surface != "sphere"),
         )
 
 

@@ -15,6 +15,7 @@ import sys
 from contextlib import ExitStack
 from typing import Any, TextIO
 
+from brdf_designer.preview_scene import LIGHT_WIDTH
 from brdf_designer.thumbnail_scene import SIZE, ThumbnailScene
 from brdf_suite.documents.store import paint_from_json
 from brdf_suite.errors import GraphicsError, SuiteError
@@ -63,7 +64,7 @@ class Painter:
         if self._loaded is None or scene != self._scene:
             self._stack.close()
             self._loaded = None
-            self._loaded = self._stack.enter_context(loaded_scene(scene.view()))
+            self._loaded = self._stack.enter_context(loaded_scene(scene.view(), columns=LIGHT_WIDTH))
             self._scene = scene
         return self._loaded
 

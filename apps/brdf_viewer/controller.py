@@ -217,7 +217,7 @@ class ViewerController(QObject):
 
     def _settle(self) -> None:
         """A frame's time is shown: the picture has settled, unless a part of it is still on its way."""
-        if self.compare.loading is None and self.paint.measuring is None:
+        if self.compare.loading is None and self.paint.measuring is None and not self.surface.baking:
             self.settled.emit()
 
     def _picture_failed(self, text: str) -> None:

@@ -1,12 +1,14 @@
 """Environments and surfaces are read on background threads; the picture stays as it was until they are there.
 
 An environment comes in steps: as soon as its broad lobes are there it is handed out as it is then, and sharpens as
-its maps are filtered.
+its maps are filtered, at most once a second.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from time import monotonic
 
 from brdf_qt.tasks import TaskRunner, Work
 from PySide6.QtCore import QObject, Qt, Signal
@@ -22,6 +24,8 @@ from brdf_suite.surface.mesh import Mesh
 ENVIRONMENT = "environment"
 SURFACE = "surface"
 _STATISTICS = "statistics"
+_BETWEEN_PARTIAL_S = 1.0
+"""Each step that is shown costs a frame: on a software renderer as long as filtering the next map."""
 
 
 @dataclass(frozen=True)
@@ -78,8 +82,13 @@ class SceneLoader(QObject):
             self._generation += 1
             generation = self._generation
 
+            shown = -math.inf
+
             def partial(value: PreparedEnvironment) -> None:
-                self._partial.emit(generation, key, value)  # from the worker's thread to this one
+                nonlocal shown
+                if monotonic() - shown >= _BETWEEN_PARTIAL_S:
+                    shown = monotonic()
+                    self._partial.emit(generation, key, value)  # from the worker's thread to this one
 
             self._submit(kind, key, _environment, EnvironmentRequest(key, layout, partial))
         else:

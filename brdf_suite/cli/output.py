@@ -1,10 +1,12 @@
-"""What the commands share of talking: a progress bar, JSON, sizes."""
+"""What the commands share of talking: progress, JSON, sizes."""
 
 from __future__ import annotations
 
 import argparse
+import contextlib
 import json
 import re
+import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
@@ -12,21 +14,47 @@ from brdf_suite.progress import Progress
 
 _SIZE = re.compile(r"([1-9]\d{0,4})[x×X]([1-9]\d{0,4})")
 _LARGEST = 65_536
+_NUMBER = re.compile(r"\d[\d,.]*")
 
 
 @contextmanager
 def progress_bar(what: str, *, quiet: bool = False) -> Iterator[Progress]:
-    """Show a bar on standard error while the body runs; none where it is not a terminal or ``quiet``."""
+    """Show on standard error how far the body is: a bar on a terminal, else a line for each stage.
+
+    A stage is what stands before a colon (:func:`brdf_suite.progress.stage`); numbers make no new one. ``quiet``
+    shows nothing.
+    """
+    if quiet:
+        yield lambda *_: None
+        return
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield _stage_lines()
+        return
     from tqdm import tqdm
 
     form = "{desc:<28} {percentage:3.0f}% |{bar:30}| {elapsed}"
-    with tqdm(total=1.0, desc=what, leave=False, disable=True if quiet else None, bar_format=form) as bar:
+    with tqdm(total=1.0, desc=what, leave=False, bar_format=form) as bar:
 
         def show(fraction: float, doing: str) -> None:
-            bar.set_description_str(doing[:28], refresh=False)
+            bar.set_description_str(doing.rpartition(": ")[2][:28], refresh=False)
             bar.update(fraction - bar.n)
 
         yield show
+
+
+def _stage_lines() -> Progress:
+    """Return a callback that prints the name of each stage once, when it begins."""
+    seen: set[str] = set()
+
+    def show(_fraction: float, doing: str) -> None:
+        stage = doing.partition(": ")[0]
+        key = _NUMBER.sub("0", stage)
+        if key not in seen:
+            seen.add(key)
+            with contextlib.suppress(OSError, ValueError, AttributeError):  # standard error may be closed
+                print(stage, file=sys.stderr, flush=True)
+
+    return show
 
 
 def print_json(value: Mapping[str, object]) -> None:

@@ -9,6 +9,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
+import numpy as np
+
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view import View
@@ -177,6 +179,7 @@ def load_environment(
     progress: Progress | None = None,
     *,
     layout: str = AUTOMATIC,
+    columns: int | None = None,
     basis: LobeBasis | None = None,
     cache: MapCache | None = None,
     partial: Partial | None = None,
@@ -190,6 +193,8 @@ def load_environment(
         file, which is drawn.
     layout
         How the image is laid out, where its shape does not tell; see :func:`read_environment`.
+    columns
+        A wider light is averaged to about so many columns, for small pictures; see :func:`narrowed`.
     partial
         Called, on the same thread, as soon as there is something to show: the diffuse map, the broad lobes and the
         background; then after each sharper map. Never where the maps come from the cache.
@@ -204,12 +209,29 @@ def load_environment(
     name, path = find_environment(name_or_path)
     report(progress, 0.0, f"reading {path.name}")
     environment = read_environment(path, layout, part(progress, 0.0, _READING_SHARE))
+    if columns is not None:
+        environment = narrowed(environment, columns)
     store = cache or MapCache()
     told = len(store.notices)
     prepared = prepare_environment(
         name, environment, store.get_or_compute, part(progress, _READING_SHARE, 1.0), basis, partial
     )
     return replace(prepared, notices=tuple(store.notices[told:]))
+
+
+def narrowed(environment: Environment, columns: int) -> Environment:
+    """Return a lat-long light of at most ``columns`` columns: the mean of whole blocks, so no light is lost.
+
+    Rows of a lat-long image differ in solid angle by cos(elevation); within a block of a few rows that is the same
+    to below a percent, except at the poles, whose rows hold next to nothing. An image that cannot be divided into
+    whole blocks stays as it is.
+    """
+    rows, width = environment.radiance.shape[:2]
+    block = width // columns
+    if block < 2 or rows % block or width % block:
+        return environment
+    split = environment.radiance.reshape(rows // block, block, width // block, block, 3)
+    return replace(environment, radiance=split.mean((1, 3)).astype(np.float32))
 
 
 Filter = Callable[[Environment, Sequence[float], Progress | None, Ready | None], LobeMaps]

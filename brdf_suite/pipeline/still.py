@@ -16,11 +16,11 @@ from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target, picture_metadata, write_picture
-from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
+from brdf_suite.pipeline.scene import PreparedEnvironment, find_environment, load_environment
 from brdf_suite.pipeline.smaller_maps import with_smaller_maps
 from brdf_suite.pipeline.surface import baked_where_wanted, load_shaped
 from brdf_suite.pipeline.surface_images import ImageRequest, load_surface_images
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, part, report, stage
 from brdf_suite.realtime.camera import compose
 from brdf_suite.surface.mesh import Mesh
 
@@ -69,19 +69,24 @@ class LoadedScene:
 
 @contextmanager
 def loaded_scene(
-    view: View, progress: Progress | None = None, *, largest_face: int | None = None
+    view: View,
+    progress: Progress | None = None,
+    *,
+    columns: int | None = None,
+    largest_face: int | None = None,
 ) -> Iterator[LoadedScene]:
     """Load surface and environment of a view into a windowless scene, which goes with the block.
 
-    ``largest_face``, in texels, is how fine the light's maps need to be where only small pictures are drawn.
+    Where only small pictures are drawn, ``columns`` is how wide the light needs to be before it is filtered, and
+    ``largest_face``, in texels, how fine its maps after that.
     Errors as :func:`render_to_file`.
     """
     mesh = load_shaped(view.surface, view.surface_look)
     with OffscreenScene((1, 1)) as scene:  # before the maps: without OpenGL they would be made for nothing
         start = perf_counter()
-        prepared = load_environment(
-            view.environment, part(progress, 0.0, 0.6), layout=view.environment_layout
-        )
+        name = find_environment(view.environment)[0]
+        light = stage(progress, 0.0, 0.6, f"preparing the light ({Path(name).stem})")
+        prepared = load_environment(view.environment, light, layout=view.environment_layout, columns=columns)
         if largest_face is not None:
             prepared = with_smaller_maps(prepared, largest_face)
         maps_s = perf_counter() - start
@@ -142,7 +147,7 @@ def render_to_file(
             path,
             settings,
             picture_metadata(fit, shown),
-            part(progress, 0.8, 1.0),
+            stage(progress, 0.8, 1.0, "drawing"),
         )
         draw_ms = (perf_counter() - start) * 1e3
         renderer = loaded.scene.renderer_name

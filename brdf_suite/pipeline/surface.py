@@ -5,7 +5,7 @@ from __future__ import annotations
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.pipeline.occlusion import baked_occlusion
 from brdf_suite.pipeline.scene import load_surface
-from brdf_suite.progress import Progress, report
+from brdf_suite.progress import Progress, report, stage
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh
 from brdf_suite.surface.shaping import shaped
@@ -34,4 +34,6 @@ def load_shaped(name_or_path: str, look: SurfaceLook, progress: Progress | None 
 
 def baked_where_wanted(mesh: Mesh, look: SurfaceLook, progress: Progress | None = None) -> BakedMesh | None:
     """Return what is baked for a mesh, or None where ``look`` shows nothing of it; Cancelled by ``progress``."""
-    return baked_occlusion(mesh, progress) if wants_baking(look) else None
+    if not wants_baking(look):
+        return None
+    return baked_occlusion(mesh, stage(progress, 0.0, 1.0, "computing ambient occlusion"))

@@ -365,3 +365,18 @@ def test_the_installed_script_is_the_same_command() -> None:
     assert script is not None
     done = subprocess.run([script, "--version"], capture_output=True, text=True, check=True, timeout=240)
     assert done.stdout.startswith("brdf-suite ")
+
+
+def test_stages_are_shown_where_output_is_no_terminal(command) -> None:
+    words = ("render", "blue", "-o", "a.png", "--size", "64x36")
+    done = command(*words)
+    assert done.stderr.splitlines() == [
+        "preparing the light (booth)",
+        "computing ambient occlusion",
+        "drawing",
+        "written",
+    ]
+    assert len(done.stdout.splitlines()) == 1
+    quiet = command(*words, "--json")
+    assert quiet.stderr == ""
+    assert json.loads(quiet.stdout)["width"] == 64

@@ -80,6 +80,26 @@ def test_the_ground_takes_the_shadow(balls, qtbot) -> None:
     assert rows[: len(rows) // 4].max() <= 1
 
 
+def test_a_picture_is_settled_only_with_its_occlusion(start, lights, two_balls, qtbot, monkeypatch) -> None:
+    go_on = threading.Event()
+    bake = surface_control.baked_occlusion
+
+    def held(mesh: Mesh, progress: Progress) -> object:
+        go_on.wait(60.0)
+        return bake(mesh, progress)
+
+    monkeypatch.setattr(surface_control, "baked_occlusion", held)
+    view = View(environment=str(lights["dim"]), surface=str(two_balls), sparkle=Sparkle("off"))
+    viewer = start(view=view)
+    baked: list[bool] = []
+    viewer.controller.settled.connect(lambda: baked.append(viewer.stage.surface.baked is not None))
+    frame_time = viewer.window.status.cell("frame")
+    qtbot.waitUntil(lambda: bool(frame_time.text()))  # the frame's time has been measured and is shown
+    go_on.set()
+    qtbot.waitUntil(lambda: bool(baked))
+    assert all(baked)
+
+
 def test_baking_is_told_cancelled_and_offered_again(balls, qtbot, monkeypatch) -> None:
     hold, started = threading.Event(), threading.Event()
     bake = surface_control.baked_occlusion
