@@ -130,14 +130,15 @@ class ColorSwatch:
         return getattr(found, method)  # type: ignore[no-any-return]  # parts differ
 
     def close(self) -> None:
-        """Leave the link; unsaved work of a program that is told to end is kept for the next start."""
+        """Leave the link; unsaved work of a program that has to end is kept for the next start. Called once or more."""
+        if self._closed:
+            return  # the application's end calls it too, when the window may be deleted
+        self._closed = True
         for part in self.parts:
             end = getattr(part, "close_part", None)
             if end is not None:
                 end()
-        if not self._closed:
-            self._closed = True
-            self.library.keep_unsaved()
+        self.library.keep_unsaved()
 
     def _may_close(self, question: QCloseEvent) -> None:
         if self.library.may_close_all():

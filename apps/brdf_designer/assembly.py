@@ -105,7 +105,7 @@ class Designer:
         self.desk = Desk(self.documents, self.fitter, self.link.publish, self.window, self.window)
         self.controller = Controller(self.window, self.desk, self.window)
         self.recovery_offer = RecoveryOffer(self.documents, self.window)
-        self._closed = False
+        self._closed = self._ended = False
         self._join()
         self.sections = build_sections(self.desk, self.window)
         self.window.complete()
@@ -148,7 +148,10 @@ class Designer:
             self.documents.open(Path(name_or_path))
 
     def close(self) -> None:
-        """Leave the link; unsaved work of a program that is told to end is kept for the next start."""
+        """Leave the link; unsaved work of a program that has to end is kept for the next start. Called once or more."""
+        if self._ended:
+            return  # the application's end calls it too, when the window may be deleted
+        self._ended = True
         self.link.close()
         thumbnails_of(self.window).close()
         for part in self.sections:

@@ -6,11 +6,11 @@ import json
 from dataclasses import replace
 
 import pytest
-from brdf_designer.assembly import shipped_paint
+from brdf_designer.assembly import Designer, shipped_paint
 from brdf_qt.command_palette import commands
 from brdf_qt.dialogs import Answer
 from brdf_qt.link import LiveLink
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -384,3 +384,14 @@ def test_a_double_click_on_a_number_goes_back_to_the_opened_document(designer, t
         field.reset()
         assert field.value() == opened
     assert designer.store.value == paint
+
+
+def test_the_end_of_the_application_finds_a_closed_designer_ended(qtbot, dialogs) -> None:
+    """Its window is deleted by then, and all timers in it: in a process with several programs this comes late."""
+    designer = Designer(dialogs=lambda _window: dialogs)
+    designer.window.show()
+    qtbot.waitUntil(lambda: designer.window.plot.is_built)
+    designer.close()
+    designer.window.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    designer.close()
