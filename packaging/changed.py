@@ -57,9 +57,7 @@ def select(root: Path, changed: Iterable[str]) -> Selection:
     for file in changed:
         if file in EVERYTHING:
             return Selection(None, f"everything depends on {file}")
-    users = _users(
-        root, {*changed, *_git(root, "ls-files", "--cached", "--others", "--exclude-standard", "-z")}
-    )
+    users = _users(root, {*changed, *_files(root)})
     tests = {file for file in users if _is_test(file) and (root / file).is_file()}
     selected: set[str] = set()
     for file in changed:
@@ -217,6 +215,18 @@ def _module(file: str) -> str:
 
 def _is_test(file: str) -> bool:
     return file.startswith("tests/") and fnmatch(PurePosixPath(file).name, "test_*.py")
+
+
+def _files(root: Path) -> list[str]:
+    """List the files of the checkout; without git those of the folders that matter."""
+    tracked = _git(root, "ls-files", "--cached", "--others", "--exclude-standard", "-z")
+    folders = (*_INSTALLED, "packaging/", "docs/", "tests/")
+    return tracked or [
+        path.relative_to(root).as_posix()
+        for folder in folders
+        for path in (root / folder).rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
+    ]
 
 
 def _git(root: Path, *arguments: str) -> list[str]:

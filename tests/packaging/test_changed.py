@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
@@ -139,6 +140,13 @@ def test_changes_are_those_of_the_branch_and_of_the_working_tree(
     )
 
 
-def test_a_folder_without_git_says_so(changed: ModuleType, tmp_path: Path) -> None:
+def test_without_git_changes_are_unknown_and_what_they_reach_is_not(
+    changed: ModuleType, root: Path, tmp_path: Path
+) -> None:
+    shutil.rmtree(root / ".git")
+    assert changed.select(root, ["apps/brdf_viewer/window.py"]).tests == (
+        "tests/cli/test_viewer.py",
+        "tests/viewer/test_window.py",
+    )
     with pytest.raises(ValueError, match="no commit HEAD"):
         changed.changed_files(tmp_path)
