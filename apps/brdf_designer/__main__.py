@@ -49,17 +49,24 @@ def _when_ready(app: QApplication, designer: Designer, options: argparse.Namespa
         if options.report_startup:
             sys.stdout.write(json.dumps(times) + "\n")
             sys.stdout.flush()
-        if options.screenshot is not None:
+        if options.report_startup or options.screenshot is not None:
             wait = QTimer(app)
             wait.setInterval(_LOOK_EVERY_MS)
-            wait.timeout.connect(lambda: take(wait))
+            wait.timeout.connect(lambda: look(wait))
             wait.start()
-        elif options.quit_after is not None:
+        if options.screenshot is None and options.quit_after is not None:
             QTimer.singleShot(round(1000 * options.quit_after), lambda: app.exit(0))
 
-    def take(wait: QTimer) -> None:
-        if designer.is_complete or process_age_s() > _LONGEST_WAIT_S:
-            wait.stop()
+    def look(wait: QTimer) -> None:
+        finished = designer.is_complete
+        if not finished and process_age_s() <= _LONGEST_WAIT_S:
+            return
+        wait.stop()
+        if finished and options.report_startup:
+            times["finished_s"] = round(process_age_s(), 3)
+            sys.stdout.write(json.dumps(times) + "\n")
+            sys.stdout.flush()
+        if options.screenshot is not None:
             # What has just come is painted first.
             QTimer.singleShot(_LOOK_EVERY_MS, lambda: screenshot(options.screenshot))
 
@@ -95,7 +102,7 @@ def _parser() -> argparse.ArgumentParser:
         "--report-startup",
         action="store_true",
         help='print {"ready_s": s, "complete_s": s}: seconds from the start of the process to the first painted '
-        "window, and to its plot being there",
+        'window, and to its plot being there; then the same with "finished_s", to all pictures being drawn',
     )
     return parser
 

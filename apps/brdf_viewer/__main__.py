@@ -79,7 +79,8 @@ def parser() -> argparse.ArgumentParser:
         "--report-startup",
         action="store_true",
         help='print {"ready_s": s, "complete_s": s}: seconds from the start of the process to the first painted '
-        "window, and to the first complete picture",
+        'window, and to the first complete picture; then the same with "finished_s", to the first picture that '
+        "nothing on its way will change",
     )
     return parser
 
@@ -132,7 +133,7 @@ def _choose_renderer(controller: ViewerController, options: argparse.Namespace) 
 
 
 def _report_startup(controller: ViewerController) -> None:
-    """Print one line of JSON at the first complete picture."""
+    """Print a line of JSON at the first complete picture, and one at the first finished picture."""
     done: set[str] = set()
     times: dict[str, float] = {}
 
@@ -144,6 +145,9 @@ def _report_startup(controller: ViewerController) -> None:
         if done == {"painted", "complete"} and len(times) == 1:
             times["complete_s"] = round(process_age_s(), 3)
             print(json.dumps(times), flush=True)
+        if done == {"painted", "complete", "finished"}:
+            times["finished_s"] = round(process_age_s(), 3)
+            print(json.dumps(times), flush=True)
 
     def painted() -> None:
         reached("painted")
@@ -153,6 +157,7 @@ def _report_startup(controller: ViewerController) -> None:
 
     controller.window.first_painted.connect(painted)
     controller.picture_complete.connect(complete)
+    controller.picture_finished.connect(lambda: reached("finished"))
 
 
 @dataclasses.dataclass

@@ -61,11 +61,13 @@ class ViewerController(QObject):
         How the user is asked for a file to open, and for one to save the picture to.
 
     Signals: ``picture_complete()`` once, after the first frame with paint, surface and environment;
+    ``picture_finished()`` once, after the first such frame that nothing on its way, as occlusion, will change;
     ``settled()`` each time that a frame's time has been measured and is shown;
     ``failed(kind, text)`` where something could not be loaded.
     """
 
     picture_complete = Signal()
+    picture_finished = Signal()
     settled = Signal()
     failed = Signal(str, str)
 
@@ -88,7 +90,7 @@ class ViewerController(QObject):
         self._tasks = TaskRunner(self)
         self._loader = SceneLoader(self._tasks, self)
         self._ask = ask
-        self._complete = False
+        self._complete = self._finished = False
         self._publish = QTimer(self, singleShot=True, interval=_PUBLISH_MS, timeout=self._publish_view)
         self.camera = CameraControl(self.stage, self.window, self)
         self.scene = SceneControl(self.stage, self.window, self._loader, self)
@@ -214,10 +216,18 @@ class ViewerController(QObject):
         if not self._complete and self.drawer is not None and self.drawer.is_complete:
             self._complete = True
             self.picture_complete.emit()
+        if self._complete and not self._finished and not self._awaits_parts:
+            self._finished = True
+            self.picture_finished.emit()
+
+    @property
+    def _awaits_parts(self) -> bool:
+        """Whether a part of the picture is still on its way: a paint to compare with or its fits, occlusion."""
+        return self.compare.loading is not None or self.paint.measuring is not None or self.surface.baking
 
     def _settle(self) -> None:
         """A frame's time is shown: the picture has settled, unless a part of it is still on its way."""
-        if self.compare.loading is None and self.paint.measuring is None and not self.surface.baking:
+        if not self._awaits_parts:
             self.settled.emit()
 
     def _picture_failed(self, text: str) -> None:

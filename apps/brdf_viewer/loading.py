@@ -1,7 +1,7 @@
 """Environments and surfaces are read on background threads; the picture stays as it was until they are there.
 
 An environment comes in steps: as soon as its broad lobes are there it is handed out as it is then, and sharpens as
-its maps are filtered, at most once a second.
+its maps are filtered, at most every two seconds.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from brdf_suite.surface.mesh import Mesh
 ENVIRONMENT = "environment"
 SURFACE = "surface"
 _STATISTICS = "statistics"
-_BETWEEN_PARTIAL_S = 1.0
+_BETWEEN_PARTIAL_S = 2.0
 """Each step that is shown costs a frame: on a software renderer as long as filtering the next map."""
 
 

