@@ -35,6 +35,7 @@ PACKAGES = {
     "flip_evaluator": _Package("FLIP", "flip-evaluator", "reference"),
     "cv2": _Package("OpenCV", "opencv-python-headless", "acquisition"),
     "rawpy": _Package("rawpy", "rawpy", "acquisition"),
+    "numba": _Package("numba", "numba", "acquisition"),
     "imageio_ffmpeg": _Package("ffmpeg (imageio-ffmpeg)", "imageio-ffmpeg", "video"),
 }
 """The optional modules, by the name that they are imported by."""
@@ -103,7 +104,17 @@ def requirements(extra: str) -> list[str]:
     """Return what an extra consists of, as package installers take it: ``["imageio-ffmpeg>=0.6"]``."""
     marker = re.compile(rf"extra *== *[\"']{re.escape(extra)}[\"']")
     lines = (line.partition(";") for line in requires("brdf-suite") or ())
-    return [what.strip() for what, _, condition in lines if marker.search(condition)]
+    return [
+        what.strip()
+        for what, _, condition in lines
+        if marker.search(condition) and _is_for_this_python(condition)
+    ]
+
+
+def _is_for_this_python(condition: str) -> bool:
+    """Whether a requirement's marker allows this version of Python: some packages are not published for new ones."""
+    limit = re.search(r"python_version *< *[\"'](\d+)\.(\d+)", condition)
+    return limit is None or sys.version_info[:2] < (int(limit[1]), int(limit[2]))
 
 
 def install_command(extra: str, *, again: bool = False) -> str:

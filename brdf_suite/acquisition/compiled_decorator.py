@@ -8,15 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeAlias, TypeVar, cast
 
-from brdf_suite.errors import SuiteError
+from brdf_suite.extras import import_extra
 
-try:
-    import numba
-except ImportError as error:
-    raise SuiteError(
-        "Photographs are evaluated by kernels that numba compiles, and numba is not installed: "
-        "the optional part “acquisition” brings it."
-    ) from error
+numba = import_extra("numba", purpose="the evaluation of photographs")
 
 Array: TypeAlias = Any
 """A numpy array in a kernel: numba indexes it to scalars, which numpy's own types do not say."""

@@ -21,6 +21,8 @@ from types import ModuleType
 
 import numpy as np
 
+from brdf_suite.errors import ExtraError
+from brdf_suite.extras import import_extra
 from brdf_suite.processes import child_command
 from brdf_suite.progress import Progress, report
 
@@ -90,8 +92,8 @@ def compile_now() -> ModuleType | None:
 def _import() -> ModuleType | None:
     try:
         from brdf_suite.lighting import compiled_filter
-    except ImportError as error:
-        _log.info("There is no numba (%s); environments are filtered by numpy alone.", error)
+    except ExtraError as error:
+        _log.info("Environments are filtered by numpy alone: %s", error)
         return None
     except RuntimeError as error:  # numba's "cannot cache function: no locator available"
         _log.warning("numba has no folder for its cache (%s); environments are filtered without it.", error)
@@ -103,7 +105,8 @@ def _stamp(module: ModuleType) -> Path:
     """Return the file that stands beside the compiled kernels once all of them are there."""
     import llvmlite
     import llvmlite.binding
-    import numba
+
+    numba = import_extra("numba", purpose="the compiled filter")
 
     digest = hashlib.sha256(
         repr(

@@ -8,7 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeAlias, TypeVar, cast
 
-import numba
+from brdf_suite.extras import import_extra
+
+numba = import_extra("numba", purpose="the compiled filter")
 
 Array: TypeAlias = Any
 """A numpy array in a kernel: numba indexes it to scalars, which numpy's own types do not say."""
