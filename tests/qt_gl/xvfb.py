@@ -11,6 +11,7 @@ import pytest
 from PySide6.QtGui import QGuiApplication
 
 _servers: list[subprocess.Popen[bytes]] = []
+_OWNER = "BRDF_SUITE_TESTS_SCREEN_OF"
 _HOLD = '"$@" & server=$!; read -r _; kill $server'
 """The server lives as long as the pipe to this process, so it also ends when the tests are killed."""
 
@@ -26,6 +27,8 @@ def use_screen() -> None:
         )
     os.environ["QT_QPA_PLATFORM"] = "xcb"
     os.environ.setdefault("LIBGL_ALWAYS_SOFTWARE", "1")
+    if os.environ.get(_OWNER) == str(os.getpid()):
+        return  # another folder of tests has started one in this process
     # Windows of two workers on one screen would take the focus from each other.
     if os.environ.get("DISPLAY") and "PYTEST_XDIST_WORKER" not in os.environ:
         return
@@ -34,6 +37,8 @@ def use_screen() -> None:
         pytest.skip("no screen and no Xvfb: install the package xvfb")
     reader, writer = os.pipe()
     command = [program, "-displayfd", str(writer), "-screen", "0", "2000x1300x24", "-nolisten", "tcp"]
+    # A server begins anew when its last client has gone, and refuses those that come meanwhile.
+    command.append("-noreset")
     server = subprocess.Popen(
         ["sh", "-c", _HOLD, "sh", *command],
         stdin=subprocess.PIPE,
@@ -48,3 +53,4 @@ def use_screen() -> None:
     if not number:
         pytest.skip("Xvfb did not start")
     os.environ["DISPLAY"] = f":{number}"
+    os.environ[_OWNER] = str(os.getpid())
