@@ -46,27 +46,28 @@ def _when_ready(app: QApplication, designer: Designer, options: argparse.Namespa
 
     def complete() -> None:
         times["complete_s"] = round(process_age_s(), 3)
+        if options.screenshot is not None:
+            wait = QTimer(app)
+            wait.setInterval(_LOOK_EVERY_MS)
+            wait.timeout.connect(lambda: take(wait))
+            wait.start()
+            return
+        report()
+        if options.quit_after is not None:
+            QTimer.singleShot(round(1000 * options.quit_after), lambda: app.exit(0))
+
+    def report() -> None:
         if options.report_startup:
             sys.stdout.write(json.dumps(times) + "\n")
             sys.stdout.flush()
-        if options.report_startup or options.screenshot is not None:
-            wait = QTimer(app)
-            wait.setInterval(_LOOK_EVERY_MS)
-            wait.timeout.connect(lambda: look(wait))
-            wait.start()
-        if options.screenshot is None and options.quit_after is not None:
-            QTimer.singleShot(round(1000 * options.quit_after), lambda: app.exit(0))
 
-    def look(wait: QTimer) -> None:
+    def take(wait: QTimer) -> None:
         finished = designer.is_complete
-        if not finished and process_age_s() <= _LONGEST_WAIT_S:
-            return
-        wait.stop()
-        if finished and options.report_startup:
-            times["finished_s"] = round(process_age_s(), 3)
-            sys.stdout.write(json.dumps(times) + "\n")
-            sys.stdout.flush()
-        if options.screenshot is not None:
+        if finished or process_age_s() > _LONGEST_WAIT_S:
+            wait.stop()
+            if finished:
+                times["finished_s"] = round(process_age_s(), 3)
+            report()
             # What has just come is painted first.
             QTimer.singleShot(_LOOK_EVERY_MS, lambda: screenshot(options.screenshot))
 
@@ -102,7 +103,7 @@ def _parser() -> argparse.ArgumentParser:
         "--report-startup",
         action="store_true",
         help='print {"ready_s": s, "complete_s": s}: seconds from the start of the process to the first painted '
-        'window, and to its plot being there; then the same with "finished_s", to all pictures being drawn',
+        'window, and to its plot being there; with --screenshot "finished_s" too, to all pictures being drawn',
     )
     return parser
 

@@ -79,7 +79,7 @@ def parser() -> argparse.ArgumentParser:
         "--report-startup",
         action="store_true",
         help='print {"ready_s": s, "complete_s": s}: seconds from the start of the process to the first painted '
-        'window, and to the first complete picture; then the same with "finished_s", to the first picture that '
+        'window, and to the first complete picture; with --screenshot "finished_s" too, to the first picture that '
         "nothing on its way will change",
     )
     return parser
@@ -103,7 +103,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         window.resize(*options.size)
     _choose_renderer(controller, options)
     if options.report_startup:
-        _report_startup(controller)
+        _report_startup(controller, until_finished=bool(options.screenshot))
     outcome = _screenshot(controller, Path(options.screenshot)) if options.screenshot else Outcome()
     if options.quit_after is not None:
         QTimer.singleShot(round(1000 * options.quit_after), window.close)
@@ -132,8 +132,8 @@ def _choose_renderer(controller: ViewerController, options: argparse.Namespace) 
         controller.traced.set_renderer(options.renderer)
 
 
-def _report_startup(controller: ViewerController) -> None:
-    """Print a line of JSON at the first complete picture, and one at the first finished picture."""
+def _report_startup(controller: ViewerController, *, until_finished: bool) -> None:
+    """Print one line of JSON at the first complete picture, or at the first finished one."""
     done: set[str] = set()
     times: dict[str, float] = {}
 
@@ -142,12 +142,11 @@ def _report_startup(controller: ViewerController) -> None:
         done.add(what)
         if "painted" in done and not times:
             times["ready_s"] = round(process_age_s(), 3)
-        if done == {"painted", "complete"} and len(times) == 1:
-            times["complete_s"] = round(process_age_s(), 3)
-            print(json.dumps(times), flush=True)
-        if done == {"painted", "complete", "finished"}:
-            times["finished_s"] = round(process_age_s(), 3)
-            print(json.dumps(times), flush=True)
+        for key, wanted in (("complete_s", {"painted", "complete"}), ("finished_s", {"painted", "finished"})):
+            if wanted <= done and key not in times:
+                times[key] = round(process_age_s(), 3)
+                if (key == "finished_s") == until_finished:
+                    print(json.dumps(times), flush=True)
 
     def painted() -> None:
         reached("painted")

@@ -76,8 +76,11 @@ def test_start_up_imports_nothing_slow():
 
 @pytest.mark.usefixtures("shared_cache")
 def test_a_screenshot_shows_the_paint(tmp_path):
-    done = run("red", "--theme", "light", "--size", "900x600", "--screenshot", str(tmp_path / "a.png"))
+    words = ("--report-startup", "--screenshot", str(tmp_path / "a.png"))
+    done = run("red", "--theme", "light", "--size", "900x600", *words)
     assert done.returncode == 0, done.stderr
+    times = json.loads(done.stdout.splitlines()[-1])
+    assert times["complete_s"] <= times["finished_s"]
     picture = QImage(str(tmp_path / "a.png"))
     assert (picture.width(), picture.height()) == (900, 600)
     reds = sum(
