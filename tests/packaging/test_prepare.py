@@ -11,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import sysconfig
 import zipfile
 from pathlib import Path
 from types import ModuleType
@@ -78,16 +79,38 @@ def write_project(root: Path) -> None:
         make_wheel(root.parent / "wheels", name)
 
 
-def make_project(checkout: Path, folder: Path) -> Path:
-    """Copy the set-up into a small project, in a folder with a space and letters beyond ASCII."""
+# Stands in for the module of system packages: those are no matter of these tests, and the machine may lack some.
+SYSTEM = """
+def install_system_libraries(for_tests):
+    pass
+
+
+def install_optional_libraries():
+    pass
+"""
+# Stands in for ensurepip, which takes seconds to compile the same pip for each environment.
+COPY_PIP = """
+import shutil, sysconfig, venv
+
+def copy_pip(builder, context):
+    packages = sysconfig.get_path("purelib", "venv", {{"base": context.env_dir}})
+    shutil.copytree({pip!r}, packages, dirs_exist_ok=True)
+
+venv.EnvBuilder._setup_pip = copy_pip
+"""
+
+
+def make_project(checkout: Path, folder: Path, pip: Path | None = None) -> Path:
+    """Copy the set-up into a small project, in a folder with a space and letters beyond ASCII.
+
+    Environments get a copy of the packages in ``pip``; ``None``: what Python installs.
+    """
     root = folder / "Lack für Götz"
     (root / "packaging").mkdir(parents=True)
     for name in ("installer.py", "prepare.py", "report.py", "run.py"):
         shutil.copy(checkout / "packaging" / name, root / "packaging")
-    # System packages are no matter of these tests, and the machine may lack some.
-    (root / "packaging" / "system_libraries.py").write_text(
-        "def install_system_libraries(for_tests):\n    pass\n\n\ndef install_optional_libraries():\n    pass\n"
-    )
+    stand_ins = SYSTEM if pip is None else SYSTEM + COPY_PIP.format(pip=str(pip))
+    (root / "packaging" / "system_libraries.py").write_text(stand_ins)
     write_project(root)
     return root
 
@@ -98,10 +121,18 @@ def project(checkout: Path, tmp_path: Path) -> Path:
     return make_project(checkout, tmp_path)
 
 
+@pytest.fixture(scope="session")
+def pip(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the packages of a new environment: pip, compiled."""
+    folder = tmp_path_factory.mktemp("pip")
+    subprocess.run([sys.executable, "-m", "venv", folder], check=True)
+    return Path(sysconfig.get_path("purelib", "venv", {"base": str(folder)}))
+
+
 @pytest.fixture(scope="module")
-def shared_project(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Share one project: making an environment takes seconds."""
-    return make_project(checkout, tmp_path_factory.mktemp("prepared"))
+def shared_project(checkout: Path, tmp_path_factory: pytest.TempPathFactory, pip: Path) -> Path:
+    """Share one project, since installing its package takes seconds."""
+    return make_project(checkout, tmp_path_factory.mktemp("prepared"), pip)
 
 
 @pytest.fixture
@@ -256,7 +287,10 @@ def test_an_unreadable_record_makes_the_environment_again(prepared: Path) -> Non
     assert installed(prepared, "pigment") == "1.0"
 
 
-def test_a_file_in_place_of_the_environment_is_replaced_only_by_a_whole_one(project: Path) -> None:
+def test_a_file_in_place_of_the_environment_is_replaced_only_by_a_whole_one(
+    checkout: Path, tmp_path: Path, pip: Path
+) -> None:
+    project = make_project(checkout, tmp_path, pip)
     (project / ".venv").write_text("mine")
     (project / "packaging" / "lock.txt").write_text("pigment==7.0\n")
     assert run(project, "--prepare-only", check=False).returncode == 1
