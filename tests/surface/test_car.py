@@ -155,20 +155,20 @@ def test_the_shipped_car_is_this_one_so_it_is_the_same_every_time(mesh: Mesh) ->
         np.testing.assert_allclose(two.uvs, one.uvs, rtol=0.0, atol=1e-2)
 
 
-def rays() -> Iterator[tuple[Floats, Floats]]:
-    """Return bundles of parallel rays: (n, 3) origins outside, one direction (3,)."""
+def rays() -> Iterator[tuple[Floats, Floats, Floats]]:
+    """Return bundles of lines: (n, 3) ends outside on either side, and the direction (3,) from the first ones."""
     along = np.linspace(-2.0, 1.9, 60)
     up = np.linspace(0.20, 1.15, 24)
     across = np.linspace(-0.8, 0.8, 40)
     z, y = (grid.ravel() for grid in np.meshgrid(along, up))
-    yield np.stack([np.full_like(z, 3.0), y, z], axis=1), np.array([-1.0, 0.0, 0.0])
-    yield np.stack([np.full_like(z, -3.0), y, z], axis=1), np.array([1.0, 0.0, 0.0])
+    ends = (np.stack([np.full_like(z, x), y, z], axis=1) for x in (3.0, -3.0))
+    yield *ends, np.array([-1.0, 0.0, 0.0])
     z, x = (grid.ravel() for grid in np.meshgrid(along, across))
-    yield np.stack([x, np.full_like(x, 3.0), z], axis=1), np.array([0.0, -1.0, 0.0])
-    yield np.stack([x, np.full_like(x, -1.0), z], axis=1), np.array([0.0, 1.0, 0.0])
+    ends = (np.stack([x, np.full_like(x, y), z], axis=1) for y in (3.0, -1.0))
+    yield *ends, np.array([0.0, -1.0, 0.0])
     y, x = (grid.ravel() for grid in np.meshgrid(up, across))
-    yield np.stack([x, y, np.full_like(x, 4.0)], axis=1), np.array([0.0, 0.0, -1.0])
-    yield np.stack([x, y, np.full_like(x, -4.0)], axis=1), np.array([0.0, 0.0, 1.0])
+    ends = (np.stack([x, y, np.full_like(x, z)], axis=1) for z in (4.0, -4.0))
+    yield *ends, np.array([0.0, 0.0, -1.0])
 
 
 def first_hits(triangles: Floats, origins: Floats, direction: Floats) -> tuple[Floats, Floats]:
@@ -179,34 +179,38 @@ def first_hits(triangles: Floats, origins: Floats, direction: Floats) -> tuple[F
     low, high = flat.min(axis=1), flat.max(axis=1)
     facing = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     distance, cosine = np.full(len(origins), np.inf), np.zeros(len(origins))
-    for number, origin in enumerate(origins):
-        point = origin[others]
-        near = np.flatnonzero(((low <= point) & (high >= point)).all(axis=1))
-        a, b, c = (flat[near, i] for i in range(3))
-        area = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
-        safe = np.where(np.abs(area) < 1e-14, 1.0, area)
-        v = ((point - a)[:, 0] * (c - a)[:, 1] - (point - a)[:, 1] * (c - a)[:, 0]) / safe
-        w = ((b - a)[:, 0] * (point - a)[:, 1] - (b - a)[:, 1] * (point - a)[:, 0]) / safe
-        hit = (np.abs(area) >= 1e-14) & (v >= 0) & (w >= 0) & (v + w <= 1)
-        if not hit.any():
-            continue
-        own = near[hit]
-        depth = triangles[own, :, axis]
-        at = depth[:, 0] + v[hit] * (depth[:, 1] - depth[:, 0]) + w[hit] * (depth[:, 2] - depth[:, 0])
-        along = (at - origin[axis]) * direction[axis]
-        first = int(np.argmin(along))
-        distance[number] = along[first]
-        cosine[number] = facing[own[first], axis] * direction[axis]
+    for value in np.unique(origins[:, others[0]]):  # the rays of a plane share the triangles that cross it
+        plane = np.flatnonzero((low[:, 0] <= value) & (high[:, 0] >= value))
+        for number in np.flatnonzero(origins[:, others[0]] == value):
+            origin = origins[number]
+            point = origin[others]
+            near = plane[(low[plane, 1] <= point[1]) & (high[plane, 1] >= point[1])]
+            a, b, c = (flat[near, i] for i in range(3))
+            area = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
+            safe = np.where(np.abs(area) < 1e-14, 1.0, area)
+            v = ((point - a)[:, 0] * (c - a)[:, 1] - (point - a)[:, 1] * (c - a)[:, 0]) / safe
+            w = ((b - a)[:, 0] * (point - a)[:, 1] - (b - a)[:, 1] * (point - a)[:, 0]) / safe
+            hit = (np.abs(area) >= 1e-14) & (v >= 0) & (w >= 0) & (v + w <= 1)
+            if not hit.any():
+                continue
+            own = near[hit]
+            depth = triangles[own, :, axis]
+            at = depth[:, 0] + v[hit] * (depth[:, 1] - depth[:, 0]) + w[hit] * (depth[:, 2] - depth[:, 0])
+            along = (at - origin[axis]) * direction[axis]
+            first = int(np.argmin(along))
+            distance[number] = along[first]
+            cosine[number] = facing[own[first], axis] * direction[axis]
     return distance, cosine
 
 
 def test_nothing_is_seen_through_the_body(mesh: Mesh) -> None:
     """Every ray through the solid that the body is made from hits something, from its outside first."""
     triangles = np.concatenate([corners(each) for each in mesh.parts])
-    for origins, direction in rays():
-        distance, cosine = first_hits(triangles, origins, direction)
-        steps = origins[:, None, :] + np.linspace(0.0, 8.0, 801)[:, None] * direction
+    for one, other, direction in rays():
+        steps = one[:, None, :] + np.linspace(0.0, 8.0, 801)[:, None] * direction
         solid = body(steps[..., 0], steps[..., 1], steps[..., 2]).min(axis=1) < -0.005
         assert solid.mean() > 0.5
-        assert np.isfinite(distance[solid]).all(), f"along {direction}"
-        assert (cosine[solid] > 0.0).mean() < 0.004, f"along {direction}"
+        for origins, along in ((one, direction), (other, -direction)):
+            distance, cosine = first_hits(triangles, origins, along)
+            assert np.isfinite(distance[solid]).all(), f"along {along}"
+            assert (cosine[solid] > 0.0).mean() < 0.004, f"along {along}"

@@ -142,11 +142,11 @@ def edges_of(triangles: Ints) -> tuple[Ints, Ints]:
 
     Side i of a triangle goes from its corner i to corner i + 1.
     """
-    sides = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2)
-    pairs = np.sort(sides.reshape(-1, 2), axis=1)
-    key = pairs[:, 0] * (int(triangles.max()) + 1) + pairs[:, 1]
-    _, first, inverse = np.unique(key, return_index=True, return_inverse=True)
-    return pairs[first], inverse.reshape(-1, 3).astype(np.int64)
+    following = triangles[:, [1, 2, 0]]
+    size = int(triangles.max()) + 1
+    key = np.minimum(triangles, following) * size + np.maximum(triangles, following)
+    found, inverse = np.unique(key, return_inverse=True)
+    return np.stack(np.divmod(found, size), axis=1), inverse.reshape(-1, 3).astype(np.int64)
 
 
 def border(triangles: Ints) -> Ints:
