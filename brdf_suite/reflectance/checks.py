@@ -182,7 +182,7 @@ def _settled(
             finer = integral(reflectance, direction, azimuths)
             change = float(np.abs(finer - found[row]).max())
             found[row] = finer
-            if change <= _SETTLED:
+            if not change > _SETTLED:  # nor does it settle where it is not a number
                 break
     return found
 
