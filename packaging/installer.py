@@ -83,6 +83,7 @@ class Installer:
             "PIP_PROGRESS_BAR": "off",
             "PIP_NO_INPUT": "1",
             "UV_NO_PROGRESS": "1",
+            "UV_COMPILE_BYTECODE": "1",  # as pip does: the first start of a program need not wait for it
             "NO_COLOR": "1",
         }
         with (

@@ -28,7 +28,7 @@ def main(arguments: list[str]) -> int:
         extras |= {name.strip() for name in names.split(",") if name.strip()}
         if not extras:
             raise NotPrepared(f"--with: name extras, of {', '.join(Checkout().declared_extras())}.")
-    prepare(*sorted(extras))
+    prepare("speed", *sorted(extras))
     if only_prepare or (extras and not arguments):
         report(f"Ready, with {', '.join(sorted(extras))}" if extras else "Ready")
         return 0

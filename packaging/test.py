@@ -21,7 +21,8 @@ from collections.abc import Sequence
 from changed import changed_files, select
 from prepare import ROOT, prepare
 
-SCREEN = ("tests/viewer", "tests/qt_gl", "tests/lobes_gl", "tests/swatch_gl")
+SCREEN = ("tests/viewer", "tests/qt_gl", "tests/lobes_gl", "tests/swatch_gl", "tests/extras")
+EXTRAS = ("acquisition", "dev", "reference", "speed", "video")
 FRESH_SEEDS = "--hypothesis-profile=nightly"
 
 
@@ -73,7 +74,7 @@ def selected(reference: str | None) -> tuple[str, ...] | None:
 def main() -> int:
     """Prepare, run, and return pytest's exit status (the first that is not zero)."""
     if sys.argv[1:] == ["--prepare-only"]:
-        prepare("acquisition", "dev", "reference", "video")
+        prepare(*EXTRAS)
         return 0
     try:
         runs = runs_of(sys.argv[1:])
@@ -82,7 +83,7 @@ def main() -> int:
         return 2
     if not runs:
         return 0
-    python = str(prepare("acquisition", "dev", "reference", "video"))
+    python = str(prepare(*EXTRAS))
     environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", "PYTHONFAULTHANDLER": "1"}
     # Hundreds of tests start programs; each would compile every module again where no bytecode may be kept.
     environment.pop("PYTHONDONTWRITEBYTECODE", None)

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from brdf_suite.acquisition.compiled_decorator import Array, compiled
+from brdf_suite.compilation import Array, compiled
 
 OUTSIDE = 0
 GOOD = 1

@@ -14,7 +14,7 @@ import math
 
 import numpy as np
 
-from brdf_suite.acquisition.compiled_decorator import Array, compiled
+from brdf_suite.compilation import Array, compiled
 
 # Of the information on a pixel, at least this share must come from the other exposures.
 _OTHERS = 1e-3

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_suite.acquisition.compiled_decorator import Array, compiled
+from brdf_suite.compilation import Array, compiled
 
 
 @compiled

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from brdf_suite.acquisition.compiled_decorator import Array, compiled
+from brdf_suite.compilation import Array, compiled
 
 _BASE = 0.95
 """Of the darkest neighbour, where the neighbours differ most: a little of a lobe is left for its logarithm."""

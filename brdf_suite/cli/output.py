@@ -14,6 +14,8 @@ from brdf_suite.progress import Progress
 
 _SIZE = re.compile(r"([1-9]\d{0,4})[x×X]([1-9]\d{0,4})")
 _LARGEST = 65_536
+STAGE_END = " ..."
+"""Ends the line of a stage on standard error, which sets it apart from notes and errors."""
 _NUMBER = re.compile(r"\d[\d,.]*")
 
 
@@ -43,16 +45,16 @@ def progress_bar(what: str, *, quiet: bool = False) -> Iterator[Progress]:
 
 
 def _stage_lines() -> Progress:
-    """Return a callback that prints the name of each stage once, when it begins."""
+    """Return a callback that prints the name of each stage and an ellipsis once, when it begins."""
     seen: set[str] = set()
 
-    def show(_fraction: float, doing: str) -> None:
+    def show(fraction: float, doing: str) -> None:
         stage = doing.partition(": ")[0]
         key = _NUMBER.sub("0", stage)
-        if key not in seen:
+        if key not in seen and fraction < 1.0:  # at 1 nothing begins any more
             seen.add(key)
             with contextlib.suppress(OSError, ValueError, AttributeError):  # standard error may be closed
-                print(stage, file=sys.stderr, flush=True)
+                print(f"{stage}{STAGE_END}", file=sys.stderr, flush=True)
 
     return show
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from brdf_suite.lighting.compiled_decorator import Array, compiled
+from brdf_suite.compilation import Array, compiled_on_disk
 
 
-@compiled
+@compiled_on_disk
 def pack_rows(
     faces: Array, share: float, changes: Array, scale: float, first: int, end: int, halves: Array
 ) -> None:

@@ -30,6 +30,7 @@ version = "1.0"
 dependencies = ["pigment>=1"]
 
 [project.optional-dependencies]
+speed = []
 flakes = ["mica; python_version >= '3'", "pearl; python_version < '3.4'"]
 broken = ["no-such-package"]
 
@@ -233,9 +234,9 @@ def test_an_unknown_extra_lists_the_known_ones(prepared: Path) -> None:
     for words in (("--with", "chrome"), ("--with", "flakes,chrome", "render")):
         done = run(prepared, *words, check=False)
         assert done.returncode == 1
-        assert done.stderr == "chrome: no such extra; there are broken, flakes.\n"
+        assert done.stderr == "chrome: no such extra; there are broken, flakes, speed.\n"
     nothing = run(prepared, "--with", check=False)
-    assert nothing.stderr == "--with: name extras, of broken, flakes.\n"
+    assert nothing.stderr == "--with: name extras, of broken, flakes, speed.\n"
 
 
 def test_a_failed_renewal_keeps_the_former_environment(prepared: Path) -> None:

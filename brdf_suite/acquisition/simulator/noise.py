@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from brdf_suite.acquisition.compiled_decorator import Array, compiled_in_order
+from brdf_suite.compilation import Array, compiled_in_order
 
 _STEP = np.uint64(0x9E3779B97F4A7C15)
 _FIRST, _SECOND = np.uint64(0xBF58476D1CE4E5B9), np.uint64(0x94D049BB133111EB)

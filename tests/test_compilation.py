@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_suite.acquisition.compiled_decorator import compiled
+from brdf_suite.compilation import compiled
 
 
 def test_a_kernel_works_without_a_place_to_be_kept() -> None:
