@@ -41,7 +41,12 @@ class Walk(QObject):
         self.messages: set[str] = set()
         self._closer = QTimer(self, interval=_TURN_MS, timeout=self._close_dialogs)
         self._closer.start()
-        QTimer.singleShot(0, self._go)
+        QTimer.singleShot(0, self._begin)
+
+    def _begin(self) -> None:
+        # Nothing is looked at, and a picture of a large window takes most of the time where no GPU draws it.
+        self._window.resize(self._window.minimumSizeHint())
+        self._go()
 
     def _go(self) -> None:
         for window in QApplication.topLevelWidgets():
