@@ -10,7 +10,7 @@ from typing import Any, TypeAlias, TypeVar, cast
 
 from brdf_suite.extras import import_extra
 
-numba = import_extra("numba", purpose="the compilation of kernels")
+numba = import_extra("numba", purpose="the evaluation of photographs")
 
 Array: TypeAlias = Any
 """A numpy array in a kernel: numba indexes it to scalars, which numpy's own types do not say."""

@@ -58,7 +58,7 @@ NEEDY = {
     "agreement --paints blue --environments light.exr --size 16x16": "FLIP",
     "turntable blue -o a.mp4 {small}": "ffmpeg",
     "turntable blue --renderer raytraced -o a.webm {small}": "ffmpeg",
-    "acquire session -o a.brdftable": "OpenCV",
+    "acquire session -o a.brdftable": "numba",
 }
 """What stops at a missing package, and which."""
 
@@ -117,10 +117,19 @@ def test_raw_photographs_are_named(folder: Path, without_extras: dict[str, str])
     first = min(file.name for file in place.iterdir())
     (place / "a.nef").write_bytes(b"II*\0" + bytes(100))
     described.write_text(described.read_text().replace(f"light_0000/{first}", "light_0000/a.nef"))
-    (answer,) = walk([words("acquire session --check --json")], folder, without_extras)
+    # PNG photographs are read by compiled kernels.
+    with_kernels = {**without_extras, "BRDF_SUITE_TEST_KEPT": "numba"}
+    (answer,) = walk([words("acquire session --check --json")], folder, with_kernels)
     (finding,) = json.loads(str(answer["output"]))["findings"]
     assert Path(finding["path"]).name == "a.nef"
     assert "needs rawpy, which is not installed; `" in finding["reason"]
+
+
+def test_a_board_is_looked_for_by_opencv(folder: Path, without_extras: dict[str, str]) -> None:
+    with_kernels = {**without_extras, "BRDF_SUITE_TEST_KEPT": "numba"}
+    (answer,) = walk([words("acquire session -o a.brdftable")], folder, with_kernels)
+    assert answer["status"] == 1
+    assert "needs OpenCV, which is not installed; `" in str(answer["errors"])
 
 
 def test_what_is_blocked_is_all_that_is_optional(without_extras: dict[str, str]) -> None:

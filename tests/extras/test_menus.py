@@ -11,7 +11,7 @@ import pytest
 
 WALK = Path(__file__).with_name("walk_menus.py")
 NEEDED = {
-    "designer": ("needs OpenCV",),
+    "designer": ("needs numba",),
     "viewer": ("needs Mitsuba", "needs ffmpeg"),
     "lobes": (),
     "swatch": (),

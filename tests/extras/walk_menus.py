@@ -101,7 +101,7 @@ def _below(menu: QMenu, path: str) -> Iterator[tuple[str, QAction]]:
 
 
 def designer(folder: Path) -> Walk:
-    """Open the Designer; the assistant calibrates with a board."""
+    """Open the Designer; the assistant opens a folder of photographs."""
     from brdf_designer.acquire.control import AcquireControl
     from brdf_designer.assembly import Designer
 
@@ -111,10 +111,10 @@ def designer(folder: Path) -> Walk:
         yield lambda: program.is_complete
         (control,) = (part for part in program.sections if isinstance(part, AcquireControl))
         assistant = control.open()
+        bench = assistant.bench
         assistant.sessions.open(folder / "session")
-        yield lambda: assistant.bench.session is not None and assistant.bench.is_quiet
-        assistant.do_all()
-        yield lambda: assistant.bench.is_quiet
+        # Its photographs are read by compiled kernels: without numba there is a message and no session.
+        yield lambda: bench.is_quiet and (bench.session is not None or bool(bench.window.messages.shown()))
 
     return Walk(program.window, more, program.close)
 
