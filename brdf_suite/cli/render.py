@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 from pathlib import Path
 
 from brdf_suite.cli.export_progress import add_export, export_progress
@@ -38,6 +39,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Render and write; print a line or a JSON object."""
+    if options.renderer == "realtime":
+        # The light is filtered on threads of its own, which those of numpy's matrix products only hinder. Numpy reads
+        # this as it is imported.
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from dataclasses import asdict
 
     from brdf_suite.pipeline.still import render_to_file

@@ -80,7 +80,8 @@ class CameraMatrices:
     """What a frame needs of a camera.
 
     ``view_to_world`` (3, 3) has the camera's right, up and backward axes as columns; ``half_tangents`` are
-    those of half the horizontal and vertical field of view; ``near`` and ``far`` (m) enclose the bounds.
+    those of half the horizontal and vertical field of view; ``near`` and ``far`` (m) enclose the bounds, but for
+    what of them is not ``outside``: behind the eye, or too close to it to be drawn.
     """
 
     eye: Floats
@@ -90,6 +91,7 @@ class CameraMatrices:
     half_tangents: tuple[float, float]
     near: float
     far: float
+    outside: bool
 
     @property
     def world_to_clip(self) -> Floats:
@@ -173,7 +175,8 @@ def matrices(camera: Camera, bounds: Bounds, size: tuple[int, int]) -> CameraMat
     clip[0, 0], clip[1, 1] = 1 / tangents[0], 1 / tangents[1]
     clip[2, 2], clip[2, 3] = -(far + near) / (far - near), -2 * far * near / (far - near)
     clip[3, 2] = -1
-    return CameraMatrices(eye, basis, world_to_view, clip, tangents, near, far)
+    outside = near <= float(depth.min())
+    return CameraMatrices(eye, basis, world_to_view, clip, tangents, near, far, outside)
 
 
 def crop(size: tuple[int, int], corner: tuple[int, int], tile: tuple[int, int]) -> Floats:

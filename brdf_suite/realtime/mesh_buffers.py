@@ -8,6 +8,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.geometry.closed_surface import is_closed_outward
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.gpu_objects import GpuObjects
 from brdf_suite.realtime.values import MeshPart
@@ -30,6 +31,7 @@ class MeshBuffers:
         self.names: tuple[str, ...] = ()
         self.materials: tuple[str, ...] = ()
         self.has_uv: tuple[bool, ...] = ()
+        self.closed: tuple[bool, ...] = ()
         self.bounds = Bounds.of([])
         self.triangle_count = 0
         self.generation = 0
@@ -49,6 +51,7 @@ class MeshBuffers:
         self.names = tuple(part.name for part in parts)
         self.materials = tuple(part.material for part in parts)
         self.has_uv = tuple(part.uvs is not None for part in parts)
+        self.closed = tuple(is_closed_outward(part.positions, part.triangles) for part in parts)
         self.bounds = Bounds.of(part.positions for part in parts)
         self.triangle_count = sum(len(part.triangles) for part in parts)
 
@@ -81,6 +84,7 @@ class MeshBuffers:
         self.names = ()
         self.materials = ()
         self.has_uv = ()
+        self.closed = ()
 
 
 def _described(

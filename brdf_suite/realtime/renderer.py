@@ -324,9 +324,9 @@ class Renderer(OffscreenPictures):
             self._single_lights.bind(view)
         modes = Modes(view.fresnel, view.look_up)
         drawn = self._drawn_parts(view, features)
+        self.context.front_face, self.context.cull_face = "ccw", "back"
         common |= self._relief.bind(view, self.bounds)
         for part, name, words in drawn:
-            blend_over(self.context, "SECOND_PAINT" in words)
             name = materials.get(name, name)
             if view.lamps:
                 words |= self.balls.words(view, name) or self._factors.features(
@@ -345,7 +345,14 @@ class Renderer(OffscreenPictures):
                 assign(program, self._single_lights.uniforms(name, view, has_uv=self._mesh.has_uv[part]))
             material.ramp.use(RAMP_UNIT)
             material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
+            # Multisampling software renderers shade what is hidden too: the backs of a solid are left out.
+            solid = camera.outside and self._mesh.closed[part]
+            self.context.enable_only(
+                moderngl.DEPTH_TEST | (moderngl.CULL_FACE if solid else moderngl.NOTHING)
+            )
+            blend_over(self.context, "SECOND_PAINT" in words)
             self._mesh.arrays(program)[part].render(moderngl.TRIANGLES)
+        self.context.enable_only(moderngl.DEPTH_TEST)
         blend_over(self.context, False)
 
     def _drawn_parts(self, view: View, features: Features) -> list[tuple[int, str, Features]]:

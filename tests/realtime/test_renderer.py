@@ -104,6 +104,7 @@ def test_state_left_by_others_does_not_matter(renderer, scenes, context):
     target = context.simple_framebuffer((40, 40))
     target.use()
     context.enable(moderngl.BLEND | moderngl.CULL_FACE)
+    context.front_face, context.cull_face = "cw", "front"
     context.scissor = (3, 3, 5, 5)
     context.depth_func = ">"
     context.enable_direct(0x1234)  # GL_INVALID_ENUM
@@ -304,3 +305,31 @@ def test_a_region_is_drawn_and_nothing_beside_it(renderer, scenes, context):
     renderer.render(View(), target, size)
     assert (drawn() == first).all()
     target.release()
+
+
+def turned_inside_out(part):
+    return replace(part, triangles=part.triangles[:, ::-1])
+
+
+@pytest.mark.parametrize("samples", [1, 4])
+def test_the_winding_of_a_solid_does_not_matter(renderer, scenes, samples):
+    scene(renderer, scenes)
+    assert renderer.mesh.closed == (True, True)
+    expected = renderer.render_image(VIEW, (120, 80), samples)
+    renderer.set_mesh([turned_inside_out(scenes.sphere()), scenes.sphere("chrome", 0.05, (0.13, 0.05, 0.02))])
+    assert renderer.mesh.closed == (False, True)
+    difference = np.abs(renderer.render_image(VIEW, (120, 80), samples).astype(int) - expected)
+    assert (difference > 1).mean() < 1e-3
+
+
+def test_a_solid_is_seen_from_inside_too(renderer, scenes):
+    renderer.set_environment(scenes.constant(1.0))
+    renderer.set_material("paint", scenes.weights(kd=0.2))
+    inside = View(Camera(30, 15, distance=0.02, target=(0.0, 0.0, 0.0)), background="grey")
+    pictures = []
+    for part in (scenes.sphere(), turned_inside_out(scenes.sphere())):
+        renderer.set_mesh([part])
+        pictures.append(renderer.render_image(inside, (60, 40)).astype(int))
+    assert np.abs(pictures[0] - pictures[1]).max() <= 1
+    renderer.set_mesh([])
+    assert (renderer.render_image(inside, (60, 40)) != pictures[0]).any(axis=-1).all()
