@@ -1,7 +1,7 @@
 """What a new user waits for: set-up, first picture and first window from an empty home folder, and what is installed.
 
-The wheel is built and installed, with the locked packages and without extras, into an environment of its own. Each
-program runs as a process, with a home folder, caches and compiled bytecode that begin empty; times are from the start
+The wheel is built and installed, with the locked packages and without extras, into an environment of its own, and its
+bytecode compiled, as pip does. Each program runs as a process with a home folder and caches that begin empty; times are from the start
 of the process to its end, of a window to its `finished_s`. Windows are on an X server of their own. The set-up runs
 in fresh clones of what is committed, with no package cache; then the tests of this checkout run once.
 """
@@ -87,7 +87,6 @@ def _clean(home: Path) -> dict[str, str]:
         "XDG_DATA_HOME": home / "data",
         "XDG_RUNTIME_DIR": home,
         "NUMBA_CACHE_DIR": home / "numba",
-        "PYTHONPYCACHEPREFIX": home / "bytecode",
     }
     return kept | {name: str(place) for name, place in places.items()}
 
@@ -133,7 +132,18 @@ def _installed(folder: Path, figures: dict[str, float | None]) -> Path:
     (binaries,) = (path for path in (environment / "bin", environment / "Scripts") if path.is_dir())
     lock = str(_PACKAGING / "lock.txt")
     subprocess.run(
-        [*uv, "pip", "install", "--python", str(binaries / "python"), "-c", lock, str(wheel)], **quiet
+        [
+            *uv,
+            "pip",
+            "install",
+            "--compile-bytecode",
+            "--python",
+            str(binaries / "python"),
+            "-c",
+            lock,
+            str(wheel),
+        ],
+        **quiet,
     )
     site_packages = next(environment.rglob("site-packages"))
     measure = load_module(_PACKAGING / "installed_size.py")
