@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import importlib
 import os
+import shlex
 import shutil
 import signal
 import subprocess
@@ -425,7 +426,9 @@ def test_the_last_lines_of_a_failure_are_shown(modules: ModuleType, tmp_path: Pa
 
 def stand_in(folder: Path, body: str) -> Path:
     """Write a program that takes the place of Python and pip."""
-    program = folder / "python"
-    program.write_text(f"#!{sys.executable}\nimport sys\n{body}\n")
+    script, program = folder / "stand_in.py", folder / "python"
+    script.write_text(f"import sys\n{body}\n")
+    # The first line of a script cannot name an interpreter whose path has a space.
+    program.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} {shlex.quote(str(script))} "$@"\n')
     program.chmod(0o755)
     return program
