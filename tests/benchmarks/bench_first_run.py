@@ -3,7 +3,8 @@
 The wheel is built and installed, with the locked packages and without extras, into an environment of its own, and its
 bytecode compiled, as pip does. Each program runs as a process with a home folder and caches that begin empty; times
 are from the start of the process to its end, of a window to its `finished_s`. Windows are on an X server of their
-own. The set-up runs in fresh clones of what is committed, with no package cache; then the tests of this checkout run once.
+own. The set-up runs in fresh clones of what is committed, with no package cache; then
+the tests of this checkout run once.
 """
 
 from __future__ import annotations
