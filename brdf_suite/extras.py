@@ -63,7 +63,8 @@ def import_extra(name: str, *, purpose: str, instead: str = "") -> ModuleType:
         It is installed, but too old or cannot be loaded.
     """
     loaded = sys.modules.get(name)
-    if loaded is not None:
+    # Another thread may be in the middle of the import, for which import_module waits.
+    if loaded is not None and not getattr(loaded.__spec__, "_initializing", False):
         return loaded
     check_extra(name, purpose=purpose, instead=instead)
     try:
@@ -89,6 +90,12 @@ def check_extra(name: str, *, purpose: str, instead: str = "") -> None:
                 f"{purpose} needs {package.title}, which this build of BRDF Suite does not contain"
                 + (f"; {instead}" if instead else "")
             )
+        if not _is_published(package):
+            version_here = ".".join(map(str, sys.version_info[:2]))
+            raise MissingExtraError(
+                f"{purpose} needs {package.title}, which is not published for Python {version_here}"
+                + (f"; {instead}" if instead else "")
+            )
         raise MissingExtraError(
             f"{purpose} needs {package.title}, which is not installed; {_sentence_end(name, '', instead)}"
         )
@@ -102,13 +109,25 @@ def check_extra(name: str, *, purpose: str, instead: str = "") -> None:
 
 def requirements(extra: str) -> list[str]:
     """Return what an extra consists of, as package installers take it: ``["imageio-ffmpeg>=0.6"]``."""
+    return [what for what, condition in _declared(extra) if _is_for_this_python(condition)]
+
+
+def _declared(extra: str) -> list[tuple[str, str]]:
+    """Return the requirements of an extra with their conditions, for any version of Python."""
     marker = re.compile(rf"extra *== *[\"']{re.escape(extra)}[\"']")
-    lines = (line.partition(";") for line in requires("brdf-suite") or ())
-    return [
-        what.strip()
-        for what, _, condition in lines
-        if marker.search(condition) and _is_for_this_python(condition)
+    try:
+        lines = [line.partition(";") for line in requires("brdf-suite") or ()]
+    except PackageNotFoundError:  # the source itself, on PYTHONPATH
+        return []
+    return [(what.strip(), condition) for what, _, condition in lines if marker.search(condition)]
+
+
+def _is_published(package: _Package) -> bool:
+    """Whether the extra has the package for this version of Python."""
+    named = [
+        condition for what, condition in _declared(package.extra) if what.startswith(package.distribution)
     ]
+    return not named or any(map(_is_for_this_python, named))
 
 
 def _is_for_this_python(condition: str) -> bool:

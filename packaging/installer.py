@@ -86,20 +86,18 @@ class Installer:
             "UV_COMPILE_BYTECODE": "1",  # as pip does: the first start of a program need not wait for it
             "NO_COLOR": "1",
         }
-        with (
-            self._log.open("a", encoding="utf-8") as log,
-            subprocess.Popen(
-                command,
-                cwd=self._folder,
-                env={**os.environ, **quiet},
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT,
-                text=True,
-                encoding="utf-8",
-                errors="replace",
-            ) as process,
-        ):
+        process = subprocess.Popen(
+            command,
+            cwd=self._folder,
+            env={**os.environ, **quiet},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            encoding="utf-8",
+            errors="replace",
+        )
+        with process, self._log.open("a", encoding="utf-8") as log:
             log.write(f"$ {' '.join(command)}\n")
             assert process.stdout is not None
             try:

@@ -96,7 +96,8 @@ class Checkout:
 
     def _renew(self, extras: set[str]) -> None:
         """Make the environment from nothing; the former one stays aside until the new one is complete."""
-        if self.environment.exists():
+        if self.environment.exists() or self.environment.is_symlink():
+            self._remove_former()
             self.environment.replace(self._former)
         try:
             self._make_environment()
@@ -104,14 +105,20 @@ class Checkout:
         except BaseException:
             self._restore_interrupted()
             raise
-        shutil.rmtree(self._former, ignore_errors=True)
+        self._remove_former()
+
+    def _remove_former(self) -> None:
+        if self._former.is_dir() and not self._former.is_symlink():
+            shutil.rmtree(self._former)
+        else:
+            self._former.unlink(missing_ok=True)
 
     def _restore_interrupted(self) -> None:
         """Put the former environment back where a renewal ended early, and keep the log of the failure."""
         if self._stamp.exists() or not self._former.exists():
             return
         log = self._log.read_bytes() if self._log.exists() else b""
-        if self.environment.exists():
+        if self.environment.is_dir():
             shutil.rmtree(self.environment)
         self._former.replace(self.environment)
         if log:
@@ -156,7 +163,7 @@ class Checkout:
         A failure costs time at the first start and nothing else.
         """
         folders = [str(self.root / name) for name in ("brdf_suite", "apps")]
-        steps = [["-m", "compileall", "-q", "-j", "0", *folders]]
+        steps = [["-P", "-m", "compileall", "-q", "-j", "0", *folders]]
         if "speed" in extras:
             report("Compiling the filter of environments")
             steps.append(["-P", "-m", "brdf_suite.lighting.compiled"])

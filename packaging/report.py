@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 
 class NotPrepared(SystemExit):
     """Ends the program with a message and exit status 1."""
@@ -9,4 +11,6 @@ class NotPrepared(SystemExit):
 
 def report(text: str) -> None:
     """Print one line."""
-    print(f"[brdf-suite] {text}", flush=True)
+    line = f"[brdf-suite] {text}"
+    encoding = sys.stdout.encoding or "utf-8"  # a redirected output of Windows knows few letters
+    print(line.encode(encoding, "backslashreplace").decode(encoding), flush=True)

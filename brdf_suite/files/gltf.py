@@ -9,7 +9,7 @@ from __future__ import annotations
 import base64
 import os
 from collections.abc import Iterator
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Any
 from urllib.parse import unquote
 
@@ -147,6 +147,8 @@ def _walk(path: _Path, document: dict[str, Any]) -> Iterator[tuple[int, _Floats]
     local = _local_matrices(path, nodes)
     scenes = document.get("scenes")
     shown = _at(scenes, document.get("scene", 0)).get("nodes", []) if scenes else roots
+    if any(_at(parents, place) >= 0 for place in shown) or len(set(shown)) < len(shown):
+        raise FileError(path, "a scene names a node twice, or one that stands below another", "scenes")
     waiting = [(place, np.eye(4)) for place in shown]
     while waiting:
         place, above = waiting.pop()
@@ -207,7 +209,9 @@ def _placed(part: RawPart, matrices: _Floats) -> RawPart:
             normals = (part.normals @ np.linalg.inv(turns)).reshape(-1, 3)
     triangles = np.repeat(part.triangles[None], len(matrices), axis=0)
     triangles[turned < 0.0] = triangles[turned < 0.0][..., ::-1]
+    missing = triangles < 0
     triangles += (np.arange(len(matrices)) * count)[:, None, None]
+    triangles[missing] = -1
     uvs = None if part.uvs is None else np.tile(part.uvs, (len(matrices), 1))
     return RawPart(part.name, part.material, positions.reshape(-1, 3), triangles.reshape(-1, 3), normals, uvs)
 
@@ -244,6 +248,8 @@ class _Primitives:
         if "material" in primitive:
             material = str(_at(self._document["materials"], primitive["material"]).get("name", ""))
         triangles = _triangles(corners, primitive.get("mode", _TRIANGLES))
+        # The repair leaves these out and reports them; moved by the number of vertices, they would hit other instances.
+        triangles[((triangles < 0) | (triangles >= len(positions))).any(axis=1)] = -1
         return RawPart(name, material_word(material, name), positions, triangles, normals, uvs)
 
     def _values(self, index: int) -> _Floats:
@@ -307,6 +313,10 @@ class _Primitives:
         if uri.startswith("data:"):
             return memoryview(base64.b64decode(uri.partition(",")[2]))
         folder = Path(self._path).resolve().parent
+        # Looked at as text first: on Windows even the question whether a file of a share exists reaches its server.
+        named = PureWindowsPath(unquote(uri))
+        if named.anchor or ".." in named.parts:
+            raise FileError(self._path, f"refers to {uri[:80]}, which is not in its folder", place)
         file = (folder / unquote(uri)).resolve()
         if not file.is_relative_to(folder):
             raise FileError(self._path, f"refers to {uri[:80]}, which is not in its folder", place)

@@ -31,7 +31,7 @@ from brdf_suite.pipeline.exposure import ev_of
 from brdf_suite.pipeline.picture import OffscreenScene, material_weights
 from brdf_suite.pipeline.reference_scene import ReferenceScene, build_reference
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
-from brdf_suite.pipeline.surface import baked_where_wanted, load_shaped
+from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.realtime.tone_curves import display_light
 from brdf_suite.surface.mesh import Mesh
@@ -146,9 +146,10 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
     }
     count = max(1, len(order.environments))
     with OffscreenScene((1, 1)) as scene:
-        scene.set_surface(
-            mesh, baked_where_wanted(mesh, view.surface_look) if order.surface != "sphere" else None
-        )
+        baked = None
+        if order.surface != "sphere":
+            mesh, baked = bake_or_explain(mesh, view.surface_look)
+        scene.set_surface(mesh, baked)
         for number, environment in enumerate(order.environments):
             step = part(progress, number / count, (number + 1) / count)
             yield from _compare(order, scene, environment, fits, mesh, step)

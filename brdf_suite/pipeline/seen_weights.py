@@ -237,6 +237,11 @@ class SeenQueue:
                     return
                 wanted = self._waiting.pop()()
             if wanted is not None:
-                wanted.find()
-                self._changed()
+                try:
+                    wanted.find()
+                    self._changed()
+                except BaseException:  # ends this thread; the next request starts another
+                    with self._asked:
+                        self._running = False
+                    raise
             del wanted

@@ -11,14 +11,13 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
-from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.paint import PaintFit
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target, picture_metadata, write_picture
 from brdf_suite.pipeline.scene import PreparedEnvironment, find_environment, load_environment
 from brdf_suite.pipeline.smaller_maps import with_smaller_maps
-from brdf_suite.pipeline.surface import baked_where_wanted, load_shaped
+from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
 from brdf_suite.pipeline.surface_images import ImageRequest, load_surface_images
 from brdf_suite.progress import Progress, part, report, stage
 from brdf_suite.realtime.camera import compose
@@ -92,13 +91,7 @@ def loaded_scene(
         maps_s = perf_counter() - start
         scene.set_environment(prepared)
         scene.set_surface_images(load_surface_images(ImageRequest.of(view)))
-        try:
-            baked = baked_where_wanted(mesh, view.surface_look, part(progress, 0.6, 1.0))
-        except Cancelled:
-            raise
-        except SuiteError as error:  # no ray tracer for this machine: all else can be drawn
-            told = f"{error} The picture is drawn without occlusion and ground."
-            baked, mesh = None, replace(mesh, notes=(*mesh.notes, told))
+        mesh, baked = bake_or_explain(mesh, view.surface_look, part(progress, 0.6, 1.0))
         scene.set_surface(mesh, baked)
         yield LoadedScene(scene, prepared, mesh, maps_s)
 

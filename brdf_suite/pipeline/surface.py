@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from brdf_suite.documents.view_settings import SurfaceLook
+from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.pipeline.occlusion import baked_occlusion
 from brdf_suite.pipeline.scene import load_surface
 from brdf_suite.progress import Progress, report, stage
@@ -30,6 +33,19 @@ def load_shaped(name_or_path: str, look: SurfaceLook, progress: Progress | None 
     mesh = shaped(mesh, look)
     report(progress, 1.0, "reading the surface")
     return mesh
+
+
+def bake_or_explain(
+    mesh: Mesh, look: SurfaceLook, progress: Progress | None = None
+) -> tuple[Mesh, BakedMesh | None]:
+    """Return as :func:`baked_where_wanted`; where this machine has no ray tracer, the mesh with a note and None."""
+    try:
+        return mesh, baked_where_wanted(mesh, look, progress)
+    except Cancelled:
+        raise
+    except SuiteError as error:  # all else can be drawn
+        note = f"{error} The picture is drawn without occlusion and ground."
+        return replace(mesh, notes=(*mesh.notes, note)), None
 
 
 def baked_where_wanted(mesh: Mesh, look: SurfaceLook, progress: Progress | None = None) -> BakedMesh | None:

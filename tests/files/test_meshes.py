@@ -473,6 +473,38 @@ def test_a_long_chain_adds_up_and_many_instances_are_all_there(tmp_path: Path) -
     assert (np.cross(b - a, c - a)[:, 2] > 0.0).all(), "mirrored triangles are turned back"
 
 
+@pytest.mark.parametrize("named", [[0, 0], [0, 1]])
+def test_a_scene_draws_each_node_once(tmp_path: Path, named: list[int]) -> None:
+    nodes = [{"children": [1]}, {"mesh": 0}]
+    with pytest.raises(
+        FileError, match="scenes: a scene names a node twice, or one that stands below another"
+    ):
+        read_mesh(gltf(tmp_path, nodes=nodes, scenes=[{"nodes": named}]))
+
+
+@pytest.mark.parametrize("count", [1, 400])
+def test_a_corner_that_is_not_there_costs_its_triangle_in_every_instance(tmp_path: Path, count: int) -> None:
+    content = TRIANGLE[:36] + struct.pack("<6H", 0, 1, 2, 0, 1, 3)
+    accessors = [
+        {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+        {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"},
+    ]
+    views = [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 12}]
+    mesh = read_mesh(
+        gltf(tmp_path, content, nodes=instances(count), accessors=accessors, bufferViews=views), unit="m"
+    )
+    assert mesh.triangle_count == count
+    np.testing.assert_allclose(mesh.bounds()[1], [19.0, 79.0, 0.0] if count > 1 else [1.0, 1.0, 0.0])
+
+
+@pytest.mark.parametrize(
+    "uri", ["//host/share/a.bin", "\\\\host\\a.bin", "C:/a.bin", "..%2Fa.bin", "/etc/passwd"]
+)
+def test_buffers_elsewhere_are_refused_by_their_name_alone(tmp_path: Path, uri: str) -> None:
+    with pytest.raises(FileError, match="which is not in its folder"):
+        read_mesh(gltf(tmp_path, buffers=[{"byteLength": 42, "uri": uri}]))
+
+
 def test_rotation_scale_and_matrix_place_a_part(tmp_path: Path) -> None:
     half = math.sqrt(0.5)
     turned = [{"mesh": 0, "rotation": [0, 0, half, half], "scale": [2, 3, 1], "translation": [5, 0, 0]}]

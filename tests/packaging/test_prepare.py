@@ -155,10 +155,13 @@ def surroundings(project: Path) -> dict[str, str]:
     return {**kept, **only, "PIP_CONFIG_FILE": os.devnull, "UV_CACHE_DIR": str(project.parent / "uv cache")}
 
 
-def run(project: Path, *arguments: str, check: bool = True) -> subprocess.CompletedProcess[str]:
+def run(
+    project: Path, *arguments: str, check: bool = True, cwd: Path | None = None
+) -> subprocess.CompletedProcess[str]:
     """Run the project's ``packaging/run.py`` as a user does."""
     done = subprocess.run(
         [sys.executable, str(project / "packaging" / "run.py"), *arguments],
+        cwd=cwd,
         capture_output=True,
         text=True,
         timeout=300,
@@ -251,6 +254,24 @@ def test_a_failed_renewal_keeps_the_former_environment(prepared: Path) -> None:
     assert installed(prepared, "pigment") == "1.0"
     lock.write_text("pigment==1.0\nmica==1.0\n")
     assert run(prepared, "--prepare-only").stdout == "[brdf-suite] Ready\n"
+
+
+def test_what_an_interrupted_renewal_left_behind_is_no_obstacle(prepared: Path) -> None:
+    (prepared / ".venv.former" / "lib").mkdir(parents=True)
+    (prepared / "packaging" / "lock.txt").write_text(f"{LOCK}# another\n")
+    run(prepared, "--prepare-only")
+    assert installed(prepared, "pigment") == "1.0"
+    assert not (prepared / ".venv.former").exists()
+
+
+def test_the_working_folder_is_not_imported_from(prepared: Path, tmp_path: Path) -> None:
+    for name in ("compileall.py", "struct.py"):
+        (tmp_path / name).write_text("open('was_run', 'w').close()\n")
+    (prepared / "pyproject.toml").write_text(
+        PROJECT.replace('version = "1.0"', 'version = "1.0"\nkeywords = ["new"]')
+    )
+    run(prepared, "--prepare-only", cwd=tmp_path)
+    assert not (tmp_path / "was_run").exists()
 
 
 def test_a_failed_extra_keeps_the_environment_usable(prepared: Path) -> None:
