@@ -83,8 +83,8 @@ class Checkout:
     def _install_missing(self, extras: set[str]) -> None:
         self._restore_interrupted()
         recorded = self._recorded()
+        wanted = self._state(recorded["extras"])
         extras |= recorded["extras"]
-        wanted = self._state(extras)
         damaged = not set(recorded["contents"]) <= self._contents()
         if damaged:
             report("The environment is damaged; making it again")

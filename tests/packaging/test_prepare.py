@@ -223,6 +223,7 @@ def test_uv_installs_where_it_is_there(project: Path, checkout: Path) -> None:
 def test_extras_are_added_and_stay(prepared: Path) -> None:
     added = run(prepared, "--with", "flakes")
     assert added.stdout.splitlines()[-1] == "[brdf-suite] Ready, with flakes"
+    assert "Making a Python environment" not in added.stdout
     version = ".".join(map(str, sys.version_info[:2]))
     assert f"pearl is not published for Python {version}; continuing without it" in added.stdout
     assert installed(prepared, "mica") == "1.0"

@@ -14,7 +14,7 @@ import pytest
 @pytest.fixture
 def script(checkout: Path, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     monkeypatch.syspath_prepend(str(checkout / "packaging"))
-    for name in ("changed", "prepare", "pip_progress"):
+    for name in ("changed", "prepare", "installer", "report", "system_libraries"):
         monkeypatch.delitem(sys.modules, name, raising=False)
     spec = importlib.util.spec_from_file_location("test_script", checkout / "packaging" / "test.py")
     assert spec is not None
