@@ -10,11 +10,11 @@ import os
 
 
 class SuiteError(Exception):
-    """Anything that a user can be told about. ``str(error)`` is a complete sentence or two."""
+    """Base class of all errors that are shown to a user. ``str(error)`` is a complete sentence or two."""
 
 
 class Cancelled(SuiteError):  # noqa: N818 - not an error that anyone is shown
-    """Raised by a progress callback, or by a task that was told to stop; never shown as an error."""
+    """Raised by a progress callback, or by a task that was asked to stop; never shown as an error."""
 
     def __init__(self, what: str = "The task was cancelled.") -> None:
         super().__init__(what)

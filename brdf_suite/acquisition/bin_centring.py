@@ -75,7 +75,7 @@ def _slope_and_bend(
         before[axis], after[axis] = np.maximum(before[axis], 0), np.minimum(after[axis], last)
     here = logs[at]
     down, up = here - logs[tuple(before)], logs[tuple(after)] - here
-    # The end of an axis is as a mirror: there the one difference that there is tells the slope, and no bend.
+    # The end of an axis is as a mirror: the single difference gives the slope and no curvature.
     ends = ((at[axis] == 0) | (at[axis] == last))[:, None] & (axis != 2 or not parameterization.goes_round)
     slope = np.where(ends, down + up, 0.5 * (down + up))
     bend = np.where(ends, 0.0, up - down)

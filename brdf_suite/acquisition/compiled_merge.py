@@ -15,8 +15,8 @@ CLIPPED = 3
 
 # Squared: how many standard deviations a predicted exposure must stay below saturation.
 _ROOM = 9.0
-_CLEAR = 225.0  # squared: how many times its noise an exposure must be to tell of the times
-_EVERY = 5  # of the pixels tell of the times of exposure: a logarithm takes longer than all else
+_CLEAR = 225.0  # squared: how many times its noise an exposure must be to inform the exposure times
+_EVERY = 5  # of the pixels are used for the exposure times: a logarithm takes longer than all else
 
 
 @compiled

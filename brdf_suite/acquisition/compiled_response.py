@@ -67,7 +67,7 @@ def add_equations(
     """
     count, exposures = codes.shape
     size = right.shape[0]
-    told = np.zeros(size)
+    time_row = np.zeros(size)
     mixed = np.zeros(size)
     predicted = np.zeros(exposures)
     certainty = np.zeros(exposures)
@@ -78,7 +78,7 @@ def add_equations(
         sum_tg = 0.0
         used = 0
         start, end = size, 0
-        from_told, to_told = size, 0
+        first_row, end_row = size, 0
         for i in range(exposures):
             places[i] = -1
             x = predicted[i]
@@ -91,14 +91,14 @@ def add_equations(
                     sum_tt += w * times[i] * times[i]
                     sum_tg += w * times[i] * curve[y]
                     start, end = min(start, first[y]), max(end, first[y] + 4)
-                    from_told, to_told = min(from_told, grid_first[k]), max(to_told, grid_first[k] + 4)
+                    first_row, end_row = min(first_row, grid_first[k]), max(end_row, grid_first[k] + 4)
                     used += 1
         if used < 2:
             continue
         for a in range(start, end):
             mixed[a] = 0.0
-        for a in range(from_told, to_told):
-            told[a] = 0.0
+        for a in range(first_row, end_row):
+            time_row[a] = 0.0
         radiance = sum_tg / sum_tt
         for i in range(exposures):
             k = places[i]
@@ -110,12 +110,12 @@ def add_equations(
                 for a in range(4):
                     part = w * predicted[i] * grid_basis[k, a]
                     right[row + a] -= part * error
-                    told[row + a] += part * times[i]
+                    time_row[row + a] += part * times[i]
                     mixed[column + a] += w * times[i] * curve[y] * basis[y, a]
                     for b in range(4):
                         matrix[row + a, column + b] += part * curve[y] * basis[y, b]
-        for a in range(from_told, to_told):
-            scaled = told[a] / sum_tt
+        for a in range(first_row, end_row):
+            scaled = time_row[a] / sum_tt
             for b in range(start, end):
                 matrix[a, b] -= scaled * mixed[b]
 

@@ -67,7 +67,7 @@ def dark_model(
     """Fit the offset and the current of each pixel to dark photographs (n, h, w, channels), by least squares.
 
     Both are freed of noise as :mod:`.noise_shrinking` has it. With fewer than three photographs all is offset; of a
-    channel whose noise is cut off at code 0 only hot pixels are told.
+    channel whose noise is cut off at code 0 only hot pixels are detected.
 
     Raises
     ------

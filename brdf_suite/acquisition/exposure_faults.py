@@ -1,4 +1,4 @@
-"""What is wrong with a series of exposures, as its pixels tell: times exchanged or wrong, all clipped, no light."""
+"""Faults of an exposure series detected from its pixels: exchanged or wrong times, clipping, no light."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class ExposureFault:
     """One photograph that does not fit its series.
 
     ``name`` is the file's, ``reason`` starts in lower case without a full stop, and ``fatal`` says that radiances made
-    with this photograph are wrong; a photograph that only tells nothing is not fatal.
+    with this photograph are wrong; a photograph without usable pixels is not fatal.
     """
 
     name: str
@@ -43,7 +43,7 @@ def exposure_faults(merged: Merged, exposures_s: npt.ArrayLike, names: Sequence[
     faults = _time_faults(merged, times, names)
     for i, name in enumerate(names):
         if merged.clipped_share[i] >= _ALL:
-            reason = f"the photograph of {times[i]:g} s is clipped everywhere and tells nothing"
+            reason = f"the photograph of {times[i]:g} s is clipped everywhere and cannot be used"
             faults.append(ExposureFault(name, reason, i == 0))
     last = len(names) - 1
     if merged.dark_share[last] >= _ALL:
@@ -60,7 +60,7 @@ def raise_fatal(faults: Sequence[ExposureFault]) -> None:
 
 
 def time_errors(time_ratios: Floats, times: Floats) -> Floats:
-    """Return (n,) ln(time shown / time stated) from the ratios between neighbours; not a number where none tells.
+    """Return (n,) ln(time shown / time stated) from the ratios between neighbours; NaN where no ratio is usable.
 
     Only ratios are seen, so the median is taken for right. A gap in the ratios parts the series: each part has its own
     median.
@@ -83,14 +83,14 @@ def _time_faults(merged: Merged, times: Floats, names: Sequence[str]) -> list[Ex
     errors = time_errors(merged.time_ratios, times)
     wrong = np.flatnonzero(np.abs(np.nan_to_num(errors)) > TIME_TOLERANCE)
     faults = []
-    told: set[int] = set()
+    reported: set[int] = set()
     for i in wrong:
-        if int(i) in told:
+        if int(i) in reported:
             continue
         shown = times * np.exp(np.nan_to_num(errors))
         other = next((int(k) for k in wrong if k != i and _exchanged(shown, times, int(i), int(k))), None)
         if other is not None:
-            told.add(other)
+            reported.add(other)
             reason = (
                 f"it looks like the exposure of {times[other]:g} s, and {names[other]} like that of {times[i]:g} s;"
                 " the two are exchanged"

@@ -100,7 +100,7 @@ def _order(
     names: Sequence[str],
     add: Any,
 ) -> None:
-    """Tell the simplest exchange that explains why a longer exposure is darker."""
+    """Report the simplest exchange of two photographs that explains why a longer exposure is darker."""
 
     def rises(order: Sequence[int]) -> bool:
         return all(means[b] >= means[a] - errors[a] - errors[b] for a, b in itertools.pairwise(order))
@@ -137,7 +137,9 @@ def _order(
             )
             return
     by_brightness = sorted(order, key=lambda k: float(means[k]))
-    told = ", ".join(Path(names[k]).name for k in by_brightness)
+    by_name = ", ".join(Path(names[k]).name for k in by_brightness)
     add(
-        order[0], "position", f"and the others are not in order of their times; by brightness they are {told}"
+        order[0],
+        "position",
+        f"and the others are not in order of their times; by brightness they are {by_name}",
     )

@@ -121,7 +121,8 @@ def bin_means(sums: TableSums, colour: npt.ArrayLike | None = None, *, centre: b
 def _deviation(rows: Floats, there: Bools) -> Singles:
     """Return the standard error of each bin's mean over the mean: the larger of the photographs' noise and the spread.
 
-    The spread of the readings is told by two or more; it holds the slope across the bin, so it errs to the safe side.
+    The spread of the readings is known from two or more; it holds the slope across the bin, so it errs to the safe
+    side.
     """
     n, w, w2 = rows[:, 0], np.where(there, rows[:, 1], 1.0), rows[:, 2]
     y = rows[:, 3:6].sum(axis=1) / 3.0 / w
@@ -166,5 +167,5 @@ def compared_table(means: BinMeans) -> ParameterizedTable:
 
 def trusted(samples: Singles, deviation: Singles) -> Singles:
     """Return how much a bin counts as a neighbour, by its ``deviation``; 0 in a hole."""
-    # A single reading tells no spread; what geometry leaves is there even then.
+    # A single reading has no spread; the geometric part remains.
     return np.where(samples > 0.0, 1.0 / (deviation**2 + np.float32(GEOMETRIC_ERROR**2)), np.float32(0.0))

@@ -1,6 +1,6 @@
 """The camera's intrinsics from photographs of a chessboard, by OpenCV's calibration (Zhang 2000).
 
-The lens's distortion is given as many coefficients as the photographs can tell: k1 alone, then k2 and the tangential
+The lens's distortion is given as many coefficients as the photographs determine: k1 alone, then k2 and the tangential
 p1 and p2, then k3, each step taken where it explains more than its own freedom does (Schwarz's criterion). A full model
 on a narrow field bends the corners of the picture by what is noise.
 """
@@ -162,7 +162,7 @@ def _calibrated(
     square_m: float,
     size: tuple[int, int],
 ) -> CameraCalibration:
-    """Return the calibration with as many coefficients of distortion as the corners tell."""
+    """Return the calibration with as many coefficients of distortion as the corners determine."""
     board = np.zeros((rows * columns, 3), np.float32)
     board[:, :2] = square_m * np.mgrid[0:columns, 0:rows].T.reshape(-1, 2)
     # OpenCV takes single precision, and its own copies of both lists.

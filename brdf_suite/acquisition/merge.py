@@ -30,7 +30,7 @@ OUTSIDE, GOOD, DARK, CLIPPED = 0, 1, 2, 3
 
 _DARK_SIGNAL = 3.0
 _ROWS = 32
-# Of float pictures nothing tells the noise: a thousandth of the signal.
+# Float pictures carry no information on their noise: assume a thousandth of the signal.
 _FLOAT_NOISE = 1e-3
 _FEWEST_PAIRS = 20
 
@@ -198,15 +198,15 @@ def _merge_codes(
 
     _each(rows, len(starts), threads)
     every = pairs.sum(axis=0)
-    told = every[:, 0] >= _FEWEST_PAIRS
-    amount = np.where(told, every[:, 0], 1.0)
+    known = every[:, 0] >= _FEWEST_PAIRS
+    amount = np.where(known, every[:, 0], 1.0)
     pixels = max(1, int(dark[:, count].sum()))
     return Merged(
         radiance,
         variance,
         state,
-        np.where(told, every[:, 1] / amount, np.nan),
-        np.where(told, every[:, 2] / amount, 0.0),
+        np.where(known, every[:, 1] / amount, np.nan),
+        np.where(known, every[:, 2] / amount, 0.0),
         clipped.sum(axis=0) / pixels,
         dark[:, :count].sum(axis=0) / pixels,
     )
@@ -226,7 +226,7 @@ def _each(work: Callable[[int], None], count: int, threads: int | None) -> None:
 
 
 def _merge_floats(stack: Floats32, times: Floats, gain: Floats32, allowed: npt.NDArray[np.bool_]) -> Merged:
-    """Return the mean of float pictures, each weighed by its time: they have no clipping that could be told."""
+    """Return the mean of float pictures weighted by exposure time; they have no detectable clipping."""
     if not np.all(np.isfinite(stack)):
         place = np.argwhere(~np.isfinite(stack))[0]
         raise ValueRangeError(

@@ -48,7 +48,7 @@ def read_position(folder: _Path, session: Session, position: int, leave_out: Col
     """Read the photographs of a position but for the exposures in ``leave_out``.
 
     What is missing, cut off, of another size, saturated everywhere, or brighter than a longer exposure is left out and
-    told in ``findings``.
+    listed in ``findings``.
 
     Raises
     ------
@@ -81,7 +81,7 @@ def read_position(folder: _Path, session: Session, position: int, leave_out: Col
 
 
 def _without(series: Series, found: tuple[Finding, ...]) -> Series:
-    """Return the series less the exposures that are told."""
+    """Return the series less the exposures that have findings."""
     dropped = {finding.exposure for finding in found}
     kept = [i for i, exposure in enumerate(series.exposures) if exposure not in dropped]
     if not kept:

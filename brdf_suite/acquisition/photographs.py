@@ -39,7 +39,7 @@ LARGEST_FILE = 2 << 30
 class PhotographFacts:
     """What is known of a photograph before its pixels are unpacked.
 
-    ``bits`` a channel, None of floats; ``exposure_s`` as EXIF tells it, None where it tells none.
+    ``bits`` a channel, None of floats; ``exposure_s`` from EXIF, None where it is absent.
     """
 
     kind: Kind
@@ -58,7 +58,7 @@ class Photograph:
 
 
 def photograph_facts(path: _Path) -> PhotographFacts:
-    """Return what a file tells without unpacking its pixels, where it is whole.
+    """Return the facts in a file's header without unpacking its pixels, where it is whole.
 
     Raises
     ------
@@ -88,7 +88,7 @@ def read_photograph(path: _Path) -> Photograph:
 
 
 def exif_time(path: _Path) -> float | None:
-    """Return the exposure time in seconds that a photograph tells of itself; errors as :func:`photograph_facts`."""
+    """Return the exposure time in seconds stored in a photograph; errors as :func:`photograph_facts`."""
     return photograph_facts(path).exposure_s
 
 
@@ -154,7 +154,7 @@ def _kind(start: bytes, path: _Path) -> Kind:
 
 
 def _exposure(block: bytes, path: _Path) -> float | None:
-    """The time that an EXIF block tells; a damaged block tells none, as the pixels do not depend on it."""
+    """Return the time in an EXIF block; None for a damaged block, as the pixels do not depend on it."""
     try:
         with first_page(block, path) as page:
             return exposure_of(page)

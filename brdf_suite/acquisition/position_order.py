@@ -32,7 +32,7 @@ _MOST_DEG = 160.0
 
 
 class PositionOrder:
-    """Collects the highlight's column at each position; then tells which are out of order.
+    """Collects the highlight's column at each position, then reports those out of order.
 
     Angles from 0° to 160° and, mirrored, from -160° to 0° are looked at; what else there is, is left alone: a lamp
     behind the sphere lights its rim on both sides, whose middle wanders back.
@@ -109,7 +109,7 @@ def check_positions(
         for exposure, name in enumerate(position.photographs):
             if (k, exposure) in leave_out:
                 continue
-            with contextlib.suppress(FileError):  # told where files are checked
+            with contextlib.suppress(FileError):  # reported where files are checked
                 if order.add(k, read_photograph(Path(folder) / name).codes[None]):
                     break
     return order.findings()

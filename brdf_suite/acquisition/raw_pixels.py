@@ -43,13 +43,13 @@ def _opened(path: str | os.PathLike[str]) -> Iterator[tuple[Any, Any]]:
         with rawpy.imread(os.fspath(path)) as raw:
             yield rawpy, raw
     except rawpy.LibRawError as error:
-        told = error.args[0] if error.args else ""
-        text = told.decode("utf-8", "replace") if isinstance(told, bytes) else str(told)
+        detail = error.args[0] if error.args else ""
+        text = detail.decode("utf-8", "replace") if isinstance(detail, bytes) else str(detail)
         raise FileError(path, f"cannot be read as a raw file ({text or type(error).__name__})") from error
 
 
 def raw_facts(path: str | os.PathLike[str]) -> tuple[int, int, int, float | None]:
-    """Return width, height, bits and exposure time of the picture; its data is unpacked, so that a cut is told."""
+    """Return width, height, bits and exposure time of the picture; unpacks its data to detect truncation."""
     with _opened(path) as (_, raw):
         if not raw.raw_image_visible.size:
             raise FileError(path, "holds no picture")

@@ -24,7 +24,7 @@ _MOST = 4
 _LEAST_EACH_SIDE = 2
 _SPREAD = 1.4826  # of a normal distribution, over the median absolute deviation
 _CLIP = 12.0  # standard deviations that one coordinate may count for
-# What the statements have told the fit already should not hold the shift back.
+# The stated values have entered the fit already and should not hold the shift back.
 _LOOSE = 0.1
 
 
@@ -46,7 +46,7 @@ class Movement:
         return math.hypot(*self.pixels)
 
     def sentence(self, names: Sequence[str]) -> str:
-        """Return what to tell the user; ``names`` (K,) are the positions', such as their first photographs."""
+        """Return the notice for the user; ``names`` (K,) are the positions', such as their first photographs."""
         return (
             f"The sphere has moved by {self.distance_px:.1f} pixels between {names[self.before]} and "
             f"{names[self.after]}"

@@ -1,4 +1,4 @@
-"""The ten numbers that place sphere, turntable and light, and what highlights can tell of each."""
+"""The ten numbers that place sphere, turntable and light, and how well highlights determine each."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Refined:
     value, sigma
         After the fit.
     observed
-        0: the highlights tell nothing of it, 1: they alone tell it; 1 - (sigma/stated_sigma)².
+        0: not determined by the highlights, 1: by them alone; 1 - (sigma/stated_sigma)².
     why
         What makes it visible or hides it.
     """
@@ -88,21 +88,21 @@ PARAMETERS: tuple[Parameter, ...] = (
         "sphere's centre, to the right",
         "m",
         lambda g: g.centre_m[0],
-        "The outline tells it. A highlight moves with the sphere, whatever the light's angle, but so it does with the "
-        "turntable's zero; only that these differ over the half turn tells them apart.",
+        "Determined by the outline. A highlight moves with the sphere at any angle of the light, but so it does with the "
+        "turntable's zero; only that these differ over the half turn distinguishes them.",
     ),
     Parameter(
         "sphere's centre, downward",
         "m",
         lambda g: g.centre_m[1],
-        "The outline tells it. The highlights add little, as the light's height moves them alike.",
+        "Determined by the outline. The highlights add little, as the light's height moves them alike.",
     ),
     Parameter(
         "sphere's centre, away from the camera",
         "m",
         lambda g: g.centre_m[2],
-        "The size of the outline tells it, through the sphere's radius. Highlights far from the middle of the sphere "
-        "tell the size as well.",
+        "Determined by the size of the outline, from the sphere's radius. Highlights far from the middle of the sphere "
+        "determine the size as well.",
     ),
     Parameter(
         "turntable's zero",

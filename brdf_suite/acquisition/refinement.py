@@ -1,14 +1,14 @@
 """Sphere, turntable and light together, from the highlights at all angles: a robust least-squares fit.
 
-Ten numbers place everything (:mod:`brdf_suite.acquisition.refined_parameters` says what the photographs can tell
+Ten numbers place everything (:mod:`brdf_suite.acquisition.refined_parameters` says what the photographs determine
 of each). For each the session's statement, or the outline's, counts as one measurement with its own uncertainty; each
 highlight gives two, its place in pixels. All are met in the sense of least squares, with Huber's weights for the
-highlights (:mod:`brdf_suite.acquisition.refined_fit`). So a number that no highlight can tell stays as stated, and one
-that they can tell is told by them.
+highlights (:mod:`brdf_suite.acquisition.refined_fit`). So a number that no highlight determines stays as stated, and
+one that they determine is taken from them.
 
 Mirrored places are sharp on directions and nearly blind to the size of the rig: the way to the light is known to
 some hundredths of a degree afterwards, while its distance is hardly better known than before. Numbers that turn the
-light alike, as the turntable's zero and a sphere beside the axis, are told in their sum.
+light alike, as the turntable's zero and a sphere beside the axis, are determined only as a sum.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class Refinement:
     geometry
         The refined geometry.
     parameters
-        Each number with what was stated, what was found, and how much of it the highlights tell.
+        Each number with what was stated, what was found, and how far the highlights determine it.
     positions
         (n,) indices of the light's positions with a highlight.
     pixels
@@ -54,7 +54,7 @@ class Refinement:
     residuals_px
         (n, 2) seen less expected.
     residuals_deg
-        (n,) angle between the light's direction that the highlight tells and that of the geometry.
+        (n,) angle between the light's direction from the highlight and that of the geometry.
     outliers
         (n,) highlights that do not belong.
     rms_px, rms_deg
@@ -150,7 +150,7 @@ def refine(
     outline
         The sphere's outline, whose centre and its uncertainty count as measurements.
     highlights
-        At four positions of the light or more; spread over the half turn, 20 tell nearly as much as 180.
+        At four positions of the light or more; spread over the half turn, 20 determine nearly as much as 180.
 
     Raises
     ------
@@ -235,7 +235,7 @@ def calibrate_geometry(
 
 
 def moved_sphere(refinement: Refinement, names: Sequence[str]) -> str:
-    """Return what to tell of the sphere's movements, ``names`` (K,) being those of the positions; "" for none."""
+    """Return the notice about the sphere's movements, ``names`` (K,) being those of the positions; "" for none."""
     sentences = [movement.sentence(names) for movement in refinement.movements]
     if not sentences:
         return ""

@@ -2,7 +2,7 @@
 
 A photograph's code y is f(t·L) where L is the radiance, t the exposure time and f the response. What is kept is the
 inverse, g(y) = t·L, as a table over all codes (Robertson, Borman and Stevenson 2003, "Estimation-theoretic approach
-to dynamic range enhancement using multiple exposures"). A scale of g cannot be told from photographs, as every
+to dynamic range enhancement using multiple exposures"). A scale of g cannot be determined from photographs, as every
 radiance takes it up; it is fixed for each channel by g(2^(bits-1)) = 0.5 above black. For a linear camera without
 black level that is code / 2^bits.
 

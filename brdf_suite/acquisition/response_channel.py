@@ -92,7 +92,7 @@ def fit_channel(
         variance = exposure_variance(curve, read, shot)
         weight = np.where(inside & (curve > OTHERS_SIGNAL * np.sqrt(variance)), 1.0 / variance, 0.0)
         matrix[:], right[:] = 0.0, 0.0
-        places, told = _instruments(curve, variance, high)
+        places, usable = _instruments(curve, variance, high)
         compiled_response.add_equations(
             codes,
             samples.times,
@@ -102,7 +102,7 @@ def fit_channel(
             basis.values,
             _GRID_LOW,
             _GRID_STEP,
-            told,
+            usable,
             basis.first[places],
             basis.values[places],
             OTHERS_SIGNAL,
@@ -123,7 +123,7 @@ def fit_channel(
 
 
 def _measurable(bit_depth: int, black: float, high: int) -> tuple[int, npt.NDArray[np.bool_]]:
-    """Return the lowest code that is told from black, and (codes,) which lie between it and ``high``."""
+    """Return the lowest code distinguishable from black, and (codes,) which lie between it and ``high``."""
     size = 1 << bit_depth
     low = int(np.ceil(black + max(2.0, _LOW_SHARE * size)))
     codes = np.arange(size)

@@ -2,8 +2,8 @@
 
 ln g is a spline in u = ln(q) - ln(1.05 - q), q being the share of the code above black: straight for power laws near
 black, with room for a shoulder near full scale. Robertson's table of one free value for each code needs every code to
-be seen often, and in a series of exposures with one common ratio it cannot be told at all: with g, g·p(ln g) is as
-good where p has that ratio's logarithm as its period. A smooth curve has no such ripples, so smoothness fixes them.
+be seen often, and in a series of exposures with one common ratio it cannot be determined at all: with g, g·p(ln g) is
+as good where p has that ratio's logarithm as its period. A smooth curve has no such ripples, so smoothness fixes them.
 """
 
 from __future__ import annotations

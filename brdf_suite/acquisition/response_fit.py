@@ -141,8 +141,8 @@ def calibrate_response(
 def needed_smoothness(times: Floats) -> float:
     """Return the smoothness for a series of times.
 
-    What exposures of a common ratio cannot tell are ripples of ln g whose period is the logarithm of that ratio. The
-    wider it is, the less rough is a ripple, and the more smoothness it takes to rule it out; three exposures with a
+    What exposures of a common ratio cannot determine are ripples of ln g whose period is the logarithm of that ratio.
+    The wider it is, the less rough is a ripple, and the more smoothness it takes to rule it out; three exposures with a
     factor of 7 between them give the curve to 0.4 % so, and to 10 % with the smoothness that suits sixteen.
     """
     gap = float(np.max(np.diff(np.log(times))))

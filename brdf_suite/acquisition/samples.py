@@ -45,7 +45,7 @@ _BLOCK = 1 << 18
 
 @dataclass(frozen=True)
 class PositionSamples:
-    """What one position of the light tells of the BRDF: n samples, by rising pixel.
+    """BRDF samples from one position of the light: n samples, by rising pixel.
 
     Attributes
     ----------

@@ -187,7 +187,7 @@ def spread(normal: Array, tangent: Array, slope: Array, angles: Array) -> float:
 
 @compiled
 def lobe_through(radiance: Array, row: int, column: int, channel: int, lobe: Array) -> bool:
-    """Fill ``lobe`` (6,) with the shape of the radiance within a pixel; return whether its neighbours tell it.
+    """Fill ``lobe`` (6,) with the shape of the radiance within a pixel; return whether its neighbours determine it.
 
     Slopes, bends and base: radiance = base + exp(c + g·x + ½ x·C x), from the pixel and its neighbours, each a mean
     over its square. The base, which a narrow peak stands on, is the darkest of 25 pixels, and less the more alike
@@ -219,7 +219,7 @@ def lobe_through(radiance: Array, row: int, column: int, channel: int, lobe: Arr
     gx, gy = 0.5 * (east - west), 0.5 * (south - north)
     cxx, cyy, cxy = east + west - 2.0 * here, south + north - 2.0 * here, 0.25 * corners
     lowest = 0.5 * (cxx + cyy) - math.sqrt(0.25 * (cxx - cyy) ** 2 + cxy * cxy)
-    # A highlight narrower than a third of a pixel cannot be told from one pixel: no sharper than that.
+    # A highlight narrower than a third of a pixel cannot be distinguished from one pixel: no sharper than that.
     if lowest < -8.0:
         shrink = -8.0 / lowest
         cxx, cyy, cxy = cxx * shrink, cyy * shrink, cxy * shrink

@@ -1,6 +1,6 @@
 """Check a folder against its session: what is missing, cut off, or cannot be so.
 
-Every file is opened once: that it is there and whole, its size and depth, and the exposure time that its EXIF tells.
+Every file is opened once: that it is there and whole, its size and depth, and the exposure time in its EXIF data.
 Then one photograph of each position is unpacked, to see that the highlight goes the way of the lamp.
 """
 
@@ -27,7 +27,7 @@ LEAST_EXPOSURES = 4
 """Of a position, from which a response curve can be recovered."""
 
 _SAME_TIME = 0.20
-"""Cameras tell nominal times: 1/3 s is 0.3 s, and 1/60 s is 1/64 s."""
+"""Cameras record nominal times: 1/3 s is 0.3 s, and 1/60 s is 1/64 s."""
 _OTHER_TIME = 0.01
 """Within this share EXIF's time is another exposure's of the session, so that the files were exchanged."""
 
@@ -47,8 +47,8 @@ def check_session(
 ) -> tuple[Finding, ...]:
     """Return what is wrong with the files of a session; nothing is raised but :class:`Cancelled`.
 
-    A position of which nothing is left is told so, and a folder without any position is fatal. ``pictures``: whether
-    photographs are unpacked to check the order of the positions.
+    A position without any usable photograph is reported, and a folder without any position is fatal. ``pictures``:
+    whether photographs are unpacked to check the order of the positions.
     """
     seen = _Seen()
     files = session.files()
@@ -192,12 +192,15 @@ def _times(folder: _Path, session: Session, seen: _Seen) -> None:
             exposure = int(place[5:-1])
         if exposure is None or facts.exposure_s is None:
             continue
-        stated, told = session.exposures_s[exposure], facts.exposure_s
-        if abs(math.log(told / stated)) <= math.log1p(_SAME_TIME) and _nearest(session, told) == exposure:
+        stated, recorded = session.exposures_s[exposure], facts.exposure_s
+        if (
+            abs(math.log(recorded / stated)) <= math.log1p(_SAME_TIME)
+            and _nearest(session, recorded) == exposure
+        ):
             continue
-        reason = f"was exposed for {told:g} s as its EXIF says, and session.json says {stated:g} s"
-        other = _nearest(session, told)
-        if other != exposure and abs(math.log(told / session.exposures_s[other])) <= _OTHER_TIME:
+        reason = f"was exposed for {recorded:g} s as its EXIF says, and session.json says {stated:g} s"
+        other = _nearest(session, recorded)
+        if other != exposure and abs(math.log(recorded / session.exposures_s[other])) <= _OTHER_TIME:
             reason += f"; that is the time of exposure {other}, so that files may have been exchanged"
         else:
             reason += "; correct exposures_s"
@@ -209,7 +212,7 @@ def _nearest(session: Session, seconds: float) -> int:
 
 
 def _curve(folder: _Path, session: Session, seen: _Seen) -> None:
-    """A JPEG picture is never linear, and its curve must be told or recovered from the exposures."""
+    """A JPEG picture is never linear, and its curve must be stated or recovered from the exposures."""
     jpegs = [
         place
         for place, (_, facts) in seen.facts.items()
@@ -226,7 +229,7 @@ def _curve(folder: _Path, session: Session, seen: _Seen) -> None:
         _add(seen, folder, "fatal", jpegs[0], reason)
     elif response == "unknown" and count < LEAST_EXPOSURES:
         reason = (
-            f"is a JPEG with an unknown curve, and {count} exposures cannot tell it; take {LEAST_EXPOSURES} or more, "
+            f"is a JPEG with an unknown curve, and {count} exposures do not determine it; take {LEAST_EXPOSURES} or more, "
             "or set camera.response to srgb where the camera applies just that"
         )
         _add(seen, folder, "fatal", jpegs[0], reason)
@@ -239,7 +242,7 @@ def _curve(folder: _Path, session: Session, seen: _Seen) -> None:
 
 
 def _what_is_left(folder: _Path, session: Session, seen: _Seen) -> None:
-    """Tell once of a position that is lost as a whole, and not of each of its photographs."""
+    """Report a position that is lost as a whole once instead of each of its photographs."""
     reasons = {(f.position, f.exposure): f.reason for f in seen.findings if f.severity == "exposure"}
     lost = {f.position for f in seen.findings if f.severity == "position"}
     for i, position in enumerate(session.positions):

@@ -37,7 +37,7 @@ class Finding:
     exposure: int | None = None
 
     def error(self) -> FileError:
-        """Return the error that tells this finding."""
+        """Return the error for this finding."""
         return FileError(self.path, self.reason, self.place or None)
 
     def to_json(self) -> dict[str, object]:

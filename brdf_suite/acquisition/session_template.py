@@ -1,7 +1,7 @@
 """Write a ``session.json`` to fill in, for the photographs that lie in a folder.
 
 Folders named after dark frames, the white reference, the flat field and the board are taken as such; each other folder
-of photographs is a position of the lamp. What the files tell (exposure times, bits) is filled in; what only the user
+of photographs is a position of the lamp. What the files state (exposure times, bits) is filled in; what only the user
 knows, distances above all, is given typical values and named in the notes.
 """
 
@@ -30,7 +30,7 @@ from brdf_suite.errors import FileError, ValueRangeError
 
 EXPOSURES = 16
 SHORTEST_S, LONGEST_S = 0.00025, 0.328
-"""The series of Günther et al. 2005, where the files tell no times."""
+"""The series of Günther et al. 2005, where the files state no times."""
 
 _SPECIAL = ("dark", "white", "flat", "board", "mask")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
@@ -150,7 +150,7 @@ def _taken(groups: dict[str, list[Path]], word: str) -> list[Path]:
 
 
 def _by_time(files: list[Path]) -> list[Path]:
-    """Shortest exposure first, where all files tell their times; else as they are named."""
+    """Shortest exposure first, where all files state their times; else by name."""
     times = [photograph_facts(file).exposure_s for file in files]
     if any(time is None for time in times):
         return files
@@ -158,12 +158,12 @@ def _by_time(files: list[Path]) -> list[Path]:
 
 
 def _times(draft: _Draft, files: list[Path]) -> tuple[float, ...]:
-    told = sorted({time for file in files if (time := photograph_facts(file).exposure_s) is not None})
-    if len(told) == len(files):
+    times = sorted({time for file in files if (time := photograph_facts(file).exposure_s) is not None})
+    if len(times) == len(files):
         draft.notes.append("exposures_s: taken from the EXIF of the first position")
-        return tuple(float(f"{time:.6g}") for time in told)
+        return tuple(float(f"{time:.6g}") for time in times)
     draft.notes.append(
-        "exposures_s: the files tell no times, or the same twice; these are those of a typical rig"
+        "exposures_s: the files state no times, or the same twice; these are those of a typical rig"
     )
     return series_s(len(files))
 
@@ -233,8 +233,8 @@ def _flat(draft: _Draft, files: list[Path]) -> FlatField | None:
     if not files:
         return None
     draft.notes.append("flat_field: state its exposure time")
-    told = photograph_facts(files[0]).exposure_s
-    return FlatField(draft.names(files[:1]), (told or 0.1,))
+    exposure_s = photograph_facts(files[0]).exposure_s
+    return FlatField(draft.names(files[:1]), (exposure_s or 0.1,))
 
 
 def _white(draft: _Draft, files: list[Path], facts: PhotographFacts, count: int) -> WhiteReference | None:

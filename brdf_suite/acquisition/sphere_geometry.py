@@ -1,7 +1,7 @@
 """Where the sphere, the turntable's axis and the light stand, as the camera sees them.
 
-All is told in the camera's frame (x right, y down, z forward, metres), since the camera alone stands still. The
-rig's own frame is made of three directions in it: ``up`` along the turntable's axis, ``front`` from the axis to the
+All values are given in the camera's frame (x right, y down, z forward, metres), since the camera alone stands still.
+The rig's own frame is made of three directions in it: ``up`` along the turntable's axis, ``front`` from the axis to the
 camera, level, and ``side`` = up × front. The light at the turntable's angle α stands at
 
     axis + height · up + distance · (sin(α + offset) · side + cos(α + offset) · front),
@@ -41,7 +41,7 @@ def unit(vectors: npt.ArrayLike) -> Floats:
 
 @dataclass(frozen=True)
 class Geometry:
-    """A rig as it is known so far: first as the session states it, then as the photographs tell it.
+    """A rig as it is known so far: first as the session states it, then as the photographs determine it.
 
     Attributes
     ----------
@@ -72,7 +72,7 @@ class Geometry:
     housing_radius_m, post_radius_m
         Of the lamp's housing, and of the post from the turntable up to it, metres; 0: hides nothing.
     lens_known
-        False where nobody has measured the camera: its focal length then follows from the sphere's outline and its
+        False where the camera is not calibrated: its focal length then follows from the sphere's outline and its
         stated distance.
     """
 

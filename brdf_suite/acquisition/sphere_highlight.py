@@ -6,7 +6,7 @@ isotropic paint is even about the half vector. So the centre of gravity of radia
 over the solid angle of the *normals* (a pixel covers 1/cosθo of it), is the half vector, whatever the width of the
 lobes. The falling off of the light with the distance is taken out before.
 
-How far that place wanders with the share tells how far it can be trusted. Near the outline a narrow highlight is
+How far that place wanders with the share shows how reliable it is. Near the outline a narrow highlight is
 foreshortened to a pixel or two, and stands on the broader lobes' own brightness: then there is no other share to ask,
 or few columns to weigh, and the standard error grows to that of a place of which nothing but the pixel is known.
 

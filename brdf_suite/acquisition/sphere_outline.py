@@ -87,8 +87,8 @@ def find_outline(
     union
         Photographs whose light reaches different parts of the outline.
     geometry
-        What is known so far. Its light tells which part of the outline is lit; its distance of the sphere is a first
-        guess, and taken as exact where its lens is not known.
+        What is known so far. Its light determines which part of the outline is lit; its distance of the sphere is a
+        first guess, and taken as exact where its lens is not known.
     mask
         (h, w), False: not to be looked at.
 
@@ -116,7 +116,7 @@ _EIGHT = np.arange(8) * (math.pi / 4.0)
 
 
 def _require(edge: Edge, geometry: Geometry) -> None:
-    """Refuse an edge from which no sphere can be told."""
+    """Refuse an edge from which no sphere can be determined."""
     if len(edge.pixels) < _LEAST_POINTS:
         raise AcquisitionError(
             "The sphere's outline was not found. It is seen where the light reaches it from the side: add positions "
@@ -127,7 +127,7 @@ def _require(edge: Edge, geometry: Geometry) -> None:
     tangents = unit(rays - (rays @ axis)[:, None] * axis)
     if math.acos(float(np.clip((tangents @ tangents.T).min(), -1.0, 1.0))) < _LEAST_ARC:
         raise AcquisitionError(
-            "Too little of the sphere's outline is lit or free to tell its centre. Add positions of the light between "
+            "Too little of the sphere's outline is lit or free to locate its centre. Add positions of the light between "
             "40° and 150°, or free more of the sphere in the mask."
         )
 

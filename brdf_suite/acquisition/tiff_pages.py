@@ -18,7 +18,7 @@ _Path = str | os.PathLike[str]
 
 _EXPOSURE_TIME, _SHUTTER_SPEED, _EXIF = 33434, 37377, 34665
 
-# What tifffile misses in a file goes to its log: damage, of which the error tells the user once, and every field that
+# What tifffile misses in a file goes to its log: damage, which the error reports once, and every field that
 # an EXIF block, being no image, has not. A session of thousands of photographs would fill the programs' logs with it.
 logging.getLogger("tifffile").setLevel(logging.CRITICAL)
 

@@ -51,7 +51,7 @@ def tiff_facts(path: _Path) -> tuple[int, int, int | None, float | None]:
         try:
             time = exposure_of(page)
         except (ArithmeticError, LookupError, TypeError, ValueError):
-            time = None  # a damaged block tells none, as the pixels do not depend on it
+            time = None  # a damaged block has none, as the pixels do not depend on it
         bits = None if int(page.sampleformat) == 3 else int(page.bitspersample)
         return page.imagewidth, page.imagelength, bits, time
 
@@ -151,7 +151,7 @@ def _by_opencv(path: _Path) -> NDArray[Any]:
         )
     except ExtraError as error:
         raise FileError(path, error.reason) from error
-    # OpenCV would tell of damage on the standard error as well; the user is told once, below.
+    # OpenCV would report damage on the standard error as well; it is reported once, below.
     level = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     try:
         packed = np.frombuffer(Path(path).read_bytes(), np.uint8)

@@ -71,7 +71,7 @@ def irradiance_from_white(
 
 
 def with_refined_white(session: Session, geometry: Geometry) -> Geometry:
-    """Return the refined geometry with the irradiance that the white tells under its lamp, not the stated one.
+    """Return the refined geometry with the irradiance measured on the white target in place of the stated one.
 
     ``geometry.irradiance_rgb`` is what :func:`irradiance_from_white` gave without a geometry; where the session states
     the irradiance itself, or there is none, nothing changes.

@@ -119,11 +119,11 @@ def lab_to_hex(lab: npt.ArrayLike) -> str:
 
 def display_notes(colours: Sequence[FlatColour]) -> tuple[str, ...]:
     """Return what the user must know of how these colours are shown; a sentence for each matter."""
-    told = []
+    notices = []
     for model, word in _PROFILE_WORDS.items():
         count = sum(colour.model == model for colour in colours)
         if count:
-            told.append(
+            notices.append(
                 f"{count} {word} colour{'s are' if count > 1 else ' is'} shown without a profile, so only roughly; "
                 "the numbers are kept as they are."
             )
@@ -133,8 +133,8 @@ def display_notes(colours: Sequence[FlatColour]) -> tuple[str, ...]:
     }  # fmt: skip
     if unknown:
         named = ", ".join(sorted(unknown)[:3])
-        told.append(f"The colour space {named[:120]} is not known here; its colours are shown as sRGB.")
-    return tuple(told)
+        notices.append(f"The colour space {named[:120]} is not known here; its colours are shown as sRGB.")
+    return tuple(notices)
 
 
 def _labs(like: FlatColour, values: Floats) -> Floats:

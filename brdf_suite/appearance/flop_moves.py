@@ -24,7 +24,7 @@ from brdf_suite.geometry.directions import Floats
 
 FACE_DEG = 45.0
 GREY_CHROMA = 0.05
-"""C*ab under which a reading is taken for a grey, without a hue: far below what an instrument tells apart."""
+"""C*ab under which a reading is taken for a grey, without a hue: far below the resolution of an instrument."""
 
 _NEAR_SHARE = {0: 0.7, 1: 0.5, 2: 0.5}
 """How much of a new travel of L*, C* and h lies before the face."""
@@ -71,9 +71,9 @@ def unwrapped_hues(lab: npt.ArrayLike) -> Floats:
     """
     lch = lab_to_lch(np.asarray(lab, float))
     hues = np.where(lch[:, 1] < GREY_CHROMA, np.nan, lch[:, 2])
-    told = np.flatnonzero(np.isfinite(hues))
-    if len(told):
-        hues[told] = np.degrees(np.unwrap(np.radians(hues[told])))
+    known = np.flatnonzero(np.isfinite(hues))
+    if len(known):
+        hues[known] = np.degrees(np.unwrap(np.radians(hues[known])))
     return np.asarray(hues)
 
 

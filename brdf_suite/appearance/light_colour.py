@@ -31,7 +31,7 @@ LABELS: dict[str, str] = {
     "adapted": "adapted from D65; the spectrum is not known, so metamerism is not shown",
     "recomputed": "recomputed from the spectrum",
 }
-"""What a user is told about each road."""
+"""Notices for the user, by method."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +46,7 @@ class LightColour:
 
     @property
     def label(self) -> str:
-        """Return what a user is told beside the colour."""
+        """Return the notices for the user about the colour."""
         return f"{self.illuminant}, {self.observer_deg}°: {LABELS[self.road]}"
 
 

@@ -51,7 +51,7 @@ Lab = Sequence[float]
 
 
 def in_english(text: str) -> str:
-    """Return ``text`` itself: the ``say`` of whoever translates nothing."""
+    """Return ``text`` itself: the ``say`` of callers without translation."""
     return text
 
 
@@ -94,8 +94,8 @@ def named_differences(
 ) -> tuple[Named, ...]:
     """Return the words for a sample's L*a*b* (3,) against the standard's, the largest first; empty where none is.
 
-    ``weights`` are S_L, S_C and S_H of the two (:func:`~brdf_suite.appearance.difference.weights_2000`), for whoever
-    works them out for many pairs at once.
+    ``weights`` are S_L, S_C and S_H of the two (:func:`~brdf_suite.appearance.difference.weights_2000`), for callers
+    that works them out for many pairs at once.
 
     >>> [named.text() for named in named_differences((25.0, 4.0, -38.0), (22.0, 4.0, -38.0))]
     ['darker']

@@ -52,7 +52,7 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
         raise FileError(path, f"cannot be written: {error.strerror or error}") from error
     finally:
         if temporary is not None:
-            # Where even this fails, the first error is the one to tell.
+            # Where even this fails, the first error is the one to report.
             with contextlib.suppress(OSError):
                 temporary.unlink()
 

@@ -155,7 +155,7 @@ def _read(textures: TextureFile) -> Maps:
     return found
 
 
-def _checked(textures: TextureFile, told: str | os.PathLike[str]) -> bytes:
+def _checked(textures: TextureFile, reported_path: str | os.PathLike[str]) -> bytes:
     """Return the file's bytes, which are those that are meant."""
     path = Path(textures.path)
     try:
@@ -169,7 +169,7 @@ def _checked(textures: TextureFile, told: str | os.PathLike[str]) -> bytes:
         raise FileError(path, f"the textures of the paint cannot be read: {reason}") from error
     if hashlib.sha256(content).hexdigest() != textures.sha256:
         raise DocumentError(
-            told,
+            reported_path,
             f"the maps in {path.name} are not those that the paint was saved with; factor it again, or bring them back",
             "textures.sha256",
         )

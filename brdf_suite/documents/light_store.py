@@ -1,4 +1,4 @@
-"""Studios and skies as JSON files: ``.brdfstudio``, whose field ``kind`` tells them apart."""
+"""Studios and skies as JSON files: ``.brdfstudio``, whose field ``kind`` distinguishes them."""
 
 from __future__ import annotations
 

@@ -97,7 +97,7 @@ def open_envelope(value: object, expected: str, path: str | os.PathLike[str]) ->
         try:
             fields = migration(fields)
         except (LookupError, TypeError, ValueError, AttributeError) as error:
-            # A migration sees fields that nobody has checked yet.
+            # A migration sees fields that are not checked yet.
             raise DocumentError(
                 path, f"is of version {step} but not as that version was, so it cannot be brought up to date"
             ) from error

@@ -28,13 +28,13 @@ MOST_TAGS = 50
 
 Usage = Literal["process", "global", "spot"]
 USAGES: tuple[str, ...] = get_args(Usage)
-"""As layout programs tell colours apart: mixed from inks, shared by all that uses it, an ink of its own."""
+"""Kinds of colour in layout programs: process (mixed from inks), global (shared by its users), spot ink."""
 
 GroupPath = tuple[str, ...]
 """The names of groups from the outside in; empty for what is in none."""
 
 Foreign = tuple[tuple[str, str], ...]
-"""What another program's file held and nobody here understands, by name, so that it can go back."""
+"""Fields of another program's file that are not interpreted, by name, kept so that they can be written back."""
 
 _LONGEST_NAME = 1000
 _COLOUR = re.compile("#[0-9a-f]{6}")
@@ -139,8 +139,8 @@ class Group:
 class Palette:
     """Entries in the user's order, and the groups that they are in; a group may be empty.
 
-    Groups that entries are in but nobody declared are added, those around a group before it. ``columns`` is how many
-    stand in a row (0: not said).
+    Groups that entries are in but that are not declared are added, those around a group before it. ``columns`` is how
+    many stand in a row (0: not said).
 
     >>> palette = Palette("Summer", (Entry(solid_paint("white", (95.0, 0.0, 1.0)), group=("Light",)),))
     >>> [(entry.id, entry.name) for entry in palette], [group.name for group in palette.groups]
@@ -190,7 +190,7 @@ class Palette:
         return self.entries[self.by_id[id_]]
 
     def sections(self) -> list[tuple[Group | None, tuple[Entry, ...]]]:
-        """Return the palette as a file with groups tells it: each group once, with the entries directly in it.
+        """Return the palette in the order of a file with groups: each group once, with the entries directly in it.
 
         What is in no group is a section without one, as many as there are runs of it. A group stands where its first
         entry does, or the first of those within it, and these follow it; an empty one stands behind the group that was
@@ -220,15 +220,15 @@ class Palette:
                 items.append((place, group))
             return sorted(items, key=lambda item: item[0])
 
-        def tell(group: Group) -> None:
+        def append_items(group: Group) -> None:
             found.append((group, members[group.path]))
             for _, inner in placed(group.path):
-                tell(inner)
+                append_items(inner)
 
         outermost: list[tuple[int, Group | list[Entry]]] = [*runs, *placed(())]
         for _, item in sorted(outermost, key=lambda pair: pair[0]):
             if isinstance(item, Group):
-                tell(item)
+                append_items(item)
             elif found and found[-1][0] is None:
                 found[-1][1].extend(item)
             else:

@@ -1,6 +1,7 @@
 """Edits of palettes: each takes a palette and returns another; what did not change stays the same object.
 
-An id or a group that is not there raises :class:`ValueRangeError`, so that a stale selection is told and not guessed.
+An id or a group that is not there raises :class:`ValueRangeError`, so that a stale selection is reported and not
+guessed.
 """
 
 from __future__ import annotations

@@ -70,7 +70,7 @@ class FieldReader:
         return [FieldReader(item, self.path, f"{self.where(name)}[{i}]") for i, item in enumerate(items)]
 
     def finish(self) -> None:
-        """Refuse fields that nobody took."""
+        """Refuse fields that no reader took."""
         if self._fields:
             unknown = next(iter(self._fields))
             self.fail(f"the field {describe(unknown).removeprefix('the text ')} is unknown")

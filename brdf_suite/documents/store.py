@@ -26,7 +26,7 @@ PAINT_ENDING = ".brdfpaint"
 VIEW_ENDING = ".brdfview"
 
 AnyPaint = Paint | CookTorrancePaint | FactoredPaint
-"""Every kind of paint; the field ``kind`` of a file tells them apart."""
+"""Every kind of paint; the field ``kind`` of a file distinguishes them."""
 
 _KINDS: dict[type, str] = {Paint: "aspecular", CookTorrancePaint: "cook_torrance", FactoredPaint: "factored"}
 _Path = str | os.PathLike[str]
@@ -149,7 +149,7 @@ def _cook_torrance(reader: FieldReader) -> CookTorrancePaint:
 
 def _factored(reader: FieldReader, path: _Path) -> FactoredPaint:
     textures = fill(reader.take_object("textures"), TextureFile, required=("path", "sha256"))
-    # The document names it from its own folder; whoever holds the paint has no folder.
+    # The document names it from its own folder; a paint in memory has no folder.
     absolute = str(Path(path).absolute().parent / textures.path)
     parts = {
         "clearcoat": _optional(reader, "clearcoat", Clearcoat),

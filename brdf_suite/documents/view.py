@@ -51,7 +51,7 @@ ImageLayout = Literal[
 ]
 """A layout that an environment's image can have."""
 ENVIRONMENT_LAYOUTS: tuple[str, ...] = ("auto", *get_args(ImageLayout))
-"""How an environment's image can be laid out; ``auto``: as the file says or its shape tells."""
+"""How an environment's image can be laid out; ``auto``: from the file's header or the image's shape."""
 
 SENSOR_WIDTH_MM = 36.0
 """The width of the picture that ``focal_length_mm`` refers to: a full-frame camera."""

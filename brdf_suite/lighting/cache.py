@@ -1,14 +1,14 @@
 """Prefiltered maps kept on disk, named by what they were made from.
 
 The cache only ever saves time. Whatever happens to it (full or read-only disk, a damaged entry, another
-program at the same work, a kill at any moment), the caller gets the maps; what went wrong is told.
+program at the same work, a kill at any moment), the caller gets the maps; failures are reported.
 
 - The key is a hash of the environment's pixels, the exponents, the versions of algorithm and file, and the
   largest face size.
 - An entry is written under a temporary name, synced and renamed, and carries a checksum that is checked on
   reading (:mod:`.map_file`, :mod:`.cache_folder`).
 - Programs that want the same entry take turns through a lock (:mod:`.cache_turn`). A damaged entry is removed
-  only by who holds it, so that nobody removes what another has just rebuilt.
+  only by who holds it, so that no process removes what another has just rebuilt.
 - Above the size limit the entries unused for longest are removed.
 """
 
@@ -141,7 +141,7 @@ class MapCache:
         return cache_folder.check(self.folder, remove_damaged=remove, progress=progress, notice=self._notice)
 
     def _load(self, key: str, *, damaged_goes: bool) -> LobeMaps | None:
-        """Return an entry; None where it is not there, or not to be used, which is told when it goes."""
+        """Return an entry; None where it is not there, or not to be used, which is reported when it is removed."""
         path = self.folder / f"{key}{ENDING}"
         try:
             maps = read_map_file(path, key)

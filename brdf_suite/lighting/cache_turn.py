@@ -65,7 +65,7 @@ def take_turn(
     """Hold the lock of an entry while the body runs; wait for another program that holds it.
 
     After ``timeout_s`` of waiting, or ``silence_s`` without a sign of life of the holder, or where the folder
-    takes no locks, the body runs without one; ``notice`` is told. Both times are in seconds. ``progress`` may
+    takes no locks, the body runs without one; ``notice`` is called. Both times are in seconds. ``progress`` may
     cancel the waiting.
     """
     from filelock import BaseFileLock, FileLock, Timeout

@@ -35,7 +35,7 @@ _PEAK_EDGES = (0.0, 0.0015, 0.004, 0.01, 0.02)
 _SHARP_EDGE, _SHARP_STEP = 0.65, 0.03
 _BROAD_PANELS = 20
 _POINTS = 5
-#: From where on nothing sharp is expected: there the sharp degrees are told nothing.
+#: Exponent from which on nothing sharp is expected: the sharp degrees are not constrained there.
 _TAPER = (0.3, 0.6)
 
 

@@ -143,7 +143,7 @@ def _sun(
 def _range(
     luminance: NDArray[np.float32], solid_angle: NDArray[np.float64], brightest: float
 ) -> float | None:
-    # Sorting 33 million texels of an 8k map takes seconds; each second or fourth row and column tells as much.
+    # Sorting 33 million texels of an 8k map takes seconds; each second or fourth row and column suffices.
     step = max(1, round((luminance.size / _ENOUGH_TEXELS) ** 0.5))
     luminance, solid_angle = luminance[::step, ::step], solid_angle[::step]
     order = np.argsort(luminance, axis=None)

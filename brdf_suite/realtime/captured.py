@@ -110,7 +110,7 @@ class CapturedForm:
         padded = np.zeros((_TEXELS, self._rows * LIST_WIDTH, 4), np.float32)
         padded[:, : len(rows)] = rows.transpose(1, 0, 2)
         if len(rows):
-            # The rest of the last row is shaded too, and nobody looks at it.
+            # The rest of the last row is shaded too, and never used.
             padded[:, len(rows) :] = rows[0][:, None]
         self._list = objects.ramp((LIST_WIDTH, _TEXELS * self._rows))
         self._list.write(padded.tobytes())

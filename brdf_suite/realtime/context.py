@@ -82,7 +82,7 @@ def adopt_context(load: Callable[[str], int] | None = None) -> moderngl.Context:
     Parameters
     ----------
     load
-        Address of an OpenGL function by name, 0 where unknown, as the toolkit tells it; needed with EGL and
+        Address of an OpenGL function by name, 0 where unknown, as the toolkit gives it; needed with EGL and
         Wayland, and for a second context in one process. Without it the platform's own way is tried.
 
     Raises
@@ -100,7 +100,7 @@ def adopt_context(load: Callable[[str], int] | None = None) -> moderngl.Context:
 
 
 class _Loader:
-    """What moderngl asks of a context that is somebody else's; it is current whenever we are called."""
+    """What moderngl asks of a context owned by another toolkit; it is current during our calls."""
 
     def __init__(self, load: Callable[[str], int]) -> None:
         self._load = load
@@ -120,7 +120,7 @@ class _Loader:
 
 
 def draws_in_software(context: moderngl.Context) -> bool:
-    """Tell whether processors draw what a graphics card would, by the renderer's name; the context is current."""
+    """Return whether processors draw what a graphics card would, by the renderer's name; the context is current."""
     name = str(context.info.get("GL_RENDERER", "")).lower()
     return any(known in name for known in _SOFTWARE)
 

@@ -42,7 +42,7 @@ class _Map:
 
 
 class EnvironmentTextures:
-    """The textures of one environment, and the uniforms that tell the shader of them."""
+    """The textures of one environment, and the uniforms that describe them to the shader."""
 
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects

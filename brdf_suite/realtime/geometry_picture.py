@@ -1,4 +1,4 @@
-"""The places and normals that a picture shows, read back: for whoever shades them elsewhere, and compares."""
+"""Places and normals of a picture, read back from the graphics card for shading and comparison elsewhere."""
 
 from __future__ import annotations
 

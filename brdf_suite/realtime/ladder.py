@@ -1,6 +1,6 @@
 """Which exponents the broad lobe maps of an environment have, and where between them one is found.
 
-Plain numbers: whoever prepares maps needs them without OpenGL.
+Plain numbers, because the preparation of maps needs them without OpenGL.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Shaders are files: put together from includes, compiled, and their errors told by file and line.
+"""Shader files: assembled from includes, compiled, with errors reported by file and line.
 
 A line ``#include "name.glsl"`` is replaced by that file, once per shader. Each file has a number, and
-``#line`` tells the compiler lines as 10,000 times that number plus the line in the file, so that its complaints
+``#line`` gives the compiler lines as 10,000 times that number plus the line in the file, so that its complaints
 can be traced. (The directive's own file number is lost by some compilers, Mesa among them.)
 """
 

@@ -81,7 +81,7 @@ class TracedLight:
         self._set_left(pixels)
 
     def _set_left(self, pixels: NDArray[np.float32]) -> None:
-        """Bring what is left of the background's light in each pixel, where the picture tells it for each channel."""
+        """Upload the transmitted fraction of the background light, where the picture has it per channel."""
         if pixels.shape[2] == 4:
             if self._left is not None:
                 self._objects.release(self._left)

@@ -173,7 +173,7 @@ class WeightsOverAngle:
 
 
 class OverAngle(Protocol):
-    """Whoever can say a material's weights over the incidence; asked only by the mode that takes them."""
+    """A source of a material's weights over the incidence; used only by the mode that takes them."""
 
     def weights(self) -> WeightsOverAngle | None:
         """Return them, the same object until there are others; None: there are none yet, the single fit holds."""
@@ -201,7 +201,7 @@ class MaterialWeights:
         F(θ)/F(θ_fit), the base stays; ``metal``: gloss rises from its own albedo to 1 at grazing; ``none``: the
         weights hold at every angle.
     over_angle
-        Who has weights of this material fitted at several incidences, for the same lobes; None: nobody.
+        Source of this material's weights fitted at several incidences, for the same lobes; None: there is none.
     by_view
         Who has weights for the shifted look-ups fitted to all that each angle of the view gathers, for the same lobes.
         Where there are, they take the place of the single fit and of its gains, and of ``over_angle``, whenever

@@ -79,7 +79,7 @@ def board_picture(optics: Optics, settings: SimulatorSettings, index: int) -> Fl
 def _pose(optics: Optics, settings: SimulatorSettings, index: int) -> tuple[Floats, Floats]:
     """Return the board's axes (rows across, up, towards the camera) and its middle, in the world."""
     random = np.random.default_rng([settings.seed, 2, index])
-    # Tilts about every axis in turn, or the focal length cannot be told from the distance.
+    # Tilts about every axis in turn, or the focal length cannot be separated from the distance.
     around = 2.0 * math.pi * index / BOARD_PICTURES
     tilt = math.radians(_MOST_TILT_DEG) * (0.5 + 0.5 * (index % 2)) * (index > 0)
     axis = np.array([math.cos(around), math.sin(around), 0.0])

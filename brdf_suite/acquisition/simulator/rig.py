@@ -65,7 +65,7 @@ class Simulator:
 
     @cached_property
     def session(self) -> Session:
-        """What the reconstruction is told: the rig as it was meant, and the names of the files."""
+        """The input of the reconstruction: the rig as intended, and the names of the files."""
         settings = self.settings
         corners = board_square_m(self.optics, settings)
         return session_of(
@@ -87,7 +87,7 @@ class Simulator:
 
     @cached_property
     def truth(self) -> dict[str, object]:
-        """What the rig truly is, as JSON has it; nothing of it is told to the reconstruction."""
+        """The true rig as JSON data; the reconstruction does not see it."""
         centres = [list(self._centre(k)) for k in range(len(self.settings.angles()))]
         places = [list(self.lamp(k).place) for k in range(len(self.settings.angles()))]
         return truth_of(

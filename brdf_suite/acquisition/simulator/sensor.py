@@ -60,7 +60,7 @@ class Sensor:
     def expose(self, rate: NDArray[np.float32], exposures_s: tuple[float, ...], shot: int) -> Codes:
         """Return the codes (e, h, w, 3) of a picture (h, w, 3), full wells per second, at each exposure time.
 
-        ``shot`` tells photographs apart, so that each has noise of its own.
+        ``shot`` distinguishes photographs, so that each has noise of its own.
         """
         # numba is met here and not on import: the command's start needs none of it.
         from brdf_suite.acquisition.simulator.noise import expose

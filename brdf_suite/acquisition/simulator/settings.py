@@ -46,7 +46,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 
 @dataclass(frozen=True)
 class SimulatorSettings:
-    """A rig to be simulated; the defaults are the one of Günther et al. 2005, section 3, as far as it is told.
+    """A rig to be simulated; the defaults are the one of Günther et al. 2005, section 3, as far as it is described.
 
     Attributes
     ----------
@@ -57,12 +57,12 @@ class SimulatorSettings:
     exposures, shortest_s, longest_s
         A geometric series of times.
     bit_depth, curve
-        Codes of 8 to 16 bits; the response: ``film`` (a soft curve, another one for each channel, that nobody is
-        told), ``linear``, or ``srgb``.
+        Codes of 8 to 16 bits; the response: ``film`` (a soft curve, another one for each channel, that is
+        not stated), ``linear``, or ``srgb``.
     noise
         Shot and read noise, dark current, hot pixels, and a gain that differs between pixels; off: none of these.
     light_offset_deg, light_height_offset_m, centre_offset_px, moved
-        What the session does not tell: the lamp's angle and height are off, the sphere is off by (right, down) in the
+        Differences from the session: the lamp's angle and height are off, the sphere is off by (right, down) in the
         picture, and from position ``moved[0]`` on by ``moved[1:]`` more.
     state_centre
         State the sphere's centre in the session, as if it stood on the axis.
@@ -147,7 +147,7 @@ class SimulatorSettings:
         return tuple(180.0 * i / self.positions for i in range(self.positions))
 
     def exposures_s(self) -> tuple[float, ...]:
-        """Return the exposure times in seconds, to six digits as a camera tells them."""
+        """Return the exposure times in seconds, to six digits as a camera records them."""
         if self.exposures == 1:
             return (self.shortest_s,)
         step = math.log(self.longest_s / self.shortest_s) / (self.exposures - 1)

@@ -1,4 +1,4 @@
-"""The layout of an image from its shape, where nobody said it."""
+"""Detection of an environment image's layout from its shape, where it is not stated."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def detect_layout(width: int, height: int) -> tuple[Layout, tuple[str, ...]]:
     """Return the layout of an image of ``width`` × ``height`` pixels, and what was assumed.
 
     A latitude-longitude map may miss twice its height by a pixel. A square image is taken as a light probe
-    (angular map), because nothing in its shape tells a mirror ball or a dome from one; the note says so.
+    (angular map), because nothing in its shape distinguishes a mirror ball or a dome from one; the note says so.
 
     >>> detect_layout(1024, 768)[0]
     'horizontal_cross'
@@ -65,4 +65,4 @@ def face_size(layout: Layout, width: int) -> int:
 
 def _no_layout(width: int, height: int) -> str:
     shapes = "2:1 (latitude-longitude), 4:3 or 3:4 (cross), 6:1 or 1:6 (strip), 1:1 (light probe)"
-    return f"cannot be told: {width} × {height} pixels; the shapes that are read are {shapes}"
+    return f"cannot be determined: {width} × {height} pixels; the shapes that are read are {shapes}"

@@ -102,7 +102,7 @@ def _strata(cells: Cells) -> tuple[Float64, Float64, Float64]:
     energy, moments = summed(cells.energy), summed(cells.moments)
     luminous = np.maximum(energy @ LUMINANCE, 1e-300)
     # 1 - |mean direction| is half the mean square of the angle from it, so its square along one of two axes. What lies
-    # within a texel is not told: it is taken for an even disc, of the variance Ω / 4π along an axis.
+    # within a texel is not known: it is taken for an even disc, of the variance Ω / 4π along an axis.
     texel = summed(cells.luminous * cells.areas())[:, 0] / luminous / (4.0 * np.pi)
     apart = np.maximum(1.0 - np.linalg.norm(moments, axis=1) / luminous, 0.0)
     return energy, moments, apart + texel

@@ -86,5 +86,5 @@ def sky(
     haze = (
         f", turbidity {description.turbidity:g}, sun {description.sun_elevation_deg:g}° high" if clear else ""
     )
-    told = f"A sky: {CITATIONS[description.model]}{haze}, ground albedo {description.ground_albedo:g}."
-    return finish(description.name, picture, told)
+    note = f"A sky: {CITATIONS[description.model]}{haze}, ground albedo {description.ground_albedo:g}."
+    return finish(description.name, picture, note)

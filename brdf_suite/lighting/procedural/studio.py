@@ -48,6 +48,6 @@ def studio(
             light[near] = light[near] * (1.0 - share) + bright[:, None] * share * lamp.colour
         return light
 
-    told = f"A studio: {description.name}; {len(lamps)} lamps."
+    note = f"A studio: {description.name}; {len(lamps)} lamps."
     picture = draw(radiance, height, samples, progress)
-    return finish(description.name, picture, told, absolute=description.unit == "kcd/m2")
+    return finish(description.name, picture, note, absolute=description.unit == "kcd/m2")

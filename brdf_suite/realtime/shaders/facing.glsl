@@ -1,7 +1,7 @@
 // Provides: vec3 facing_normal(vec3 shading_normal, vec3 position, vec3 v)
 // Needs:    a fragment shader (derivatives)
 //
-// The unit shading normal, turned to the side that is seen. Which side that is, is told by the plane of the
+// The unit shading normal, turned to the side that is seen. Which side that is, is decided by the plane of the
 // triangle itself, not by its winding: thin sheets are seen from both sides, and foreign meshes mix windings.
 // An interpolated normal that still looks away, as happens at a silhouette, is bent to just above grazing.
 vec3 facing_normal(vec3 shading_normal, vec3 position, vec3 v)

@@ -2,7 +2,7 @@
 //           (AS_LIGHT: its sRGB codes as light of the working space)
 // Needs:    screen.vert.glsl; one picture, its lowest row first
 //
-// The lens is told by the width of the sensor, so a picture of the same camera fits by its width at any height.
+// The lens is defined by the width of the sensor, so a picture of the same camera fits by its width at any height.
 uniform sampler2D picture;
 uniform vec2 frame_size;         // pixels
 uniform vec2 frame_corner;       // of the frame in the target, pixels

@@ -8,7 +8,7 @@
 
 uniform sampler2D ramp;
 
-// The cosine below which one pixel cannot tell angles apart: its normals turn by so much. An edge rounded within
+// The cosine below which one pixel cannot resolve angles: its normals turn by so much. An edge rounded within
 // a pixel shows the mean of F over its angles, not the F near 1 of the one that the pixel's middle happens to hit.
 float finest_cosine(SurfacePoint p)
 {
