@@ -18,7 +18,7 @@ def report(progress: Progress | None, fraction: float, what: str) -> None:
         progress(min(1.0, max(0.0, fraction)), what)
 
 
-def part(progress: Progress | None, start: float, end: float) -> Progress | None:
+def subrange(progress: Progress | None, start: float, end: float) -> Progress | None:
     """Return a callback that maps 0…1 onto ``start``…``end`` of ``progress``, for one step of several."""
     if progress is None:
         return None
@@ -30,8 +30,8 @@ def part(progress: Progress | None, start: float, end: float) -> Progress | None
 
 
 def stage(progress: Progress | None, start: float, end: float, name: str) -> Progress | None:
-    """As :func:`part`, for a step that a user knows by ``name``: its words follow the name and a colon."""
-    within = part(progress, start, end)
+    """As :func:`subrange`, for a step that a user knows by ``name``: its words follow the name and a colon."""
+    within = subrange(progress, start, end)
     if within is None:
         return None
     report(within, 0.0, name)

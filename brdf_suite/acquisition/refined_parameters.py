@@ -88,8 +88,8 @@ PARAMETERS: tuple[Parameter, ...] = (
         "sphere's centre, to the right",
         "m",
         lambda g: g.centre_m[0],
-        "Determined by the outline. A highlight moves with the sphere at any angle of the light, but so it does with the "
-        "turntable's zero; only that these differ over the half turn distinguishes them.",
+        "Determined by the outline. A highlight moves with the sphere at any angle of the light, but also with the "
+        "turntable's zero; only their difference over the half turn distinguishes them.",
     ),
     Parameter(
         "sphere's centre, downward",

@@ -29,7 +29,7 @@ from brdf_suite.acquisition.sphere_highlight import Highlight
 from brdf_suite.acquisition.sphere_outline import Outline
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.geometry.directions import Floats
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 _LEAST_HIGHLIGHTS = 4
 _LEAST_COSINE = 0.02
@@ -230,8 +230,8 @@ def calibrate_geometry(
     AcquisitionError
         Fewer than four highlights.
     """
-    first = refine(outline.geometry, outline, find(outline.geometry), part(progress, 0.0, 0.5))
-    return refine(outline.geometry, outline, find(first.geometry), part(progress, 0.5, 1.0))
+    first = refine(outline.geometry, outline, find(outline.geometry), subrange(progress, 0.0, 0.5))
+    return refine(outline.geometry, outline, find(first.geometry), subrange(progress, 0.5, 1.0))
 
 
 def moved_sphere(refinement: Refinement, names: Sequence[str]) -> str:

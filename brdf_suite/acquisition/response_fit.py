@@ -19,7 +19,7 @@ from brdf_suite.acquisition.response_channel import fit_channel, known_channel
 from brdf_suite.acquisition.response_noise import time_residuals
 from brdf_suite.acquisition.response_samples import ResponseSamples
 from brdf_suite.errors import AcquisitionError
-from brdf_suite.progress import Progress, part
+from brdf_suite.progress import Progress, subrange
 
 Floats = npt.NDArray[np.float64]
 
@@ -100,7 +100,7 @@ def calibrate_response(
     smoothness = needed_smoothness(samples.times) if smoothness is None else smoothness
     found = []
     for c in range(samples.channels):
-        step = part(progress, c / samples.channels, (c + 1) / samples.channels)
+        step = subrange(progress, c / samples.channels, (c + 1) / samples.channels)
         codes = samples.codes(c)
         if len(codes) < _FEWEST:
             raise AcquisitionError(

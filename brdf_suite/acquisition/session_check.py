@@ -19,7 +19,7 @@ from brdf_suite.acquisition.position_order import check_positions
 from brdf_suite.acquisition.session import Session
 from brdf_suite.acquisition.session_finding import Finding, Severity
 from brdf_suite.errors import FileError
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 _Path = str | os.PathLike[str]
 
@@ -54,7 +54,7 @@ def check_session(
     files = session.files()
     if session.mask is None and (Path(folder) / MASK_FILE).is_file():
         files += (("mask", MASK_FILE),)
-    by_header = part(progress, 0.0, 0.5) if pictures else progress
+    by_header = subrange(progress, 0.0, 0.5) if pictures else progress
     for i, (place, name) in enumerate(files):
         if i % 16 == 0:
             report(by_header, i / len(files), f"file {i + 1:,} of {len(files):,}")
@@ -76,7 +76,7 @@ def check_session(
             for f in seen.findings
             if f.position is not None and f.exposure is not None
         }
-        seen.findings += check_positions(folder, session, lost, part(progress, 0.5, 1.0))
+        seen.findings += check_positions(folder, session, lost, subrange(progress, 0.5, 1.0))
     _what_is_left(folder, session, seen)
     report(progress, 1.0, "checked")
     return tuple(seen.findings)
@@ -229,8 +229,8 @@ def _curve(folder: _Path, session: Session, seen: _Seen) -> None:
         _add(seen, folder, "fatal", jpegs[0], reason)
     elif response == "unknown" and count < LEAST_EXPOSURES:
         reason = (
-            f"is a JPEG with an unknown curve, and {count} exposures do not determine it; take {LEAST_EXPOSURES} or more, "
-            "or set camera.response to srgb where the camera applies just that"
+            f"is a JPEG with an unknown curve, and {count} exposures do not determine it; "
+            f"take {LEAST_EXPOSURES} or more, or set camera.response to srgb where the camera applies just that"
         )
         _add(seen, folder, "fatal", jpegs[0], reason)
     elif response == "unknown":

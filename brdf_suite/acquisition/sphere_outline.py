@@ -127,7 +127,7 @@ def _require(edge: Edge, geometry: Geometry) -> None:
     tangents = unit(rays - (rays @ axis)[:, None] * axis)
     if math.acos(float(np.clip((tangents @ tangents.T).min(), -1.0, 1.0))) < _LEAST_ARC:
         raise AcquisitionError(
-            "Too little of the sphere's outline is lit or free to locate its centre. Add positions of the light between "
+            "Too little of the sphere's outline is lit or free to locate its centre. Add light positions between "
             "40° and 150°, or free more of the sphere in the mask."
         )
 

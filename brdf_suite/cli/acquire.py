@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from brdf_suite.pipeline.acquiring_options import Acquired
 
 _MOST_ALIKE = 6
-"""Notices that are told one by one, where they differ in names and numbers alone."""
+"""Return one notice for each kind of finding, where findings differ in names and numbers alone."""
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -37,7 +37,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         type=Path,
         help="the .brdftable (with coverage) or .binary (MERL) to write",
     )
-    command.add_argument("--check", action="store_true", help="only tell what is wrong with the files")
+    command.add_argument("--check", action="store_true", help="only report what is wrong with the files")
     command.add_argument("--overwrite", action="store_true", help="replace OUT where it exists")
     command.add_argument("--restart", action="store_true", help="forget what an earlier run left in OUT.work")
     command.add_argument(
@@ -62,7 +62,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Reconstruct, write and tell."""
+    """Reconstruct, write the table and print a summary."""
     if acquire_simulate.wanted(options):
         return acquire_simulate.run(options)
     from brdf_suite.errors import SuiteError
@@ -88,7 +88,7 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print_json({"file": str(options.output), **found.to_json()})
     else:
-        _tell(found, options.output)
+        _print_summary(found, options.output)
     return 0
 
 
@@ -103,16 +103,16 @@ def _check(road: Acquisition, as_json: bool) -> int:
     return 1 if any(one.severity == "fatal" for one in findings) else 0
 
 
-def _tell(found: Acquired, output: Path) -> None:
-    told = found.to_json()
-    coverage = told["coverage"]
+def _print_summary(found: Acquired, output: Path) -> None:
+    summary = found.to_json()
+    coverage = summary["coverage"]
     again = f" ({found.resumed} taken up from {output.name}.work)" if found.resumed else ""
     print(f"{len(found.positions_done)} positions{again}, {found.readings:,} readings")
     print(
         f"{coverage['bins']:,} bins measured, {coverage['share_below_75_deg']:.0%} of those below 75°; "
         f"median deviation {coverage['median_deviation']:.2%}"
     )
-    for name, value in told["calibration"].items():
+    for name, value in summary["calibration"].items():
         print(
             f"{name.replace('_', ' ')}: {value:.4g}"
             if isinstance(value, float)
@@ -131,10 +131,10 @@ def _summed_up(notices: Sequence[str]) -> list[str]:
     for sentence in notices:
         _, colon, reason = sentence.partition(": ")
         alike.setdefault(re.sub(r"\d[\d.]*", "#", reason) if colon else sentence, []).append(sentence)
-    told: list[str] = []
+    lines: list[str] = []
     for same in alike.values():
         if len(same) <= _MOST_ALIKE:
-            told += same
+            lines += same
         else:
-            told.append(f"{same[0]} And {len(same) - 1} more photographs alike (--json names all).")
-    return told
+            lines.append(f"{same[0]} And {len(same) - 1} more photographs alike (--json names all).")
+    return lines

@@ -66,7 +66,7 @@ def wanted(options: argparse.Namespace) -> bool:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the folder and tell."""
+    """Write the folder and print a summary."""
     from brdf_suite.errors import SuiteError
 
     if options.template and options.simulate:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from brdf_suite.cli.output import print_json, progress_bar, size
 from brdf_suite.cli.reference_options import samples
-from brdf_suite.progress import part
+from brdf_suite.progress import subrange
 
 FORM_NAMES = (
     "default",
@@ -54,7 +54,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         nargs="+",
         default=["sphere"],
         metavar="FILE|NAME",
-        help="the surfaces, each told apart (default: sphere); all but the first in the shipped environments alone, "
+        help="the surfaces, each reported separately (default: sphere); all but the first in the shipped environments, "
         "where one is among those given",
     )
     command.add_argument(
@@ -78,7 +78,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     command.add_argument(
         "--lobes",
         action="store_true",
-        help="trace the fitted lobes too: tells the fit's error from the look-up's",
+        help="trace the fitted lobes too: separates the fit's error from the look-up's",
     )
     command.add_argument(
         "--keep", type=Path, default=None, metavar="FOLDER", help="keep what is traced in this folder"
@@ -122,7 +122,7 @@ def run(options: argparse.Namespace) -> int:
     cases: list[Case] = []
     with progress_bar("comparing", quiet=options.json) as progress:
         for number, order in enumerate(orders):
-            step = part(progress, number / len(orders), (number + 1) / len(orders))
+            step = subrange(progress, number / len(orders), (number + 1) / len(orders))
             cases += compare(order, step)
     if options.output is not None:
         write_page(options.output, cases, first)

@@ -86,7 +86,7 @@ def run(options: argparse.Namespace) -> int:
         results.append(result)
         document.save_state(state, settings, results)
 
-    document.save_state(state, settings, results)  # a folder that cannot be written is told now
+    document.save_state(state, settings, results)  # a folder that cannot be written is reported now
     try:
         with export_progress("basis", options) as progress:
             search(

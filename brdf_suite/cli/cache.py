@@ -203,7 +203,7 @@ def verify(options: argparse.Namespace) -> int:
 
 
 def _row(entry: CacheEntry) -> dict[str, object]:
-    """One entry as plain values; ``environment`` is empty where the file does not tell."""
+    """One entry as plain values; ``environment`` is empty where the file does not name it."""
     from brdf_suite.lighting.map_file import DamagedMapFileError, read_facts
 
     try:

@@ -44,7 +44,7 @@ def run(options: argparse.Namespace) -> int:
         print_json({"a": first.name, "b": second.name, **result.to_json(), "notices": notices})
         return 1 if failed else 0
     names = [first.name, second.name]
-    if names[0] == names[1]:  # two paints of one name, or one paint twice: what was typed tells them apart
+    if names[0] == names[1]:  # two paints of one name, or one paint twice: the typed names distinguish them
         names = [f"{name} ({typed})" for name, typed in zip(names, (options.a, options.b), strict=True)]
     print(f"{names[1]} against {names[0]}: {result.first.geometry_set.title}; {result.first.aperture.title}")
     titles = [_SHORT.get(name) or difference_title(name) for name in result.differences]

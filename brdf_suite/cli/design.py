@@ -25,8 +25,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     start = kinds.add_parser(
         "start",
         help="from anything that reflects, read by the virtual instruments",
-        description="Read colours and gloss, write the paint, and tell how far it is from the original at angles that "
-        "were not read.",
+        description="Read colours and gloss, write the paint, and report how far it is from the original at angles "
+        "that were not read.",
     )
     start.add_argument("what", metavar="FILE|PAINT", help=ANYTHING)
     start.add_argument(

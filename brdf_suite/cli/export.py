@@ -23,7 +23,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="hand paints over to other programs, or make a one-page report",
         description="Write paints for other programs: CxF3 with one specification per angle, CSV, JSON; LuxCore car "
         "paint, MaterialX OpenPBR, glTF clearcoat and RGL .bsdf for renderers; a one-page report as HTML or PDF. What "
-        "a format cannot hold is told. L*a*b* are of D65 and the 10° observer.",
+        "a format cannot hold is reported. L*a*b* are of D65 and the 10° observer.",
     )
     command.add_argument(
         "paints",
@@ -38,7 +38,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     command.add_argument(
         "--list-losses",
         action="store_true",
-        help="tell what each format (or the one of --format) cannot hold of the paints, and write nothing",
+        help="list what each format (or the one of --format) cannot hold of the paints, and write nothing",
     )
     command.add_argument(
         "--standard",
@@ -56,7 +56,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write or tell, and print lines or a JSON object."""
+    """Write the export or list its losses, as lines or as a JSON object."""
     from brdf_suite.appearance.tolerance import Tolerances
     from brdf_suite.documents.store import load_view
     from brdf_suite.errors import SuiteError
@@ -76,7 +76,7 @@ def run(options: argparse.Namespace) -> int:
         wanted = formats(report) if options.format is None else (format_named(options.format, report),)
         return _list_losses(options, subjects, wanted)
     if options.output is None:
-        raise SuiteError("A file to write is wanted: -o FILE. --list-losses tells what it would lose.")
+        raise SuiteError("No output file: give -o FILE, or --list-losses to see what the format would lose.")
     known = (
         format_of(options.output, report) if options.format is None else format_named(options.format, report)
     )
@@ -108,14 +108,14 @@ def _list_losses(
     options: argparse.Namespace, subjects: list[Subject], wanted: tuple[ExportFormat, ...]
 ) -> int:
     from brdf_suite.errors import UnreachableError
-    from brdf_suite.pipeline.handover import told_losses
+    from brdf_suite.pipeline.handover import export_losses
 
     table: dict[str, dict[str, list[str]]] = {}
     for name, subject in zip(options.paints, subjects, strict=True):
         rows = table[str(name)] = {}
         for known in wanted:
             try:
-                rows[known.name] = list(told_losses(known, subject))
+                rows[known.name] = list(export_losses(known, subject))
             except UnreachableError as error:
                 rows[known.name] = [f"Cannot be written: {error}"]
     if options.json:

@@ -1,7 +1,7 @@
-"""How an export tells its progress: a bar for a person, or lines for the program that has started it.
+"""Progress of an export: a bar for a person, or lines for the program that has started it.
 
 With ``--follow`` each step is a line of JSON on standard output, ``{"fraction": 0.5, "what": "drawing"}``, and the
-export is cancelled when standard input ends: so it ends with whoever started it, too, and takes its unfinished
+export is cancelled when standard input ends: so it ends with the program that started it, too, and takes its unfinished
 files along.
 """
 
@@ -32,7 +32,7 @@ def add_export(command: argparse.ArgumentParser) -> None:
 
 @contextmanager
 def export_progress(what: str, options: argparse.Namespace) -> Iterator[Progress]:
-    """Yield the callback that tells the progress of the body as the options ask for it."""
+    """Yield the callback that reports the progress of the body as the options ask for it."""
     if not options.follow:
         with progress_bar(what, quiet=options.json) as progress:
             yield progress
@@ -47,12 +47,12 @@ def export_progress(what: str, options: argparse.Namespace) -> Iterator[Progress
 
     threading.Thread(target=wait_for_the_end, daemon=True).start()
 
-    def tell(fraction: float, doing: str) -> None:
+    def report(fraction: float, doing: str) -> None:
         if ended.is_set():
             raise Cancelled
         try:
             print(json.dumps({"fraction": round(fraction, 4), "what": doing}), flush=True)
-        except BrokenPipeError as error:  # nobody reads any more
+        except BrokenPipeError as error:  # the reader is gone
             raise Cancelled from error
 
-    yield tell
+    yield report

@@ -24,7 +24,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "factorize",
         help="write anything that reflects as a product of textures",
         description="Factor a reflectance into a product of maps, f_r = alpha p(wo) q(h) p(wi) or any other, by least "
-        "squares of the logarithm (McCool, Ang and Ahmad 2001), with the specular peak apart, and tell how near the "
+        "squares of the logarithm (McCool, Ang and Ahmad 2001), with the specular peak apart, and report how near the "
         "product comes. The paint or table that is written opens in all programs.",
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -95,7 +95,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Factor, write and tell."""
+    """Factor, write the paint and print a summary."""
     from brdf_suite.documents.store import PAINT_ENDING
     from brdf_suite.errors import FileError
     from brdf_suite.pipeline.factoring import (
@@ -130,11 +130,11 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print_json({**found.to_json(), "file": str(options.output)})
     else:
-        print(_told(found, options.output))
+        print(_summary(found, options.output))
     return 0
 
 
-def _told(found: FactoredFit, output: Path) -> str:
+def _summary(found: FactoredFit, output: Path) -> str:
     near = found.accuracy
     peak = f", peak apart: {found.peak}" if found.peak else ""
     lines = [f"{found.name}: {found.samples:,} samples, {found.factors}{peak}, {found.solver}"]

@@ -36,7 +36,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         metavar="K",
         type=int,
         help="fit a designed or Cook-Torrance paint at K incidences (3 or more; 16 is usual) with weights that change "
-        "calmly between them, and tell the errors at other incidences",
+        "calmly between them, and report the errors at other incidences",
     )
     command.add_argument("--json", action="store_true", help="print one JSON object")
     command.set_defaults(run=run)

@@ -22,7 +22,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "fit-cook-torrance",
         help="fit Cook-Torrance lobes to a measured file and write them as a paint",
         description="Fit kd and lobes (ks, m, r) to a table, to samples, or to a material of RGL, by the mean of "
-        "|log(fit/measured)| (Günther et al. 2005, section 4.2), tell the errors and how well each parameter is known, "
+        "|log(fit/measured)| (Günther et al. 2005, section 4.2), report the errors and each parameter's uncertainty, "
         "and write a paint that every program opens.",
     )
     command.add_argument(
@@ -44,7 +44,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="cook-torrance (default), ggx, or ggx-clearcoat, whose last lobe is a coat over the rest",
     )
     command.add_argument(
-        "--compare", action="store_true", help="fit the other models too, and tell the errors side by side"
+        "--compare", action="store_true", help="fit the other models too, and print the errors side by side"
     )
     command.add_argument(
         "--loss",
@@ -80,13 +80,13 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Fit, write and tell."""
+    """Fit, write the files and print a summary."""
     from dataclasses import asdict, replace
 
     from brdf_suite.fitting.cook_torrance.settings import MODELS, Settings
     from brdf_suite.pipeline.cook_torrance_fit import fit_cook_torrance, fit_reflectance_lobes
     from brdf_suite.pipeline.cook_torrance_state import StartsFile
-    from brdf_suite.progress import part
+    from brdf_suite.progress import subrange
 
     settings = Settings(
         options.lobes,
@@ -107,14 +107,14 @@ def run(options: argparse.Namespace) -> int:
     with progress_bar("fitting", quiet=options.json) as progress:
         share = 1.0 / (1 + len(others))
         found = fit_cook_torrance(
-            options.reflectance, settings, state=state, progress=part(progress, 0.0, share)
+            options.reflectance, settings, state=state, progress=subrange(progress, 0.0, share)
         )
         beside = [
             fit_reflectance_lobes(
                 found.name,
                 found.reflectance,
                 replace(settings, model=model),  # type: ignore[arg-type] # one of the literals
-                progress=part(progress, share * (1 + k), share * (2 + k)),
+                progress=subrange(progress, share * (1 + k), share * (2 + k)),
             )
             for k, model in enumerate(others)
         ]
@@ -131,7 +131,7 @@ def run(options: argparse.Namespace) -> int:
             value["file"] = str(options.output)
         print_json(value)
         return 0
-    _tell(found)
+    _print_summary(found)
     if beside:
         print(f"the models side by side, within {settings.grazing_deg:g}°:")
         for row in rows:
@@ -173,7 +173,7 @@ def _write(found: FileFit, output: Path) -> None:
         write_brdftable(found.fit, output)
 
 
-def _tell(found: FileFit) -> None:
+def _print_summary(found: FileFit) -> None:
     fit, errors = found.fit, found.fit.standard_errors
     print(
         f"{found.name}: {fit.samples:,} samples, {fit.model.lobes} lobes of {fit.model.name}, {found.seconds:.1f} s"
@@ -206,5 +206,5 @@ def _colour(values: object, errors: object) -> str:
 
 
 def _number(value: float, error: float) -> str:
-    told = f" ± {error:<8.2g}" if math.isfinite(error) else "           "
-    return f"{value:9.4g}{told}"
+    uncertainty = f" ± {error:<8.2g}" if math.isfinite(error) else "           "
+    return f"{value:9.4g}{uncertainty}"

@@ -111,5 +111,5 @@ def _numbers(row: AngleRow) -> str:
     if row.verdict is None:
         return "        –  the standard has no reading"
     verdict = row.verdict
-    told = "" if verdict.passes is None else f"  {verdict_text(verdict)}"
-    return f"{verdict.difference:9.3f} {verdict.lightness:+8.2f} {verdict.chroma:+8.2f} {verdict.hue:+8.2f}{told}"
+    suffix = "" if verdict.passes is None else f"  {verdict_text(verdict)}"
+    return f"{verdict.difference:9.3f} {verdict.lightness:+8.2f} {verdict.chroma:+8.2f} {verdict.hue:+8.2f}{suffix}"

@@ -124,14 +124,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
             status = int(getattr(options, "run", programs.open_both)(options))
         finally:
             if sys.stdout is not None:  # None where the caller closed it
-                sys.stdout.flush()  # here and not at exit, where a failure can be told no more
+                sys.stdout.flush()  # here and not at exit, where a failure can no longer be reported
         return status
-    except BrokenPipeError:  # whoever read our output wants no more, as `head` does
+    except BrokenPipeError:  # the reader of our output wants no more, as `head` does
         _drop_output()
         return FAILED
     except OSError as error:
         if error.filename is not None or error.errno is None:
-            raise  # about a file: whoever opened it should have said so
+            raise  # about a file: the code that opened it should have reported it
         _drop_output()
         print(f"brdf-suite: the output cannot be written: {error.strerror}.", file=sys.stderr)
         return FAILED

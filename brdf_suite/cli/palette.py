@@ -1,4 +1,4 @@
-"""``brdf-suite palette``: convert palettes between the formats that people have, and tell what is in one."""
+"""``brdf-suite palette``: convert palettes between common formats, describe and search them."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare the command and its parts."""
     command = commands.add_parser(
         "palette",
-        help="convert a palette, tell what is in one, or find paints in it",
+        help="convert a palette, describe one, or find paints in it",
         description="Read palettes of every format that people have, known by their content: .brdfpalette, ASE, ACO, "
         "ACB, GPL, KPL, Scribus XML, SOC, PAL, ACT, SBZ, CxF3, CSS, JSON, CSV.",
     )
@@ -44,7 +44,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "convert",
         help="write a palette in another format",
         description="Read a palette and write it in the format that the ending of OUT names. What that format cannot "
-        "hold is told; OUT is written whole or not at all.",
+        "hold is reported; OUT is written whole or not at all.",
     )
     convert.add_argument("source", metavar="IN", type=Path, help="a palette of any format")
     convert.add_argument("target", metavar="OUT", type=Path, help="the file to write")
@@ -52,14 +52,14 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--format", choices=_FORMATS, help="the format (default: what the ending of OUT names)"
     )
     convert.add_argument(
-        "--list-losses", action="store_true", help="tell what the format cannot hold, and write nothing"
+        "--list-losses", action="store_true", help="list what the format cannot hold, and write nothing"
     )
     convert.add_argument("--json", action="store_true", help="print what was done as one JSON object")
     convert.set_defaults(run=run_convert)
     info = parts.add_parser(
         "info",
-        help="tell what is in a palette",
-        description="Tell a palette's format, groups and entries, each with its own numbers and what it looks like.",
+        help="describe a palette",
+        description="Print a palette's format, groups and entries, each with its own numbers and what it looks like.",
     )
     info.add_argument("file", metavar="FILE", type=Path, help="a palette of any format")
     info.add_argument("--json", action="store_true", help="print everything as one JSON object")
@@ -125,7 +125,8 @@ def run_info(options: argparse.Namespace) -> int:
                     for group in palette.groups
                 ],
                 "entries": [
-                    _told(entry, shown) for entry, shown in zip(palette, _shown(palette), strict=True)
+                    _entry_to_json(entry, shown)
+                    for entry, shown in zip(palette, _shown(palette), strict=True)
                 ],
                 "messages": notes,
             }
@@ -144,7 +145,7 @@ def run_info(options: argparse.Namespace) -> int:
             print(f"  {_line(entry)}")
         left -= len(entries)
     if left < 0:
-        print(f"  … and {-left:,} more; --json tells all")
+        print(f"  … and {-left:,} more; --json prints all")
     return 0
 
 
@@ -177,13 +178,13 @@ def _shown(palette: Palette) -> list[dict[str, object]]:
     return rows
 
 
-def _told(entry: Entry, shown: dict[str, object]) -> dict[str, object]:
+def _entry_to_json(entry: Entry, shown: dict[str, object]) -> dict[str, object]:
     from brdf_suite.documents.flat_colour import FlatColour
     from brdf_suite.documents.palette_store import flat_to_json
 
     content = entry.content
     kind = "flat" if isinstance(content, FlatColour) else type(content).__name__
-    told: dict[str, object] = {
+    found: dict[str, object] = {
         "name": entry.name,
         "kind": {
             "flat": "flat",
@@ -199,8 +200,8 @@ def _told(entry: Entry, shown: dict[str, object]) -> dict[str, object]:
         "date": entry.date,
     }
     if isinstance(content, FlatColour):
-        told["flat"] = flat_to_json(content)
-    return {**told, **shown}
+        found["flat"] = flat_to_json(content)
+    return {**found, **shown}
 
 
 def _line(entry: Entry) -> str:

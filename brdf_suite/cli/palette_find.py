@@ -20,8 +20,8 @@ def add(parts: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     find = parts.add_parser(
         "find",
         help="find the entries of a palette that are nearest to a paint",
-        description="Compare a paint with every entry of a palette at 15, 45 and 110° (light at 45°) by ΔE00 and tell "
-        "the nearest. A flat colour is the same at every angle.",
+        description="Compare a paint with every entry of a palette at 15, 45 and 110° (light at 45°) by ΔE00 and "
+        "report the nearest. A flat colour is the same at every angle.",
     )
     find.add_argument("paint", metavar="PAINT", help="a shipped paint, a paint's file, or a measured file")
     find.add_argument(

@@ -48,33 +48,33 @@ def open_both(options: argparse.Namespace) -> int:
     if missing is not None:
         return _render_instead(missing, paint)
     arguments = [paint] if paint else []
-    # Both show the paint that was asked for; the Viewer, told of one by name, would otherwise stay with it.
+    # Both show the requested paint; a Viewer that has received one by name would otherwise keep it.
     own = {"viewer": ["--follow"]}
-    # A flag and not an exception: wherever a signal finds us, no program is left behind. Told to end, the command takes
+    # A flag and not an exception: wherever a signal arrives, no program is left behind. Asked to end, the command takes
     # its windows with it; each keeps its unsaved work for the next start.
-    told: list[int] = []
+    received: list[int] = []
     before = {
-        number: signal.signal(number, lambda number, _frame: told.append(number))
+        number: signal.signal(number, lambda number, _frame: received.append(number))
         for number in (signal.SIGINT, signal.SIGTERM)
     }
     running: dict[str, subprocess.Popen[bytes]] = {}
     try:
         for name in _OPENED:
             running[name] = subprocess.Popen(child_command(PROGRAMS[name][0], *arguments, *own.get(name, [])))
-        status = _wait_for(running, told)
+        status = _wait_for(running, received)
     finally:
         _end(running)
         for number, handler in before.items():
             signal.signal(number, handler)
-    if told:
+    if received:
         raise KeyboardInterrupt
     return status
 
 
-def _wait_for(running: dict[str, subprocess.Popen[bytes]], told: list[int]) -> int:
+def _wait_for(running: dict[str, subprocess.Popen[bytes]], received: list[int]) -> int:
     """Wait until no program runs or a signal came; what ended is taken out of ``running``. 1: one failed."""
     status = 0
-    while running and not told:
+    while running and not received:
         for name, process in list(running.items()):
             code = process.poll()
             if code is None:

@@ -1,4 +1,4 @@
-"""Images that are larger than the lobes can tell, made smaller by area while they are read."""
+"""Images larger than the lobes can resolve, reduced by area while they are read."""
 
 from __future__ import annotations
 
@@ -53,10 +53,10 @@ def read_reduced(height: int, width: int, read_rows: ReadRows) -> tuple[NDArray[
         block = read_rows(first * by, last * by)
         if by > 1:
             cells = block[:, : columns * by].reshape(last - first, by, columns, by, 3)
-            with np.errstate(invalid="ignore", over="ignore"):  # repaired, and told, with all else
+            with np.errstate(invalid="ignore", over="ignore"):  # repaired and reported with all else
                 block = cells.mean(axis=(1, 3), dtype=np.float32)
         result[first:last] = block
     if by == 1:
         return result, ()
     sizes = f"{width:,} × {height:,} pixels were reduced by area to {columns:,} × {rows:,}"
-    return result, (f"{sizes}, which is all that the lobes can tell",)
+    return result, (f"{sizes}, which is all that the lobes resolve",)

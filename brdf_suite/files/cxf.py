@@ -2,7 +2,7 @@
 
 What is read of a sample, in this order: L*a*b*, LCh or XYZ of D65 and the 10° observer as they stand; else the
 reflectance spectrum, from which L*a*b* follows exactly. Tristimulus values of another light or observer are refused:
-without the spectrum nobody knows what the sample looks like under D65, and an adaptation would only be a guess.
+without the spectrum the sample's colour under D65 is unknown, and an adaptation would only be a guess.
 
 A value belongs to the one angle of its ColorSpecification; where that lists several, to the one whose notation is the
 value's name. A damaged or hostile file is refused whole, with the line.

@@ -45,7 +45,7 @@ class CxfReading:
 class CxfSample:
     """A sample with at least one reading at a multi-angle geometry.
 
-    ``kind`` is the file's own word (Standard, Sample, Target …); ``gloss`` is None where the file does not tell.
+    ``kind`` is the file's own word (Standard, Sample, Target …); ``gloss`` is None where the file does not state it.
     ``settings`` are further fields of a paint, flakes among them, that this suite wrote as tags.
     """
 

@@ -113,7 +113,7 @@ def to_rgb(
     weights = rgb_to_xyz(chromaticities)[1].astype(np.float32)
     with np.errstate(
         invalid="ignore", over="ignore"
-    ):  # what is not finite is repaired, and told, with all else
+    ):  # what is not finite is repaired, and reported with all else
         red = (_full(planes["RY"], shape) + 1.0) * first
         blue = (_full(planes["BY"], shape) + 1.0) * first
         green = (first - weights[0] * red - weights[2] * blue) / weights[1]

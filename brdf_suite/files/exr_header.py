@@ -219,7 +219,7 @@ def _check_chunks(
 ) -> None:
     """Check that the table of ``count`` chunk offsets is whole, and that the last chunk lies within the file.
 
-    ``head``: bytes of a chunk before its data, the last four of which tell the data's size.
+    ``head``: bytes of a chunk before its data, the last four of which hold the data's size.
     """
     place = reader.at
     offsets = struct.unpack(f"<{count}Q", reader.take(8 * count))

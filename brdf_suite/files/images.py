@@ -47,7 +47,7 @@ class ImageData:
     notes
         What was assumed or repaired, each a clause for the user; empty where nothing was.
     layout
-        The layout that the file names (``exr_cube``); ``None`` where only its shape tells.
+        The layout that the file names (``exr_cube``); ``None`` where it follows from the shape alone.
     """
 
     pixels: NDArray[np.float32]
@@ -91,8 +91,8 @@ def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
         pixels = pixels @ matrix.T
     # After the conversion: a saturated colour of narrower primaries is a sound one in the working space.
     pixels, clipped = clip_negative(pixels)
-    told = (*notes, *repairs, *clipped, *note_darkness(pixels))
-    return ImageData(np.ascontiguousarray(pixels), told, layout)
+    notices = (*notes, *repairs, *clipped, *note_darkness(pixels))
+    return ImageData(np.ascontiguousarray(pixels), notices, layout)
 
 
 def _first_bytes(path: str | os.PathLike[str]) -> bytes:

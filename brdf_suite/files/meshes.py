@@ -45,7 +45,7 @@ def read_mesh(path: str | os.PathLike[str], unit: str = "file") -> Mesh:
         A file whose name ends in one of :data:`MESH_ENDINGS`.
     unit
         The unit of the lengths in the file, one of ``m``, ``cm``, ``mm``, ``in``; ``file``: metres, or what the size
-        tells where that is no size for an object in metres.
+        reports where that is no size for an object in metres.
 
     Raises
     ------

@@ -2,7 +2,7 @@
 
 Format: G. Ward, "Real Pixels", Graphics Gems II (1991), and the Radiance reference manual, "File Formats".
 A pixel is four bytes: three mantissas and a shared exponent e; a channel is (mantissa + 1/2)·2^(e - 136), and
-0 where e is 0. ``EXPOSURE`` and ``COLORCORR`` lines tell by what the stored values were multiplied; they are
+0 where e is 0. ``EXPOSURE`` and ``COLORCORR`` lines state the factors applied to the stored values; they are
 divided out, so that the result is radiance.
 """
 

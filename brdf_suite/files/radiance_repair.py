@@ -50,7 +50,7 @@ def repair_non_finite(pixels: NDArray[np.float32]) -> tuple[NDArray[np.float32],
 
 
 def clip_negative(pixels: NDArray[np.float32]) -> tuple[NDArray[np.float32], list[str]]:
-    """Return pixels (h, w, 3) with negative radiance set to 0, and a note that tells how much that was."""
+    """Return pixels (h, w, 3) with negative radiance set to 0, and a note that states how much that was."""
     negative = pixels < 0.0
     if not negative.any():
         return pixels, []

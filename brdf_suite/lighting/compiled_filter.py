@@ -22,7 +22,7 @@ from brdf_suite.lighting.face_array import FaceArray, scale_of
 from brdf_suite.lighting.harmonics import legendre_starts, worker_count
 from brdf_suite.lighting.latlong import column_angles, ring_angles
 from brdf_suite.lighting.ring_to_cube import WIDTH, fast_even, kernel, kernel_transform, rings_for
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 _RING_PAIRS = 128  # read at once: 50 MB with their spectrum where the map is 8,192 wide
 _BLOCK_RINGS = 192  # ring pairs at once in a synthesis: what stays in the nearest cache
@@ -74,7 +74,7 @@ def analyse(
                 )
 
             _all(pool, transform, range(6))
-            step = part(progress, begin / half, min(1.0, (begin + size) / half))
+            step = subrange(progress, begin / half, min(1.0, (begin + size) / half))
             _all(pool, sum_up, range(0, bandlimit + 1, _ORDERS), step, "analysing the environment")
     return result.view(np.complex128)
 
@@ -92,8 +92,8 @@ def cube(
     result: what is used again need not be fetched from the system for every map.
     """
     with ThreadPoolExecutor(worker_count()) as pool:
-        orders = _fine_rings(pool, coefficients, gains, part(progress, 0.0, 0.5))
-        return _faces(pool, orders, _within(room, size), part(progress, 0.5, 1.0))
+        orders = _fine_rings(pool, coefficients, gains, subrange(progress, 0.0, 0.5))
+        return _faces(pool, orders, _within(room, size), subrange(progress, 0.5, 1.0))
 
 
 def resampled(pixels: Singles, size: int, room: Singles | None = None) -> Singles:

@@ -19,7 +19,7 @@ from brdf_suite.lighting.zonal import (
     lobe_coefficients,
     lobe_tail,
 )
-from brdf_suite.progress import Progress, part
+from brdf_suite.progress import Progress, subrange
 
 _BRIGHT_TEXELS = 16
 _MIN_RINGS = 256
@@ -96,19 +96,19 @@ class LobeFilter:
             limit = self.largest_exponent
             raise ValueError(f"the exponent must be 0…{limit:.0f} for {self.rings} rings, not {exponent}")
         bandlimit = lobe_bandlimit(exponent)
-        self.analyse(bandlimit, part(progress, 0.0, 0.5))
+        self.analyse(bandlimit, subrange(progress, 0.0, 0.5))
         assert self._coefficients is not None
         gains = lobe_coefficients(exponent, bandlimit)
         faces: NDArray[np.float32] | NDArray[np.float64]
         if self._kernels is not None:
-            faces = self._kernels.cube(self._coefficients, gains, size, part(progress, 0.5, 1.0), room)
+            faces = self._kernels.cube(self._coefficients, gains, size, subrange(progress, 0.5, 1.0), room)
         else:
             degree = np.arange(bandlimit + 1)
             total = degree[:, None] + degree[None, :]
             of_total = np.where(total <= bandlimit, gains[np.minimum(total, bandlimit)], 0.0)
             scaled = self._coefficients[: bandlimit + 1, : bandlimit + 1] * of_total[:, :, None]
             cosines = np.cos(ring_angles(rings_for(bandlimit)))
-            faces = cube_from_rings(synthesise(scaled, cosines, part(progress, 0.5, 0.9)), size)
+            faces = cube_from_rings(synthesise(scaled, cosines, subrange(progress, 0.5, 0.9)), size)
         if bandlimit == BROAD_BANDLIMIT and exponent < BROAD_BANDLIMIT / 8.0:
             faces += self._bright_tail(exponent, bandlimit, size)
         return faces

@@ -17,7 +17,7 @@ from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.lighting.lobe_filter import LobeFilter, ring_count
 from brdf_suite.lighting.texel_values import pack_background, pack_lobe
 from brdf_suite.lighting.zonal import BROAD_BANDLIMIT, largest_exponent, lobe_bandlimit
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 ALGORITHM_VERSION = 4
 """Raised with every change of the numbers; part of the cache's key."""
@@ -107,7 +107,7 @@ def prefilter(
         if not np.isfinite(exponent) or exponent <= 0.0:
             raise ValueRangeError(f"exponents[{index}]", f"must be a finite number above 0, not {exponent}")
     report(progress, 0.0, "reading the environment's rings")
-    lobe_filter = LobeFilter(environment.radiance, part(progress, 0.0, 0.0))
+    lobe_filter = LobeFilter(environment.radiance, subrange(progress, 0.0, 0.0))
     smooth = filtered_exponents(environment, wanted)
     costs = np.array([600.0 * lobe_bandlimit(e) ** 2 + 100.0 * face_size(e) ** 2 for e in smooth])
     ends = 0.9 * np.cumsum(costs) / costs.sum()
@@ -119,9 +119,9 @@ def prefilter(
     largest = max(background_size(environment), *(face_size(e) for e in smooth))
     room = np.empty(18 * largest * largest, dtype=np.float32) if lobe_filter.compiled else None
     for index, exponent in enumerate(smooth):
-        step = part(progress, float(ends[index - 1]) if index else 0.0, float(ends[index]))
-        lobe_filter.analyse(first if limits[index] <= first else max(limits), part(step, 0.0, 0.5))
-        faces = lobe_filter.lobe(exponent, face_size(exponent), part(step, 0.5, 1.0), room)
+        step = subrange(progress, float(ends[index - 1]) if index else 0.0, float(ends[index]))
+        lobe_filter.analyse(first if limits[index] <= first else max(limits), subrange(step, 0.0, 0.5))
+        faces = lobe_filter.lobe(exponent, face_size(exponent), subrange(step, 0.5, 1.0), room)
         maps[exponent] = pack_lobe(faces)
         report(step, 1.0, f"lobe {exponent:g} is filtered")
         if ready is not None:

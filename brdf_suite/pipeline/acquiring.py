@@ -30,7 +30,7 @@ from brdf_suite.pipeline.acquiring_source import (
     SeriesKind,
     Stack,
 )
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 if TYPE_CHECKING:
@@ -232,9 +232,9 @@ class Acquisition:
 
     def calibrate(self, progress: Progress | None = None) -> Calibration:
         """Take all steps before the table."""
-        self.calibrate_response(part(progress, 0.0, 0.3))
-        self.calibrate_intrinsics(part(progress, 0.3, 0.35))
-        self.calibrate_geometry(part(progress, 0.35, 1.0))
+        self.calibrate_response(subrange(progress, 0.0, 0.3))
+        self.calibrate_intrinsics(subrange(progress, 0.3, 0.35))
+        self.calibrate_geometry(subrange(progress, 0.35, 1.0))
         return self.calibration
 
     def merged(self, k: int, progress: Progress | None = None) -> Merged:

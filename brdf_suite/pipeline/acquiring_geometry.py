@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.errors import AcquisitionError
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 if TYPE_CHECKING:
     from brdf_suite.acquisition.merge import Merged
@@ -55,7 +55,7 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
 
     angles = tuple(position.angle_deg for position in road.session.positions)
     shiny = highlight_positions(angles, road.positions) if road.options.refine else ()
-    union, kept = _read(road, union_positions(angles, road.positions), shiny, part(progress, 0.0, 0.8))
+    union, kept = _read(road, union_positions(angles, road.positions), shiny, subrange(progress, 0.0, 0.8))
     left_out: dict[int, str] = {}
     picture = np.asarray(union.picture, np.float32)
     lens = None if road.intrinsics is None else Lens.of(road.intrinsics.intrinsics)
@@ -84,7 +84,7 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
         if not road.options.refine:
             return FoundGeometry(picture, outline, (), None, outline.geometry, figures, notices, left_out)
         try:
-            refinement = calibrate_geometry(outline, find, part(progress, 0.8, 0.9))
+            refinement = calibrate_geometry(outline, find, subrange(progress, 0.8, 0.9))
         except AcquisitionError as error:
             # A matt sphere has none; what the session states of the lamp is then all there is.
             notices += (
@@ -97,7 +97,7 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
             before = list(highlights)
             try:
                 union, outline, refinement = _where_it_stood(
-                    road, refinement, geometry, shiny, find, part(progress, 0.9, 1.0)
+                    road, refinement, geometry, shiny, find, subrange(progress, 0.9, 1.0)
                 )
             except AcquisitionError as error:
                 highlights[:] = before
@@ -143,10 +143,10 @@ def _where_it_stood(
     moved = frozenset(refinement.moved_positions)
     chosen = tuple(k for k in road.positions if k not in moved)
     angles = tuple(position.angle_deg for position in road.session.positions)
-    union, _ = _read(road, union_positions(angles, chosen), (), part(progress, 0.0, 0.5))
+    union, _ = _read(road, union_positions(angles, chosen), (), subrange(progress, 0.0, 0.5))
     outline = find_outline(union, geometry, road.mask(None))
     among = tuple(k for k in shiny if k not in moved)
-    again = calibrate_geometry(outline, lambda tried: find(tried, among), part(progress, 0.5, 1.0))
+    again = calibrate_geometry(outline, lambda tried: find(tried, among), subrange(progress, 0.5, 1.0))
     movements = sorted((*refinement.movements, *again.movements), key=lambda row: row.before)
     return union, outline, replace(again, movements=tuple(movements))
 

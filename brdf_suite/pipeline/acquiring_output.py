@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from brdf_suite.errors import FileError
 from brdf_suite.pipeline.acquiring_options import Acquired
 from brdf_suite.pipeline.acquiring_table import kept_calibration, kept_positions, reconstruct
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 if TYPE_CHECKING:
@@ -48,10 +48,10 @@ def acquire(
     calibration = None if restart else kept_calibration(road, work)
     if calibration is None:
         _check_files(road, progress)
-        road.calibrate(part(progress, 0.0, 0.25))
+        road.calibrate(subrange(progress, 0.0, 0.25))
     else:
         road.take_calibration(calibration)
-    found = reconstruct(road, part(progress, 0.25, 0.99), work, restart=restart)
+    found = reconstruct(road, subrange(progress, 0.25, 0.99), work, restart=restart)
     write_acquired(found, output, overwrite=overwrite)
     work.unlink()
     return found

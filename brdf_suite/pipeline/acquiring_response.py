@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from brdf_suite.pipeline.acquiring_source import first_readable
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 if TYPE_CHECKING:
     from brdf_suite.acquisition.response import Response
@@ -67,7 +67,7 @@ def find_response(road: Acquisition, progress: Progress | None = None) -> FoundR
             None if dark is None else black_codes(dark.codes),
             linear=kind == "linear",
             known=srgb_response(camera.bit_depth) if kind == "srgb" else None,
-            progress=part(progress, 0.6, 1.0),
+            progress=subrange(progress, 0.6, 1.0),
         )
     found = "linear" if fit.response.linear else "recovered"
     figures = {

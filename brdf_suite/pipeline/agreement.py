@@ -32,7 +32,7 @@ from brdf_suite.pipeline.picture import OffscreenScene, material_weights
 from brdf_suite.pipeline.reference_scene import ReferenceScene, build_reference
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
 from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.tone_curves import display_light
 from brdf_suite.surface.mesh import Mesh
 
@@ -151,7 +151,7 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
             mesh, baked = bake_or_explain(mesh, view.surface_look)
         scene.set_surface(mesh, baked)
         for number, environment in enumerate(order.environments):
-            step = part(progress, number / count, (number + 1) / count)
+            step = subrange(progress, number / count, (number + 1) / count)
             yield from _compare(order, scene, environment, fits, mesh, step)
     report(progress, 1.0, "done")
 
@@ -170,11 +170,13 @@ def _compare(
     for number, paint in enumerate(order.paints):
         fit = fits[DEFAULT_FORM][paint]
         assert fit is not None  # what is not drawn otherwise is drawn as it is
-        step = part(progress, share * number / len(order.paints), share * (number + 1) / len(order.paints))
+        step = subrange(
+            progress, share * number / len(order.paints), share * (number + 1) / len(order.paints)
+        )
         truths[paint] = _truth(order, fit, paint, prepared, mesh, step)
     drawn = _drawn(order, scene, environment, prepared, fits, truths)
     for number, (paint, truth) in enumerate(truths.items()):
-        step = part(progress, share + (1.0 - share) * number / len(order.paints), 1.0)
+        step = subrange(progress, share + (1.0 - share) * number / len(order.paints), 1.0)
         yield _case(order, truth, prepared, mesh, drawn[paint], step)
 
 

@@ -38,7 +38,7 @@ from brdf_suite.pipeline.fit_errors import (
 from brdf_suite.pipeline.measuring import SCATTERED, is_measured_file, load_measurable
 from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit, fit_patiently
 from brdf_suite.pipeline.scene import find_any_paint
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.build import build_reflectance
 from brdf_suite.reflectance.layers import layered
 from brdf_suite.reflectance.models.coated import Coated
@@ -168,7 +168,7 @@ def fit_any(
         report(progress, 0.1, "fitting")
         # That samples are interpolated is true of reading them, not of fitting them.
         notices = tuple(notice for notice in item.notices if notice != SCATTERED)
-        fitting = part(progress, 0.1, 0.3)
+        fitting = subrange(progress, 0.1, 0.3)
         found = _named(
             path,
             lambda: fit_reflectance(item.name, item.reflectance, basis, notices=notices, progress=fitting),
@@ -178,7 +178,7 @@ def fit_any(
         report(progress, 0.1, "fitting")
         found = fit_document(paint, name_or_path, basis)
     if errors:
-        judging = part(progress, 0.3, 1.0)
+        judging = subrange(progress, 0.3, 1.0)
         held_out = held_out_errors(found.reflectance, found.weights, basis, judging)
         found = replace(found, held_out=held_out)
     report(progress, 1.0, "done")

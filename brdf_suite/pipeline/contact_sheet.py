@@ -19,7 +19,7 @@ from brdf_suite.pipeline.contact_sheet_painter import Painter
 from brdf_suite.pipeline.contact_sheet_pictures import SheetItem, caption, item_pictures
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target
 from brdf_suite.pipeline.swatch_look import Form
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.display import Display
 
 MOST_COLUMNS = 40
@@ -99,9 +99,9 @@ def write_sheet_of(
     columns = min(len(items), columns or max(1, round(math.sqrt(len(items) * cell[1] * 1.3 / cell[0]))))
     layout = Layout.of(title, subtitle, items, cell, columns)
     problems: list[str] = []
-    with item_pictures(view, cell, settings, Display(space), form, part(progress, 0.0, 0.2)) as pictures:
+    with item_pictures(view, cell, settings, Display(space), form, subrange(progress, 0.0, 0.2)) as pictures:
         painter = Painter(pictures, layout, problems)
-        rows = painter.strips(part(progress, 0.2, 1.0))
+        rows = painter.strips(subrange(progress, 0.2, 1.0))
         metadata = {
             "Software": "BRDF Suite",
             "Title": title,
@@ -130,7 +130,7 @@ def _write_pdf(
     from brdf_suite.pipeline.contact_sheet_pdf import DEFAULT_COLUMNS, pdf_sheet
 
     problems: list[str] = []
-    with item_pictures(view, cell, settings, Display(), form, part(progress, 0.0, 0.2)) as pictures:
+    with item_pictures(view, cell, settings, Display(), form, subrange(progress, 0.0, 0.2)) as pictures:
         data, pages, missing = pdf_sheet(
             title,
             subtitle,
@@ -139,7 +139,7 @@ def _write_pdf(
             columns or DEFAULT_COLUMNS,
             pictures.draw,
             problems,
-            part(progress, 0.2, 1.0),
+            subrange(progress, 0.2, 1.0),
         )
         notices = pictures.notices
     write_atomically(path, data)

@@ -20,7 +20,7 @@ from brdf_suite.pipeline.cook_torrance_plot import FitPlot, fit_plot
 from brdf_suite.pipeline.cook_torrance_samples import FitErrors, errors_of, samples_of
 from brdf_suite.pipeline.cook_torrance_state import StartsFile
 from brdf_suite.pipeline.measuring import load_measurable
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -93,7 +93,7 @@ def fit_cook_torrance(
     """
     report(progress, 0.0, "reading")
     item = load_measurable(name_or_path)
-    fitting = part(progress, 0.05, 1.0)
+    fitting = subrange(progress, 0.05, 1.0)
     try:
         return fit_reflectance_lobes(
             Path(item.name).stem or item.name, item.reflectance, settings, state=state, progress=fitting
@@ -116,9 +116,9 @@ def fit_reflectance_lobes(
     report(progress, 0.0, "samples")
     samples = samples_of(reflectance, settings)
     kept = None if state is None else StartsFile(state)
-    fit = fit_checked(samples, settings, kept=kept, progress=part(progress, 0.02, 0.8))
+    fit = fit_checked(samples, settings, kept=kept, progress=subrange(progress, 0.02, 0.8))
     errors, within = errors_of(
-        fit, reflectance, (90.0, settings.grazing_deg), samples.floor, part(progress, 0.8, 1.0)
+        fit, reflectance, (90.0, settings.grazing_deg), samples.floor, subrange(progress, 0.8, 1.0)
     )
     paint = None
     if settings.model == "cook-torrance":

@@ -48,7 +48,7 @@ from brdf_suite.geometry.factor_words import (
 )
 from brdf_suite.pipeline.measuring import load_measurable
 from brdf_suite.pipeline.reflectance_figures import is_isotropic
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.factored import Factored
 from brdf_suite.reflectance.factored_build import factored_of
 from brdf_suite.reflectance.protocol import Reflectance
@@ -159,7 +159,7 @@ def factor_any(
     report(progress, 0.0, "reading")
     item = load_measurable(name_or_path)
     try:
-        return factor_reflectance(item.name, item.reflectance, options, progress=part(progress, 0.1, 1.0))
+        return factor_reflectance(item.name, item.reflectance, options, progress=subrange(progress, 0.1, 1.0))
     except FittingError as error:
         raise FittingError(f"{item.name}: {error}") from error
 
@@ -183,7 +183,7 @@ def factor_reflectance(
     form: PeakForm | None = "map" if chosen.peak == "map" else "radial"
     if chosen.peak == "off" or (chosen.peak == "auto" and not isotropic):
         form = None
-    fitting = part(progress, 0.1, 0.9)
+    fitting = subrange(progress, 0.1, 0.9)
     if form is None:
         found, whole = _alone(samples, factors, chosen, fitting)
     else:

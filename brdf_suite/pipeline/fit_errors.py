@@ -35,7 +35,7 @@ from brdf_suite.geometry.directions import (
     mirror,
 )
 from brdf_suite.pipeline.measuring import ANGLE_SET, NEAR_MIRROR_DEG, hemisphere_pairs
-from brdf_suite.progress import Progress, part
+from brdf_suite.progress import Progress, subrange
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -179,7 +179,7 @@ def _by_folds(
     lobes = np.zeros_like(values)
     for k in range(_FOLDS):
         rest, mine = (fold != k) & seen, fold == k
-        fold_progress = part(progress, k / _FOLDS, (k + 1) / _FOLDS)
+        fold_progress = subrange(progress, k / _FOLDS, (k + 1) / _FOLDS)
         weights = fit_rows(rows.subset(rest), values[rest], basis, progress=fold_progress).weights
         lobes[mine] = weights.eval(rows.wi[mine], rows.wo[mine])
     away = angle_between(mirror(rows.wi), rows.wo) >= np.radians(NEAR_MIRROR_DEG)

@@ -106,7 +106,7 @@ def _measured(name: str, reflectance: Reflectance, document: AnyPaint | None, so
     return Subject(paint, document, reflectance, spectra)
 
 
-def told_losses(known: ExportFormat, subject: Subject) -> tuple[str, ...]:
+def export_losses(known: ExportFormat, subject: Subject) -> tuple[str, ...]:
     """Return what a format cannot hold of a paint, with the paint's name before what makes it impossible."""
     try:
         return known.losses(subject)
@@ -147,7 +147,7 @@ def export(
         raise ValueRangeError("paints", f"a file of {known.title} takes one paint, not {len(subjects)}")
     report(progress, 0.0, "reading")
     # All losses before anything is written: what cannot be handed over at all is found here, too.
-    losses = tuple(dict.fromkeys(loss for subject in subjects for loss in told_losses(known, subject)))
+    losses = tuple(dict.fromkeys(loss for subject in subjects for loss in export_losses(known, subject)))
     notes = known.write(subjects, path, progress)
     report(progress, 1.0, "written")
     return Exported(Path(path), known.name, len(subjects), losses, notes)

@@ -9,7 +9,7 @@ from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.prefilter import prefilter
 from brdf_suite.pipeline.environments import draw_light
 from brdf_suite.pipeline.scene import Partial, PreparedEnvironment, prepare_environment
-from brdf_suite.progress import Progress, part
+from brdf_suite.progress import Progress, subrange
 
 _DRAWING_SHARE = 0.3
 
@@ -25,7 +25,7 @@ def prepare_light(
 
     A draft never says that it is final; ``partial`` as for :func:`brdf_suite.pipeline.scene.load_environment`.
     """
-    made = draw_light(light, part(progress, 0.0, _DRAWING_SHARE), draft=draft)
+    made = draw_light(light, subrange(progress, 0.0, _DRAWING_SHARE), draft=draft)
 
     def hand_out(value: PreparedEnvironment) -> None:
         if partial is not None:
@@ -33,6 +33,6 @@ def prepare_light(
 
     environment = Environment(light.name, made.radiance, (made.comment.rstrip("."),))
     prepared = prepare_environment(
-        light.name, environment, prefilter, part(progress, _DRAWING_SHARE, 1.0), partial=hand_out
+        light.name, environment, prefilter, subrange(progress, _DRAWING_SHARE, 1.0), partial=hand_out
     )
     return replace(prepared, draft=draft)

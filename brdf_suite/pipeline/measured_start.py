@@ -20,8 +20,8 @@ from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry, GeometrySe
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Interpolation, Lab, Measurement, Paint
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.pipeline.measuring import Measurable, load_measurable
-from brdf_suite.progress import Progress, part, report
-from brdf_suite.reflectance.misses import told_misses
+from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reflectance.misses import interpolation_notices
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.spectrophotometer import measure
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
@@ -111,7 +111,7 @@ def load_start(
     """
     report(progress, 0.0, f"reading {Path(name_or_path).name}")
     item = load_measurable(name_or_path)
-    return measured_start(item, geometry_set, part(progress, 0.5, 1.0))
+    return measured_start(item, geometry_set, subrange(progress, 0.5, 1.0))
 
 
 def measured_start(
@@ -238,7 +238,12 @@ def _nearest_rule(
                 geometries.geometries, original, given, delta_e_2000(original, given), strict=True
             )
         )
-        found[rule] = candidate, used, rows, [*told, *design.notices, *told_misses(candidate, design)]
+        found[rule] = (
+            candidate,
+            used,
+            rows,
+            [*told, *design.notices, *interpolation_notices(candidate, design)],
+        )
     if not found:
         assert refused is not None
         return refused[0], refused[1], (), refused[2]

@@ -22,7 +22,7 @@ from brdf_suite.fitting.lobes.fitter import LobeFit, LobeFitter
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.reflectance.build import build_paint
-from brdf_suite.reflectance.misses import told_misses
+from brdf_suite.reflectance.misses import interpolation_notices
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.several_lights import SeveralLights
 
@@ -188,7 +188,9 @@ class PaintFitter:
         fit = self._fitter.fit(reflectance)
         seconds = perf_counter() - start
         notices = (
-            reflectance.notices + told_misses(paint, reflectance) + _light_notice(reflectance, fit.weights)
+            reflectance.notices
+            + interpolation_notices(paint, reflectance)
+            + _light_notice(reflectance, fit.weights)
         )
         return PaintFit(paint, reflectance, fit, _results(paint, fit.weights), notices, seconds)
 

@@ -19,7 +19,7 @@ from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.palette_columns import Columns
 from brdf_suite.pipeline.palette_search import lower_bound
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 LARGEST_TOLERANCE = 20.0
 _ROWS = 32
@@ -75,16 +75,16 @@ def duplicates(
     rank = np.empty(len(order), np.intp)
     rank[order] = np.arange(len(order))
     rows, row_of = rows[order].reshape(len(order), -1, 3), rank[row_of]
-    roots = _roots(rows, tolerance, part(progress, 0.0, _JOINED))
+    roots = _roots(rows, tolerance, subrange(progress, 0.0, _JOINED))
     # Each group's entries together, by its root, in the palette's order.
     of_place = roots[row_of]
     members = np.split(places[np.argsort(of_place, kind="stable")], _steps(np.sort(of_place)))
     own_rows = np.split(np.argsort(roots, kind="stable"), _steps(np.sort(roots)))
-    found, rest, done = [], part(progress, _JOINED, 1.0), 0
+    found, rest, done = [], subrange(progress, _JOINED, 1.0), 0
     for group, own in zip(members, own_rows, strict=True):
         if len(group) > 1:
             low, high = done / len(rows), (done + len(own)) / len(rows)
-            widest, chained = _spread(rows[own], tolerance, part(rest, low, high))
+            widest, chained = _spread(rows[own], tolerance, subrange(rest, low, high))
             found.append(DuplicateGroup(tuple(group.tolist()), widest, chained))
         done += len(own)
     report(progress, 1.0, "compared")

@@ -34,7 +34,7 @@ from brdf_suite.pipeline.raytraced_parts import Parts, Same, Size, Wanted, mater
 from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.backdrop import plain_backdrop
 from brdf_suite.realtime.tone_curves import to_display
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, PRESETS, Quality, quality_of
@@ -335,14 +335,14 @@ class RaytracedSession:
             "environment",
             light,
             lambda: read_environment(
-                find_environment(view.environment)[1], view.environment_layout, part(progress, 0.2, 0.6)
+                find_environment(view.environment)[1], view.environment_layout, subrange(progress, 0.2, 0.6)
             ),
         )
         look = replace(view.surface_look, materials=(), occlusion=True, ground=False)
         mesh = mesh or keep(
             "loaded",
             (view.surface, file_stamp(view.surface), look),
-            lambda: load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.9)),
+            lambda: load_shaped(view.surface, view.surface_look, subrange(progress, 0.6, 0.9)),
         )
         return Wanted(traced, environment, mesh, view, size, quality, tables)
 

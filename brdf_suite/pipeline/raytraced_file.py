@@ -16,7 +16,7 @@ from brdf_suite.pipeline.picture_file import check_target
 from brdf_suite.pipeline.raytraced import RaytracedImage, RaytracedSession, too_large
 from brdf_suite.pipeline.raytraced_parts import Size
 from brdf_suite.pipeline.traced_picture import TracedPicture, told_of
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, Quality, quality_of
 
 if TYPE_CHECKING:
@@ -68,14 +68,14 @@ def render_raytraced(
     chosen = quality_of(quality)
     report(progress, 0.0, "starting the ray tracer")
     session = RaytracedSession()
-    scene = session.show(paint, view, size, chosen, part(progress, 0.0, 0.05), tables=tables)
+    scene = session.show(paint, view, size, chosen, subrange(progress, 0.0, 0.05), tables=tables)
     kept = path.with_name(path.name + ".raytraced.part.exr")
     begun = None if fresh or not kept.exists() else read_sums(kept, scene.key)
     end = samples or chosen.samples
     if begun is not None and begun.samples > end:
         begun = None
     newest: RaytracedImage | None = RaytracedImage(scene, begun) if begun else None
-    tracing = part(progress, 0.05, 0.98)
+    tracing = subrange(progress, 0.05, 0.98)
     clock = _Clock(end, begun.samples if begun else 0, seconds)
     report(tracing, 0.0, "tracing")
     last = perf_counter()

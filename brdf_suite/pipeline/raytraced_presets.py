@@ -21,7 +21,7 @@ from brdf_suite.pipeline.agreement import Errors, errors_of
 from brdf_suite.pipeline.exposure import ev_of
 from brdf_suite.pipeline.raytraced import PRESETS, Quality, RaytracedSession
 from brdf_suite.pipeline.reference_scene import Size, prepare_reference
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.tone_curves import display_light
 
 Pixels = NDArray[np.float64]
@@ -87,7 +87,7 @@ def compare_presets(
         surface_look=replace(view.surface_look, ground=SurfaceLook().ground),
         exposure_mode="locked",
     )
-    scene = prepare_reference(paint, view, size, progress=part(progress, 0.0, 0.05))
+    scene = prepare_reference(paint, view, size, progress=subrange(progress, 0.0, 0.05))
     trace_pass(scene.traced, 1, 0)  # compiles
     estimate, paths = Estimate.nothing(size), []
     spent, steps = 0.0, []

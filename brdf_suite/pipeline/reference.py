@@ -15,7 +15,7 @@ from brdf_suite.pipeline.picture_file import PictureSettings, check_target
 from brdf_suite.pipeline.reference_file import check_settings, write_reference
 from brdf_suite.pipeline.reference_scene import ReferenceScene, Size, prepare_reference
 from brdf_suite.pipeline.traced_picture import TracedPicture, told_of
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 if TYPE_CHECKING:
     from brdf_suite.reference.passes import Estimate
@@ -67,7 +67,7 @@ def render_reference(
     if denoise:
         _check_denoiser()
     try:
-        scene = prepare_reference(paint, view, size, progress=part(progress, 0.0, 0.05))
+        scene = prepare_reference(paint, view, size, progress=subrange(progress, 0.0, 0.05))
     except MemoryError as error:
         raise _too_large(size) from error
     state = path.with_name(path.name + ".part.exr")
@@ -94,7 +94,7 @@ def render_reference(
             samples=samples,
             seconds=seconds,
             estimate=begun,
-            progress=part(progress, 0.05, 0.98),
+            progress=subrange(progress, 0.05, 0.98),
             kept=kept,
         )
     except BaseException as error:

@@ -33,7 +33,7 @@ from brdf_suite.pipeline.reference_scene import ReferenceScene, Size, build_refe
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.pipeline.surface_images import ImageRequest
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.surface.mesh import Mesh
 
 if TYPE_CHECKING:
@@ -183,14 +183,14 @@ class LiveReference:
             "environment",
             light,
             lambda: read_environment(
-                find_environment(view.environment)[1], view.environment_layout, part(progress, 0.2, 0.6)
+                find_environment(view.environment)[1], view.environment_layout, subrange(progress, 0.2, 0.6)
             ),
         )
         look = replace(view.surface_look, materials=(), occlusion=True, ground=False)
         mesh = mesh or self._keep(
             "surface",
             (view.surface, file_stamp(view.surface), look),
-            lambda: load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.9)),
+            lambda: load_shaped(view.surface, view.surface_look, subrange(progress, 0.6, 0.9)),
         )
         request = ImageRequest.of(view)
         files = (request.normal_map, request.mask, request.second_paint)

@@ -37,7 +37,7 @@ from brdf_suite.pipeline.reference_paint import (
 from brdf_suite.pipeline.reference_paint import load_reflectance as load_reflectance
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.backdrop import BLUR_EXPONENT, plain_backdrop
 from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.stock_materials import stock_materials
@@ -166,8 +166,8 @@ def prepare_reference(
     traced = load_traced(paint, view)
     report(progress, 0.3, "reading the environment")
     _, path = find_environment(view.environment)
-    environment = read_environment(path, view.environment_layout, part(progress, 0.3, 0.6))
-    mesh = load_shaped(view.surface, view.surface_look, part(progress, 0.6, 0.8))
+    environment = read_environment(path, view.environment_layout, subrange(progress, 0.3, 0.6))
+    mesh = load_shaped(view.surface, view.surface_look, subrange(progress, 0.6, 0.8))
     return build_reference(
         traced.name,
         traced.reflectance,

@@ -24,7 +24,7 @@ from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject
 from brdf_suite.files.exports.json_document import flop_of
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.pipeline.standard import AngleRow, BatchReport, Standard, judge_batch
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.glossmeter import gloss_reading
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -132,7 +132,7 @@ def build_report(subject: Subject, options: ReportOptions, progress: Progress | 
     if options.pictures:
         from brdf_suite.pipeline.report_pictures import draw_pictures
 
-        pictures = draw_pictures(fit, options.view, options.scale, part(progress, 0.1, 0.9))
+        pictures = draw_pictures(fit, options.view, options.scale, subrange(progress, 0.1, 0.9))
     angles = _angles(subject, light)
     model = _lab_over(fit.reflectance, light, angles)
     curves = [

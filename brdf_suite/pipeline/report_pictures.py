@@ -11,7 +11,7 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.relit import refit_under
 from brdf_suite.pipeline.still import loaded_scene
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.display import Display
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def draw_pictures(
     pictures = []
     for index, (scene, (width, height)) in enumerate(scenes):
         size = (max(16, round(width * scale)), max(16, round(height * scale)))
-        step = part(progress, index / len(scenes), (index + 1) / len(scenes))
+        step = subrange(progress, index / len(scenes), (index + 1) / len(scenes))
         pictures.append(_draw(fit, scene, size, step))
     return tuple(pictures)
 
@@ -53,7 +53,7 @@ def _draw(fit: AnyFit, view: View, size: tuple[int, int], progress: Progress | N
     from PIL import Image
 
     view = replace(view, clipping_marks=False, gamut_marks=False)
-    with loaded_scene(view, part(progress, 0.0, 0.8)) as loaded:
+    with loaded_scene(view, subrange(progress, 0.0, 0.8)) as loaded:
         loaded.scene.set_paint_fit(refit_under(fit, view.light_colour))
         report(progress, 0.8, "drawing")
         renderer = loaded.scene.renderer

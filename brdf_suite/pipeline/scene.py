@@ -24,7 +24,7 @@ from brdf_suite.lighting.prefilter import LobeMaps, Ready
 from brdf_suite.pipeline.environments import AUTOMATIC, read_environment
 from brdf_suite.pipeline.partial_maps import PartialMaps
 from brdf_suite.pipeline.shading_maps import map_exponents
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.resources import resource, resource_names
 from brdf_suite.surface.mesh import Mesh
 
@@ -208,13 +208,13 @@ def load_environment(
     """
     name, path = find_environment(name_or_path)
     report(progress, 0.0, f"reading {path.name}")
-    environment = read_environment(path, layout, part(progress, 0.0, _READING_SHARE))
+    environment = read_environment(path, layout, subrange(progress, 0.0, _READING_SHARE))
     if columns is not None:
         environment = narrowed(environment, columns)
     store = cache or MapCache()
     told = len(store.notices)
     prepared = prepare_environment(
-        name, environment, store.get_or_compute, part(progress, _READING_SHARE, 1.0), basis, partial
+        name, environment, store.get_or_compute, subrange(progress, _READING_SHARE, 1.0), basis, partial
     )
     return replace(prepared, notices=tuple(store.notices[told:]))
 

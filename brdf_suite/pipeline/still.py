@@ -19,7 +19,7 @@ from brdf_suite.pipeline.scene import PreparedEnvironment, find_environment, loa
 from brdf_suite.pipeline.smaller_maps import with_smaller_maps
 from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
 from brdf_suite.pipeline.surface_images import ImageRequest, load_surface_images
-from brdf_suite.progress import Progress, part, report, stage
+from brdf_suite.progress import Progress, report, stage, subrange
 from brdf_suite.realtime.camera import compose
 from brdf_suite.surface.mesh import Mesh
 
@@ -91,7 +91,7 @@ def loaded_scene(
         maps_s = perf_counter() - start
         scene.set_environment(prepared)
         scene.set_surface_images(load_surface_images(ImageRequest.of(view)))
-        mesh, baked = bake_or_explain(mesh, view.surface_look, part(progress, 0.6, 1.0))
+        mesh, baked = bake_or_explain(mesh, view.surface_look, subrange(progress, 0.6, 1.0))
         scene.set_surface(mesh, baked)
         yield LoadedScene(scene, prepared, mesh, maps_s)
 
@@ -128,7 +128,7 @@ def render_to_file(
     settings.of_file(path)
     check_target(path)
     fit = refit_under(fit_any(paint, errors=False), view.light_colour)
-    with loaded_scene(view, part(progress, 0.0, 0.8)) as loaded:
+    with loaded_scene(view, subrange(progress, 0.0, 0.8)) as loaded:
         loaded.scene.set_paint_fit(fit)
         start = perf_counter()
         # The picture's words tell the exposure that was measured, where it is automatic.

@@ -26,7 +26,7 @@ from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.pipeline.turning import turned
 from brdf_suite.pipeline.turntable import Size, Turn, TurntableFiles, check_folder, framed_all_round
 from brdf_suite.pipeline.video import VIDEO_ENDINGS, check_video, ffmpeg, writing_video
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET
 
@@ -107,7 +107,7 @@ def write_traced_turntable(
     done, exposure_ev = _begun(folder, key, fresh)
     if done:
         shown = replace(shown, exposure_mode="locked", exposure_ev=exposure_ev)
-    tracing = part(progress, 0.05, 0.9 if video else 0.98)
+    tracing = subrange(progress, 0.05, 0.9 if video else 0.98)
     start = perf_counter()
     for number in range(done, turn.frames):
         spent, made = perf_counter() - start, number - done

@@ -21,7 +21,7 @@ from brdf_suite.pipeline.picture_file import PictureSettings, check_target, pict
 from brdf_suite.pipeline.still import LoadedScene, loaded_scene
 from brdf_suite.pipeline.turning import turned
 from brdf_suite.pipeline.video import VIDEO_ENDINGS, check_video, ffmpeg, writing_video
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.camera import Bounds, resolve
 
 Size = tuple[int, int]
@@ -109,12 +109,12 @@ def write_turntable(
         check_folder(path)
         settings.of_file(path / "frame.png")
     fit = refit_under(fit_any(paint, errors=False), view.light_colour)
-    with loaded_scene(view, part(progress, 0.0, 0.2)) as loaded:
+    with loaded_scene(view, subrange(progress, 0.0, 0.2)) as loaded:
         loaded.scene.set_paint_fit(fit)
         shown = framed_all_round(view, loaded.scene.bounds, size)
         shown = replace(metered(loaded.scene.renderer, shown, size), clipping_marks=False, gamut_marks=False)
         metadata = picture_metadata(fit, shown)
-        drawing = part(progress, 0.2, 1.0)
+        drawing = subrange(progress, 0.2, 1.0)
         if video:
             with writing_video(path, size, turn.frames_per_second, metadata) as feed:
                 for frame in _frames(loaded, shown, turn, drawing):

@@ -2,7 +2,7 @@
 
 Channels ``R G B`` hold the whole picture's radiance, ``A`` the object's coverage; ``variance.R`` … the variance of the
 mean; ``object.R`` … and ``squares.R`` … what the passes have added up, from which a render goes on. Text attributes
-tell the samples and what was rendered.
+record the samples and what was rendered.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def write_estimate(
     key: str,
     metadata: Mapping[str, str] | None = None,
 ) -> None:
-    """Write an estimate atomically; ``picture`` (h, w, 3) is its light with the backdrop, ``key`` tells the scene."""
+    """Write an estimate atomically; ``picture`` (h, w, 3) is its light with the backdrop, ``key`` names the scene."""
     state = {
         "version": _VERSION,
         "key": key,

@@ -125,7 +125,7 @@ class Ground:
 def ground_mesh(ground: Ground, environment: Any) -> tuple[Any, Any]:
     """Return the plane, which sends on what the light of ``environment`` sends there, and its emitter.
 
-    Whoever traces the ground gives the emitter its ``share`` then: the scene has to be there first.
+    The tracer of the ground sets the emitter's ``share`` then: the scene has to be there first.
     """
     middle_x, middle_z = (0.5 * (low + high) for low, high in zip(ground.low, ground.high, strict=True))
     far = 1e3 * max(ground.high[0] - ground.low[0], ground.high[1] - ground.low[1])

@@ -1,6 +1,6 @@
 """The place on the surface that a path meets: where it is in millimetres, and what of it a pixel covers.
 
-Flakes, relief and masks ask for it. A pixel's footprint is told for places that the camera sees directly; at all
+Flakes, relief and masks ask for it. A pixel's footprint is known for places that the camera sees directly; at all
 others, seen in a reflection, it is not known, and what depends on it is shown in its mean.
 """
 

@@ -1,4 +1,4 @@
-"""Ends well where a variant of Mitsuba works: run in a process of its own, because an old LLVM aborts whoever tries.
+"""Probe whether a Mitsuba variant works; run in a process of its own, because old LLVM versions abort the process.
 
 ``python -m brdf_suite.reference.probe llvm_ad_rgb`` compiles and runs a loop with a look-up and a virtual call, as path
 tracing does, and prints one line of JSON: the library's version.

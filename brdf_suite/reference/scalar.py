@@ -40,7 +40,7 @@ def working_table(
     Raises
     ------
     ReferenceUnavailableError
-        The reflectance is not isotropic; what to install for it is told.
+        The reflectance is not isotropic; the message names what to install.
     """
     try:
         table = tabulate(_Coloured(reflectance), incidences=incidences, resolution=resolution)

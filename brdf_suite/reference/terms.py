@@ -2,7 +2,7 @@
 
 Each is the twin of a model of ``brdf_suite.reflectance`` and is tested against it. Directions are local, z along the
 normal; ``light`` and ``view`` are those of ``wi`` and ``wo`` of the core. Values are f_r in 1/sr, without the cosine;
-whoever asks makes sure that both directions are above the horizon.
+the caller makes sure that both directions are above the horizon.
 """
 
 from __future__ import annotations

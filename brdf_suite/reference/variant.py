@@ -56,7 +56,7 @@ class Variant:
 
     @property
     def title(self) -> str:
-        """What a user is told."""
+        """Notice for the user."""
         if self.is_scalar:
             return "Mitsuba, without LLVM"
         return f"Mitsuba, {'CUDA' if self.name.startswith('cuda') else f'LLVM {self.version}'}"
@@ -92,22 +92,22 @@ def choose_variant() -> Variant:
 
 def choose(cuda: bool, libraries: Sequence[str], try_out: Probe) -> Variant:
     """Return the first variant that ``try_out`` sees running: CUDA, then LLVM, each of ``libraries`` in their order."""
-    told = []
+    findings = []
     if cuda:
         found = try_out("cuda_ad_rgb", "")
         if found.ran:
             return Variant("cuda_ad_rgb")
-        told.append(f"CUDA: {found.words}")
+        findings.append(f"CUDA: {found.words}")
     for path in libraries:
         number = version_of(path)
         if number and number < OLDEST_LLVM:
-            told.append(f"{path} is LLVM {number}")
+            findings.append(f"{path} is LLVM {number}")
             continue
         found = try_out("llvm_ad_rgb", path)
         if found.ran:
             return Variant("llvm_ad_rgb", path, found.version)
-        told.append(f"{path}: {found.words}")
-    seen = f" Found: {'; '.join(told)}." if told else ""
+        findings.append(f"{path}: {found.words}")
+    seen = f" Found: {'; '.join(findings)}." if findings else ""
     raise ReferenceUnavailableError(
         f"The reference renderer needs the library LLVM, version {OLDEST_LLVM} or later; install the package "
         f"{LLVM_PACKAGE} (sudo apt-get install {LLVM_PACKAGE}), or set {LLVM_VARIABLE} to the library's file.{seen}"
@@ -140,7 +140,7 @@ def probe(variant: str, llvm_path: str) -> Probed:
 
 
 def version_of(path: str) -> int:
-    """Return the LLVM version that a library's name tells; 0 where it tells none.
+    """Return the LLVM version from a library's name; 0 where it has none.
 
     >>> version_of("usr/lib/x86_64-linux-gnu/libLLVM.so.19.1"), version_of("usr/lib/libLLVM.so")
     (19, 0)

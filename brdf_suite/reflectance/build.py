@@ -66,7 +66,7 @@ class DarkerThanCoatError(UnreachableError):
     """A colour darker than its clearcoat alone.
 
     ``measurement`` (light and aspecular angle, degrees) and ``share`` (the coat's ρ there) are for a search. Made of
-    the message alone, as every error of the suite, it can be told again under a name, or by another process.
+    the message alone, as every error of the suite, it can be reported again under a name, or by another process.
     """
 
     measurement: tuple[float, float] = (math.nan, math.nan)
@@ -126,8 +126,8 @@ def build_paint(paint: Paint) -> PaintReflectance:
     _refuse_negative(lights, shares)
     if refusal is not None:
         raise UnreachableError(refusal)
-    told = tuple(notice for readings in lights for notice in readings.notices)
-    return PaintReflectance(base, coat, told + notices + _albedo_notice(base))
+    notices_of_lights = tuple(notice for readings in lights for notice in readings.notices)
+    return PaintReflectance(base, coat, notices_of_lights + notices + _albedo_notice(base))
 
 
 def build_reflectance(paint: AnyPaint) -> PaintReflectance | CookTorrance | Factored | Coated:

@@ -89,7 +89,7 @@ def checked_map(values: npt.ArrayLike, place: str, axes: tuple[int, ...] = (1, 2
         reason = f"a map {wanted} of numbers, n {SMALLEST_MAP} to {LARGEST_MAP}, is wanted, not {array.shape}"
         raise ValueRangeError(place, reason)
     kept = array.dtype == np.float32 and array.flags.c_contiguous and not array.flags.writeable
-    # What nobody can write is shared: a map that two factors read stays one array.
+    # Read-only arrays are shared: a map that two factors read stays one array.
     found = array if kept else np.array(array, np.float32, order="C")
     if not np.isfinite(found).all() or (found < 0.0).any():
         raise ValueRangeError(place, "holds a number that is negative or not finite")

@@ -51,7 +51,7 @@ _PIECE = 1 << 14
 
 
 class HalfVectorDensity:
-    """Draws directions to the light for any view, and tells their density.
+    """Samples directions to the light for any view, with their density.
 
     Parameters
     ----------

@@ -21,10 +21,10 @@ TOLERANCE_DELTA_E = 0.05
 """The largest ΔE00 that counts as passing through a reading."""
 
 
-def told_misses(paint: Paint, reflectance: Reflectance) -> tuple[str, ...]:
+def interpolation_notices(paint: Paint, reflectance: Reflectance) -> tuple[str, ...]:
     """Return the notice that names every missed reading of ``paint``, or nothing where all are met.
 
-    A colour that the working space does not hold is compared as it is shown; another notice tells of it.
+    A colour that the working space does not hold is compared as it is shown; another notice reports it.
     """
     if len(paint.measurements) <= 3:
         # Every rule passes through three readings.
@@ -32,12 +32,12 @@ def told_misses(paint: Paint, reflectance: Reflectance) -> tuple[str, ...]:
     light = [m.illumination_deg for m in paint.measurements]
     view = aspecular_view(light, [m.aspecular_deg for m in paint.measurements])
     shown = working_to_lab(np.maximum(lab_to_working([m.lab for m in paint.measurements]), 0.0))
-    return miss_notice(
+    return format_interpolation_notice(
         paint, delta_e_2000(shown, working_to_lab(math.pi * reflectance.eval(illumination(light), view)))
     )
 
 
-def miss_notice(paint: Paint, missed: npt.ArrayLike) -> tuple[str, ...]:
+def format_interpolation_notice(paint: Paint, missed: npt.ArrayLike) -> tuple[str, ...]:
     """Return the notice for ΔE00 ``missed`` (n,) of the paint's readings, in their order, or nothing."""
     several = len({m.illumination_deg for m in paint.measurements}) > 1
     named = [

@@ -74,7 +74,7 @@ class SeveralLights:
 class BorrowedRule:
     """The rule of another light, scaled so that it passes through one or two readings of its own.
 
-    Two readings cannot tell a curve. What they tell is how the colour differs from the other light's, so the
+    Two readings do not determine a curve. They determine how the colour differs from the other light's, so the
     ratio is interpolated over γ and held outside; where the other light's value is next to nothing, the
     difference is.
     """

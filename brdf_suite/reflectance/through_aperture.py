@@ -6,7 +6,7 @@ that they build reads, through that aperture, what was asked.
 
 What is asked are the paint's own colours, as its rule gives them in single directions. A rule with fewer numbers than
 there are readings (a bell of flakes through six angles) passes near them only, with an aperture or without; then the
-nearest paint is taken, and told by how much it misses.
+nearest paint is taken, and its residual is reported.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.reflectance.aperture import POINT, Aperture, reflectance_factor
 from brdf_suite.reflectance.build import build_paint
-from brdf_suite.reflectance.misses import TOLERANCE_DELTA_E, miss_notice
+from brdf_suite.reflectance.misses import TOLERANCE_DELTA_E, format_interpolation_notice
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 
 _SETTLED_DELTA_E = 0.005
@@ -49,11 +49,13 @@ class SolvedPaint:
 
     @property
     def notices(self) -> tuple[str, ...]:
-        """What to tell the user: how it was built, and by how much the rule misses the readings."""
-        told = miss_notice(self.paint, self.missed)
-        if told and self.aperture != POINT:
-            told += (f"Through the aperture the rule's own colours are met to ΔE00 {max(self.delta_e):.2f}.",)
-        return self.reflectance.notices + told
+        """Notices for the user: how it was built, and by how much the rule misses the readings."""
+        misses = format_interpolation_notice(self.paint, self.missed)
+        if misses and self.aperture != POINT:
+            misses += (
+                f"Through the aperture the rule's own colours are met to ΔE00 {max(self.delta_e):.2f}.",
+            )
+        return self.reflectance.notices + misses
 
 
 def build_through(paint: Paint, aperture: Aperture) -> SolvedPaint:
@@ -73,7 +75,7 @@ def build_through(paint: Paint, aperture: Aperture) -> SolvedPaint:
         [m.illumination_deg for m in paint.measurements], [m.aspecular_deg for m in paint.measurements]
     )
     plain = build_paint(paint)
-    # The colours as the rule gives them; outside of the working space the paint's own notice tells the rest.
+    # The colours as the rule gives them; outside of the working space the paint's own notice reports the rest.
     wanted = np.maximum(math.pi * plain.eval(wi, wo), _DARKEST)
     missed = tuple(delta_e_2000([m.lab for m in paint.measurements], working_to_lab(wanted)).tolist())
     corrected, reflectance = paint, plain

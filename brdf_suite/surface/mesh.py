@@ -2,7 +2,7 @@
 
 Metres, world axes (right-handed, ``y`` up, front along ``+z``), triangles counter-clockwise seen from
 outside. Texture coordinates are lengths on the surface in **millimetres**, since flakes are counted per
-square millimetre. The material word tells the renderer what a part is made of; only ``paint`` takes the paint
+square millimetre. The material word names the material of a part for the renderer; only ``paint`` takes the paint
 being edited.
 """
 

@@ -35,7 +35,7 @@ def test_smooth_current_is_found_with_a_fraction_of_the_noise() -> None:
     assert not dark.hot.any()
 
 
-def test_hot_pixels_keep_their_own_current_and_are_told() -> None:
+def test_hot_pixels_keep_their_own_current_and_are_reported() -> None:
     rate = np.full((50, 60, 3), 0.002)
     rate[20, 30] = 0.5
     dark = dark_model(dark_stack(rate), TIMES, RESPONSE)

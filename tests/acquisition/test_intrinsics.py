@@ -1,4 +1,4 @@
-"""A camera's intrinsics come back from photographs of a board; where they cannot, the reason is told."""
+"""A camera's intrinsics come back from photographs of a board; where they cannot, the reason is reported."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def test_the_lens_comes_back(found: CameraCalibration) -> None:
     assert not found.left_out
 
 
-def test_coefficients_that_the_board_does_not_tell_are_held_at_0(found: CameraCalibration) -> None:
+def test_coefficients_that_the_board_does_not_determine_are_held_at_0(found: CameraCalibration) -> None:
     assert found.intrinsics.k1 != 0.0
     assert found.intrinsics.k3 == 0.0
 
@@ -85,12 +85,12 @@ def test_corners_are_found_to_a_tenth_of_a_pixel(board: list[tuple[str, np.ndarr
     steps = np.stack(np.meshgrid(np.arange(COLUMNS), np.arange(ROWS)), axis=-1).reshape(-1, 2)
     place = (steps - np.array([(COLUMNS - 1) / 2, (ROWS - 1) / 2])) * SQUARE
     points = MIDDLE + place @ board_axes(*POSES[5])[:, :2].T
-    # Which corner comes first, a board that looks the same from two sides does not tell.
+    # Which corner comes first, a board that looks the same from two sides does not show.
     apart = np.linalg.norm(TRUE.pixels(points)[:, None] - corners, axis=-1).min(axis=0)
     assert np.sqrt(np.mean(apart**2)) < 0.1
 
 
-def test_photographs_without_the_board_are_told(board: list[tuple[str, np.ndarray]]) -> None:
+def test_photographs_without_the_board_are_reported(board: list[tuple[str, np.ndarray]]) -> None:
     empty = ("board/wall.png", np.full((HEIGHT, WIDTH, 3), 900, np.uint16))
     found = calibrate_intrinsics([*board[:4], empty], COLUMNS, ROWS, SQUARE)
     assert [name for name, _ in found.left_out] == ["board/wall.png"]
@@ -116,7 +116,7 @@ def test_the_search_can_be_cancelled(board: list[tuple[str, np.ndarray]]) -> Non
         calibrate_intrinsics(board, COLUMNS, ROWS, SQUARE, stop)
 
 
-def test_without_opencv_the_way_to_install_it_is_told(
+def test_without_opencv_the_way_to_install_it_is_reported(
     board: list[tuple[str, np.ndarray]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "cv2", None)

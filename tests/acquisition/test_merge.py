@@ -1,4 +1,4 @@
-"""Radiances merged from exposures are unbiased, their variances true, and what is clipped is told."""
+"""Radiances merged from exposures are unbiased, their variances true, and what is clipped is reported."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Photographs of every kind are read as the codes that they hold; damage and truncation are told with the file."""
+"""Photographs of every kind are read as the codes that they hold; damage and truncation are reported with the file."""
 
 from __future__ import annotations
 
@@ -177,13 +177,13 @@ def test_times_in_the_exif_folder_of_a_tiff(tmp_path: Path) -> None:
         ({33434: 0.0, 37377: 3.0}, 1 / 8),
         ({33437: 2.8}, None),  # an aperture
     ):
-        told = Image.Exif()
-        told[0x8769] = tags
-        Image.fromarray(CODES_8).save(path, exif=told.tobytes())
+        reported = Image.Exif()
+        reported[0x8769] = tags
+        Image.fromarray(CODES_8).save(path, exif=reported.tobytes())
         assert exif_time(path) == (None if expected is None else pytest.approx(expected, rel=1e-6))
 
 
-def test_a_strip_that_unpacks_to_more_than_its_pixels_is_told(
+def test_a_strip_that_unpacks_to_more_than_its_pixels_is_reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "a.tif"
@@ -200,7 +200,7 @@ def test_a_strip_that_unpacks_to_more_than_its_pixels_is_told(
         read_photograph(path)
 
 
-def test_a_strip_that_is_too_short_is_told(tmp_path: Path) -> None:
+def test_a_strip_that_is_too_short_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "a.tif"
     for packing, words in (("none", "too short"), ("zlib", "cannot be unpacked")):
         tifffile.imwrite(path, CODES_16, photometric="rgb", compression=packing, metadata=None)
@@ -285,7 +285,7 @@ def _dng(mosaic: np.ndarray, black: int, white: int) -> bytes:
     return b"II*\0" + struct.pack("<I", at) + pixels + folder
 
 
-def test_without_rawpy_the_way_to_it_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_rawpy_the_way_to_it_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "rawpy", None)
     (tmp_path / "a.nef").write_bytes(b"II*\0" + bytes(100))
     with pytest.raises(FileError, match=r"needs rawpy, which is not installed; `.*acquisition` installs it"):
@@ -316,7 +316,7 @@ def _whole(kind: str, path: Path) -> Path:
 
 @pytest.mark.parametrize("kind", ["png", "tif", "jpg", "exr", "hdr"])
 @pytest.mark.parametrize("share", [0.0, 0.02, 0.5, 0.97])
-def test_a_file_that_was_not_copied_whole_is_told_before_its_pixels_are_used(
+def test_a_file_that_was_not_copied_whole_is_reported_before_its_pixels_are_used(
     tmp_path: Path, kind: str, share: float
 ) -> None:
     path = _whole(kind, tmp_path / f"a.{kind}")
@@ -350,7 +350,7 @@ def test_a_damaged_file_is_named(tmp_path: Path, content: bytes, words: str) -> 
     assert caught.value.path == str(path)
 
 
-def test_a_missing_file_and_a_folder_are_told(tmp_path: Path) -> None:
+def test_a_missing_file_and_a_folder_are_reported(tmp_path: Path) -> None:
     with pytest.raises(FileError, match="is missing"):
         read_photograph(tmp_path / "a.png")
     with pytest.raises(FileError, match="not a plain file"):
@@ -368,7 +368,7 @@ def test_a_damaged_exif_block_is_no_reason_to_refuse_the_picture(tmp_path: Path)
 
 
 @given(kind=st.sampled_from(["png", "tif", "jpg", "hdr"]), data=st.data())
-def test_whatever_is_damaged_is_read_or_told(kind: str, data: st.DataObject) -> None:
+def test_whatever_is_damaged_is_read_or_reported(kind: str, data: st.DataObject) -> None:
     content = bytearray(_contents()[kind])
     for _ in range(data.draw(st.integers(1, 4))):
         content[data.draw(st.integers(0, min(len(content), 400) - 1))] = data.draw(st.integers(0, 255))

@@ -112,7 +112,7 @@ def test_arm_and_stand_in_the_picture_do_not_move_the_outline(rig: Rig, outline:
     assert np.all(find_outline(rig.union, rig.stated, masked).points[:, 1] < 90.0)
 
 
-def test_no_sphere_is_told(rig: Rig) -> None:
+def test_no_sphere_is_reported(rig: Rig) -> None:
     empty = Union((_SIDE, _SIDE))
     empty.add(5, np.zeros((_SIDE, _SIDE, 3)))
     with pytest.raises(AcquisitionError, match="No sphere"):
@@ -155,13 +155,15 @@ def test_the_refined_light_stands_where_it_does(rig: Rig, refinement: Refinement
 
 
 def test_each_number_says_how_far_it_was_observed(refinement: Refinement) -> None:
-    told = {row.name: row for row in refinement.parameters}
-    assert told["turntable's zero"].observed > 0.9
-    assert told["light's height"].observed > 0.9
-    # Parallax between points of the sphere is all that tells the distance.
-    assert told["light's distance"].observed < 0.5
-    assert all(0.0 <= row.observed <= 1.0 and row.sigma <= row.stated_sigma * 1.0001 for row in told.values())
-    assert all(row.why for row in told.values())
+    masked = {row.name: row for row in refinement.parameters}
+    assert masked["turntable's zero"].observed > 0.9
+    assert masked["light's height"].observed > 0.9
+    # Parallax between points of the sphere is all that determines the distance.
+    assert masked["light's distance"].observed < 0.5
+    assert all(
+        0.0 <= row.observed <= 1.0 and row.sigma <= row.stated_sigma * 1.0001 for row in masked.values()
+    )
+    assert all(row.why for row in masked.values())
 
 
 def test_a_refinement_comes_back_from_json_exactly(refinement: Refinement) -> None:
@@ -194,20 +196,20 @@ def test_a_clipped_broad_highlight_does_not_lean_from_the_outline() -> None:
     settings = SimulatorSettings(size=(_SIDE, _SIDE), angles_deg=angles, board=False, white=False)
     simulator = Simulator(CookTorrance(TABLE_1["table1_blue_matte"]), settings)
     stated = geometry_of_session(simulator.session, (_SIDE, _SIDE))
-    told: list[float] = []
-    untold: list[float] = []
+    masked: list[float] = []
+    unmasked: list[float] = []
     for k, expected in enumerate(stated.highlights(angles)):
         picture = simulator.radiance(k).mean(axis=-1)
         x, y = np.round(expected).astype(int)
         top = 0.4 * float(picture[y - 3 : y + 4, x - 3 : x + 4].max())
         cut = np.minimum(picture, top)
-        for found, clipped in ((told, picture > top), (untold, None)):
+        for found, clipped in ((masked, picture > top), (unmasked, None)):
             highlight = find_highlight(cut, stated, k, None, clipped)
             assert highlight is not None
             found.append(highlight.pixel[0] - expected[0])
     # Of a clipped pixel the cosine alone is left, which falls towards the outline.
-    assert np.mean(untold) < -0.03
-    assert abs(np.mean(told)) < 0.6 * abs(np.mean(untold))
+    assert np.mean(unmasked) < -0.03
+    assert abs(np.mean(masked)) < 0.6 * abs(np.mean(unmasked))
 
 
 def _narrow_spot(geometry: Geometry, k: int) -> np.ndarray:

@@ -81,7 +81,7 @@ def test_few_exposures_far_apart_leave_no_ripples(count: int) -> None:
 
 
 @pytest.mark.parametrize("black", [0, 64])
-def test_a_linear_camera_is_told_as_such_and_its_noise_measured(black: int) -> None:
+def test_a_linear_camera_is_reported_as_such_and_its_noise_measured(black: int) -> None:
     camera = shoot("linear", black=black)
     fit = recovered(camera, 12, float(black))
     assert fit.response.linear
@@ -103,7 +103,7 @@ def test_the_noise_of_a_known_curve_is_measured() -> None:
     assert fit.response.shot[0] != known.shot[0]
 
 
-def test_photographs_that_contradict_a_known_curve_are_told() -> None:
+def test_photographs_that_contradict_a_known_curve_are_reported() -> None:
     samples = ResponseSamples(TIMES, 12, 1)
     samples.add(shoot("gamma").stack)
     with pytest.raises(AcquisitionError, match="not linear"):
@@ -160,14 +160,14 @@ def test_masked_pixels_take_no_part() -> None:
     assert rms(calibrate_response(samples, [0.0]), camera.truth) < 0.01
 
 
-def test_too_few_pixels_are_told() -> None:
+def test_too_few_pixels_are_reported() -> None:
     samples = ResponseSamples(TIMES, 12, 1)
     samples.add(np.full((16, 4, 4, 1), 4095, np.uint16))
     with pytest.raises(AcquisitionError, match="neither black nor clipped"):
         calibrate_response(samples, [0.0])
 
 
-def test_a_code_beyond_the_bits_is_told() -> None:
+def test_a_code_beyond_the_bits_is_reported() -> None:
     with pytest.raises(AcquisitionError, match=r"5000.*12 bits"):
         ResponseSamples(TIMES, 12, 1).add(np.full((16, 4, 4, 1), 5000, np.uint16))
 

@@ -1,4 +1,4 @@
-"""A folder of photographs is checked before it is used: each thing that is wrong is told with its file."""
+"""A folder of photographs is checked before it is used: each thing that is wrong is reported with its file."""
 
 from __future__ import annotations
 
@@ -110,8 +110,8 @@ def test_a_position_of_which_nothing_is_left_is_lost(folder: Path) -> None:
     shutil.rmtree(folder / "light_0002")
     findings = _check(folder)
     assert positions_lost(findings) == {2}
-    (told,) = findings
-    assert told.reason == "is missing; none of the 6 photographs at 75° can be used"
+    (reported,) = findings
+    assert reported.reason == "is missing; none of the 6 photographs at 75° can be used"
     raise_fatal(findings)  # the others are kept
     for k in (0, 1, 3, 4):
         shutil.rmtree(folder / f"light_{k:04d}")
@@ -124,40 +124,40 @@ def test_a_position_of_which_nothing_is_left_is_lost(folder: Path) -> None:
 def test_a_calibration_of_which_nothing_is_left_is_fatal(folder: Path) -> None:
     """What session.json names is either there or taken out of it by hand; a part of it is enough."""
     (folder / "board/03.png").unlink()
-    (told,) = _check(folder)
-    assert (told.severity, told.place) == ("warning", "camera.board.photographs[3]")
+    (reported,) = _check(folder)
+    assert (reported.severity, reported.place) == ("warning", "camera.board.photographs[3]")
     source = FolderSource(folder, read_session(folder))
     assert [name for name, _ in source.board()] == [f"board/{k:02d}.png" for k in range(12) if k != 3]
     for name, place in (("dark", "dark[0]"), ("white", "white.photographs[0]")):
         shutil.rmtree(folder / name)
-        told = _check(folder)[-1]
-        assert (told.severity, told.place) == ("fatal", place)
-        assert f"take {name} out of session.json" in told.reason
+        reported = _check(folder)[-1]
+        assert (reported.severity, reported.place) == ("fatal", place)
+        assert f"take {name} out of session.json" in reported.reason
 
 
 def test_a_region_of_the_white_beyond_the_picture_is_fatal(folder: Path) -> None:
     session = read_session(folder)
     assert session.white is not None
     write_session(replace(session, white=replace(session.white, region=(40, 30, 40, 10))), folder)
-    (told,) = _check(folder)
-    assert (told.severity, told.place) == ("fatal", "white.region")
-    assert "64 × 48 pixels, and the region 40, 30, 40, 10" in told.reason
+    (reported,) = _check(folder)
+    assert (reported.severity, reported.place) == ("fatal", "white.region")
+    assert "64 × 48 pixels, and the region 40, 30, 40, 10" in reported.reason
 
 
 def test_the_mask_that_lies_in_the_folder_is_checked_too(folder: Path) -> None:
     Image.new("L", (32, 24), 255).save(folder / "mask.png")
-    (told,) = _check(folder)
-    assert (told.severity, told.place) == ("fatal", "mask")
-    assert "is 32 × 24 pixels, and the others are 64 × 48" in told.reason
+    (reported,) = _check(folder)
+    assert (reported.severity, reported.place) == ("fatal", "mask")
+    assert "is 32 × 24 pixels, and the others are 64 × 48" in reported.reason
 
 
 def test_floats_among_whole_codes_are_left_out(folder: Path) -> None:
     text = (folder / "session.json").read_text()
     (folder / "session.json").write_text(text.replace("light_0001/02.png", "light_0001/02.exr"))
     write_exr(folder / "light_0001/02.exr", np.ones((48, 64, 3), np.float32))
-    (told,) = _check(folder)
-    assert (told.severity, told.position, told.exposure) == ("exposure", 1, 2)
-    assert "holds floats, and the other photographs hold whole codes" in told.reason
+    (reported,) = _check(folder)
+    assert (reported.severity, reported.position, reported.exposure) == ("exposure", 1, 2)
+    assert "holds floats, and the other photographs hold whole codes" in reported.reason
 
 
 def test_exchanged_files_are_seen_by_their_exif(folder: Path) -> None:
@@ -198,7 +198,7 @@ def test_exchanged_positions_are_found_in_the_folder(folder: Path) -> None:
     assert check_session(folder, read_session(folder), pictures=False) == ()
 
 
-def test_times_that_differ_from_the_exif_are_told(folder: Path) -> None:
+def test_times_that_differ_from_the_exif_are_reported(folder: Path) -> None:
     session = read_session(folder)
     write_session(replace(session, exposures_s=tuple(2.0 * t for t in session.exposures_s)), folder)
     findings = _check(folder)
@@ -209,7 +209,7 @@ def test_times_that_differ_from_the_exif_are_told(folder: Path) -> None:
     assert _check(folder) == ()
 
 
-def test_another_size_and_another_depth_are_told(folder: Path) -> None:
+def test_another_size_and_another_depth_are_reported(folder: Path) -> None:
     write_photograph(folder / "light_0000/00.png", np.zeros((10, 10, 3), np.uint16), 0.00025)
     write_photograph(folder / "light_0000/01.png", np.zeros((48, 64, 3), np.uint8), 0.00105)
     findings = _check(folder)
@@ -231,7 +231,7 @@ def test_codes_beyond_the_stated_depth_are_refused(folder: Path) -> None:
     ("response", "count", "severity", "words"),
     [
         ("linear", 6, "fatal", "never linear"),
-        ("unknown", 3, "fatal", "unknown curve, and 3 exposures cannot tell it"),
+        ("unknown", 3, "fatal", "unknown curve, and 3 exposures do not determine it"),
         ("unknown", 6, "warning", "recovered from the exposures"),
         ("srgb", 3, None, ""),
     ],
@@ -310,7 +310,7 @@ def test_exchanged_files_are_seen_by_their_brightness(rig: Simulator) -> None:
     assert "darker than 01.png" in findings[1].reason
 
 
-def test_wrong_orders_are_told(rig: Simulator) -> None:
+def test_wrong_orders_are_reported(rig: Simulator) -> None:
     (reverse,) = _exposures(rig, [5, 4, 3, 2, 1, 0])
     assert (reverse.severity, reverse.position) == ("position", 1)
     assert "reverse order" in reverse.reason
@@ -320,7 +320,7 @@ def test_wrong_orders_are_told(rig: Simulator) -> None:
     assert "by brightness they are 02.png, 04.png, 00.png, 05.png, 01.png, 03.png" in mixed.reason
 
 
-def test_what_is_saturated_everywhere_is_told(rig: Simulator) -> None:
+def test_what_is_saturated_everywhere_is_reported(rig: Simulator) -> None:
     codes = rig.position(1).copy()
     codes[5] = 4095
     names, times = [f"{k:02d}.png" for k in range(6)], rig.session.exposures_s
@@ -339,7 +339,7 @@ def _order(session: Session, rig: Simulator, shown: list[int]):
     return order.findings()
 
 
-def test_positions_out_of_order_are_told(rig: Simulator) -> None:
+def test_positions_out_of_order_are_reported(rig: Simulator) -> None:
     assert _order(rig.session, rig, [0, 1, 2, 3, 4]) == ()
     (wrong,) = _order(rig.session, rig, [0, 1, 2, 0, 4])
     assert (wrong.severity, wrong.position) == ("position", 3)
@@ -348,7 +348,7 @@ def test_positions_out_of_order_are_told(rig: Simulator) -> None:
     assert reverse.severity == "fatal"
 
 
-def test_the_template_takes_what_the_files_tell(made: Path, tmp_path: Path) -> None:
+def test_the_template_takes_what_the_files_state(made: Path, tmp_path: Path) -> None:
     folder = Path(shutil.copytree(made, tmp_path / "mine"))
     (folder / "session.json").unlink()
     for k, angle in enumerate(SETTINGS.angles_deg):
@@ -385,7 +385,7 @@ def test_the_template_of_float_photographs_is_linear_and_angles_may_be_unknown(t
     assert session.camera.response == "linear"
     assert [p.angle_deg for p in session.positions] == [0.0, 180.0]
     assert any("even steps" in note for note in written.notes)
-    assert any("tell no times" in note for note in written.notes)
+    assert any("state no times" in note for note in written.notes)
 
 
 def test_a_template_of_uneven_or_loose_photographs_is_refused(tmp_path: Path) -> None:

@@ -164,7 +164,7 @@ def test_the_narrow_highlight_needs_the_narrow_bins() -> None:
     assert errors["half-angle"] < 0.5 * errors["linear"]
 
 
-def test_a_deviation_tells_the_spread_and_the_noise() -> None:
+def test_a_deviation_holds_the_spread_and_the_noise() -> None:
     bins = Parameterization("half-angle", SMALL)
     rng = np.random.default_rng(3)
     wi, wo = np.repeat(spherical([0.4], 0.0), 400, 0), np.repeat(spherical([0.8], 2.0), 400, 0)
@@ -174,7 +174,7 @@ def test_a_deviation_tells_the_spread_and_the_noise() -> None:
     means = bin_means(sums)
     found = means.coverage.deviation[means.measured]
     assert found == pytest.approx([0.1 / 20.0], rel=0.15)
-    # One reading has no spread: its own noise tells.
+    # One reading has no spread: its own noise counts.
     single = TableSums(bins)
     noise = np.full((1, 3), 0.3**2, np.float32)
     single.add(position_sums(bins, bins.index_of(wi[:1], wo[:1]), value[:1] * 0 + 1, np.ones(1), noise))
@@ -191,7 +191,7 @@ def test_colours_come_into_the_working_space(dense: TableSums) -> None:
         bin_means(dense, np.ones((2, 3)))
 
 
-def test_nothing_measured_is_told() -> None:
+def test_nothing_measured_is_reported() -> None:
     with pytest.raises(ValueRangeError, match="nothing was measured"):
         half_angle_table(bin_means(TableSums(Parameterization("half-angle", SMALL))))
 

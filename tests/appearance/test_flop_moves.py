@@ -119,7 +119,7 @@ def test_hues_unwrap_over_greys() -> None:
     assert np.isnan(unwrapped_hues([[50, 0, 0]] * 2)).all()
 
 
-def test_a_flop_that_cannot_be_told_is_refused() -> None:
+def test_a_flop_that_cannot_be_reported_is_refused() -> None:
     with pytest.raises(ValueRangeError, match="before the face"):
         flop_ends([45.0, 75.0, 110.0])
     with pytest.raises(ValueRangeError, match="15, 45 and 110"):

@@ -44,7 +44,7 @@ def test_adaptation_agrees_with_another_program(colour: ModuleType) -> None:
     np.testing.assert_array_equal(adapted_colour(lab, "D65").lab, lab)
 
 
-def test_white_stays_white_and_a_spectrum_tells_more() -> None:
+def test_white_stays_white_and_a_spectrum_says_more() -> None:
     np.testing.assert_allclose(adapted_colour([100.0, 0.0, 0.0], "A").lab, [100, 0, 0], atol=1e-9)
     np.testing.assert_allclose(recomputed_colour(np.ones(31), BANDS, "A").lab, [100, 0, 0], atol=1e-9)
     red = edge(600.0)

@@ -81,7 +81,7 @@ def test_a_small_part_beside_a_large_one_is_not_named() -> None:
     assert said(BLUE, (13.0, 4.0, -39.5)) == "much darker"
 
 
-def test_angles_with_the_same_words_are_told_together() -> None:
+def test_angles_with_the_same_words_are_reported_together() -> None:
     darker = named_differences(BLUE, (22.5, 4.0, -38.0))
     lighter = named_differences(BLUE, (28.0, 4.0, -38.0))
     angles = ["15°", "25°", "45°", "110°"]

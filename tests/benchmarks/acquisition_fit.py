@@ -29,7 +29,7 @@ from brdf_suite.fitting.lobes.undivided import fit_undivided
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.cook_torrance_fit import fit_cook_torrance, fit_reflectance_lobes
 from brdf_suite.pipeline.cook_torrance_samples import ASKED, even_pairs, samples_of
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
@@ -227,7 +227,7 @@ def figures(progress: Progress | None = None) -> dict[str, float | None]:
         ("table1_exact_worst_error", 0.0, 0.0),
         ("table1_median_error", NOISE, 0.3),
     ):
-        rows = table_1(noise, part(progress, start, start + 0.3))
+        rows = table_1(noise, subrange(progress, start, start + 0.3))
         every = [error for row in rows.values() for error in row.errors.values()]
         failures = [
             f"{name} {which} {error:.2f}"
@@ -253,7 +253,7 @@ def figures(progress: Progress | None = None) -> dict[str, float | None]:
         }
     report(progress, 0.6, "a full table")
     answer["fit_full_table_s"] = full_table_seconds()
-    answer |= _measured(part(progress, 0.75, 1.0))
+    answer |= _measured(subrange(progress, 0.75, 1.0))
     return answer
 
 

@@ -14,7 +14,7 @@ from brdf_suite.acquisition.sphere_geometry import Geometry, unit
 from brdf_suite.pipeline.acquiring import Acquisition
 from brdf_suite.pipeline.acquiring_options import AcquireOptions
 from brdf_suite.pipeline.acquiring_simulated import SimulatorSource
-from brdf_suite.progress import Progress, part
+from brdf_suite.progress import Progress, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
@@ -108,8 +108,8 @@ def figures(progress: Progress | None = None) -> dict[str, float]:
     ):
         simulator = rig(misaligned=misaligned)
         road = Acquisition(SimulatorSource(simulator), AcquireOptions(refine=refine))
-        road.calibrate(part(progress, number / 3.0, (number + 0.3) / 3.0))
-        table = road.table(part(progress, (number + 0.3) / 3.0, (number + 1) / 3.0)).table
+        road.calibrate(subrange(progress, number / 3.0, (number + 0.3) / 3.0))
+        table = road.table(subrange(progress, (number + 0.3) / 3.0, (number + 1) / 3.0)).table
         errors[name] = median_error(table, simulator)
         if name == "misaligned":
             assert road.geometry is not None

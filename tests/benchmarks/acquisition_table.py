@@ -20,7 +20,7 @@ from brdf_suite.pipeline.acquiring_geometry import highlight_positions, union_po
 from brdf_suite.pipeline.acquiring_options import Acquired, AcquireOptions
 from brdf_suite.pipeline.acquiring_response import POSITIONS as RESPONSE_POSITIONS
 from brdf_suite.pipeline.acquiring_simulated import SimulatorSource
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
@@ -63,8 +63,8 @@ def figures(progress: Progress | None = None) -> dict[str, float | None]:
     truth = CookTorrance(TABLE_1[PAINT])
     rig = Simulator(truth, SimulatorSettings(size=SIZE, positions=POSITIONS, board=False), PAINT)
     road = Acquisition(SimulatorSource(rig), AcquireOptions(compare=True))
-    road.calibrate(part(progress, 0.0, 0.2))
-    found = road.table(part(progress, 0.2, 0.7))
+    road.calibrate(subrange(progress, 0.0, 0.2))
+    found = road.table(subrange(progress, 0.2, 0.7))
     errors, holes = bin_errors(found, truth), np.asarray(found.table.holes)
     there = ~np.isnan(errors)
     answer: dict[str, float | None] = {

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from types import ModuleType
 
-from brdf_suite.progress import Progress, part
+from brdf_suite.progress import Progress, subrange
 
 NAME = "acquisition"
 PARTS = ("acquisition_table", "acquisition_response", "acquisition_misalignment", "acquisition_fit")
@@ -42,7 +42,7 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
     """Measure everything: some minutes."""
     figures: dict[str, float | None] = {}
     for n, module in enumerate(_PARTS.values()):
-        figures |= module.figures(part(progress, n / len(_PARTS), (n + 1) / len(_PARTS)))
+        figures |= module.figures(subrange(progress, n / len(_PARTS), (n + 1) / len(_PARTS)))
         NOTES.update(module.NOTES)
         TABLES.update(getattr(module, "TABLES", {}))
     return figures

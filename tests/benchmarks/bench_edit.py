@@ -25,13 +25,13 @@ def run(progress=None):
     from brdf_suite.pipeline.paint import PaintFitter
     from brdf_suite.pipeline.picture import OffscreenScene
     from brdf_suite.pipeline.scene import default_paint, default_view, load_environment, load_surface
-    from brdf_suite.progress import part, report
+    from brdf_suite.progress import report, subrange
 
     paint = default_paint()
     view = default_view()
     fitter = PaintFitter()
     with OffscreenScene(SIZE) as scene:
-        scene.set_environment(load_environment(view.environment, part(progress, 0.0, 0.5)))
+        scene.set_environment(load_environment(view.environment, subrange(progress, 0.0, 0.5)))
         scene.set_surface(load_surface(view.surface))
         scene.set_paint_fit(fitter.fit(paint))
         for _ in range(5):

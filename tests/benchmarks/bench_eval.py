@@ -10,7 +10,7 @@ from time import perf_counter
 import numpy as np
 
 from brdf_suite.files.measured.merl import read_merl, write_merl
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.checks import check_model
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
@@ -110,7 +110,7 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
     report(progress, 0.2, "evaluating")
     table_s = seconds(table, wi, wo)
     cook_torrance_s = seconds(CookTorrance(TABLE_1[PAINT]), wi, wo)
-    albedo = largest_albedo(part(progress, 0.4, 1.0))
+    albedo = largest_albedo(subrange(progress, 0.4, 1.0))
     report(progress, 1.0, "done")
     return {
         "merl_load_s": median(loads),

@@ -19,7 +19,7 @@ from brdf_suite.fitting.homomorphic.samples import Samples, samples_of
 from brdf_suite.fitting.homomorphic.separable import separate
 from brdf_suite.fitting.homomorphic.storage import STORES, compression, stored
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, parse_factors
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -97,15 +97,15 @@ def run(progress: Progress | None = None) -> dict[str, float]:
     table = samples_of(IsotropicTable.from_reflectance(CookTorrance(TABLE_1["table1_polaris_silver"])))
     NOTES["merl_64_s"] = f"{len(table):,} samples"
     start = perf_counter()
-    factorize(table.wi, table.wo, table.values, resolution=64, progress=part(progress, 0.25, 0.6))
+    factorize(table.wi, table.wo, table.values, resolution=64, progress=subrange(progress, 0.25, 0.6))
     figures["merl_64_s"] = perf_counter() - start
     figures["memory_mb"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
-    measured, tables = _held_out.figures(part(progress, 0.6, 0.85))
+    measured, tables = _held_out.figures(subrange(progress, 0.6, 0.85))
     TABLES.update(tables)
     if not tables:
         NOTES.update(dict.fromkeys(_held_out.BOUNDS, "no measured file at hand"))
     figures |= {key: value if np.isfinite(value) else None for key, value in measured.items()}
-    return figures | _shading.figures(part(progress, 0.85, 1.0))
+    return figures | _shading.figures(subrange(progress, 0.85, 1.0))
 
 
 def _mean(samples: Samples, resolution: int) -> dict[str, object]:

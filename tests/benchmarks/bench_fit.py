@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType
 
 from brdf_suite.cli.bench import load_module
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 NAME = "fit"
 
@@ -35,6 +35,6 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
     figures: dict[str, float | None] = {}
     for number, module in enumerate(PARTS):
         report(progress, number / len(PARTS), module.TITLE)
-        figures |= module.run(part(progress, number / len(PARTS), (number + 1) / len(PARTS)))
+        figures |= module.run(subrange(progress, number / len(PARTS), (number + 1) / len(PARTS)))
         NOTES.update(getattr(module, "NOTES", {}))
     return figures

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from brdf_suite.cli.bench import load_module
-from brdf_suite.progress import part
+from brdf_suite.progress import subrange
 
 _HERE = Path(__file__).parent
 _surface = load_module(_HERE / "lobes_surface.py")
@@ -35,6 +35,6 @@ NOTES = _surface.NOTES
 
 def run(progress=None):
     """Return the figures of :data:`BOUNDS`."""
-    found = _surface.run(part(progress, 0.0, 0.4))
+    found = _surface.run(subrange(progress, 0.0, 0.4))
     found |= _slices.measure()
-    return found | _open.run(part(progress, 0.7, 1.0))
+    return found | _open.run(subrange(progress, 0.7, 1.0))

@@ -19,7 +19,7 @@ from brdf_suite.pipeline.agreement import DEFAULT_FORM, Case, Order, compare, su
 from brdf_suite.pipeline.reference_flakes import sparkle_energy_ratio
 from brdf_suite.pipeline.reference_scene import prepare_reference
 from brdf_suite.pipeline.scene import environment_names
-from brdf_suite.progress import Progress, part
+from brdf_suite.progress import Progress, subrange
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 
 NAME = "reference"
@@ -105,12 +105,12 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
     ]
     yellow = shared / "brdf" / "vch_golden_yellow_rgb.bsdf"
     keep = Path(os.environ[KEEP]) if KEEP in os.environ else default_root() / "bench_reference"
-    raytraced = _raytraced.figures(part(progress, 0.0, 0.3))
+    raytraced = _raytraced.figures(subrange(progress, 0.0, 0.3))
     TABLES.update(_raytraced.TABLES)
-    sparkle = sparkle_energy_ratio(part(progress, 0.3, 0.4))
-    designed = _cases(DESIGNED, environments, keep, part(progress, 0.4, 0.8))
+    sparkle = sparkle_energy_ratio(subrange(progress, 0.3, 0.4))
+    designed = _cases(DESIGNED, environments, keep, subrange(progress, 0.4, 0.8))
     measured_paints = (*TABLE_1, *([str(yellow)] if yellow.exists() else []))
-    measured = _cases(measured_paints, environments, keep, part(progress, 0.8, 0.99))
+    measured = _cases(measured_paints, environments, keep, subrange(progress, 0.8, 0.99))
     of_designed, of_measured = summary(designed), summary(measured)
     for name, cases in (("designed", designed), ("measured", measured)):
         TABLES[f"{name}_by_paint"] = {

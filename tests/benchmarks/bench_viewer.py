@@ -29,7 +29,7 @@ from brdf_suite.pipeline.picture import gl_renderer_name, material_weights
 from brdf_suite.pipeline.scene import default_paint
 from brdf_suite.pipeline.shading_maps import map_exponents
 from brdf_suite.pipeline.still import loaded_scene
-from brdf_suite.progress import part, report
+from brdf_suite.progress import report, subrange
 from brdf_suite.realtime.camera import orbit
 from brdf_suite.realtime.context import create_context
 from brdf_suite.realtime.renderer import Renderer
@@ -72,10 +72,10 @@ SOFTWARE = ("llvmpipe", "softpipe", "swrast", "swiftshader")
 
 def run(progress=None):
     """Return the figures of :data:`BOUNDS`."""
-    found = _shading(part(progress, 0.0, 0.5)) | {
-        "gpu_4k_ms": gpu_frame_ms(progress=part(progress, 0.5, 0.6))
+    found = _shading(subrange(progress, 0.0, 0.5)) | {
+        "gpu_4k_ms": gpu_frame_ms(progress=subrange(progress, 0.5, 0.6))
     }
-    return found | _sparkle.figures(SimpleNamespace(**globals()), part(progress, 0.6, 1.0))
+    return found | _sparkle.figures(SimpleNamespace(**globals()), subrange(progress, 0.6, 1.0))
 
 
 def _shading(progress=None):
@@ -111,8 +111,8 @@ def _shading(progress=None):
         "baseline": (baseline, view, 1),
     }
     several = {"default": (ours, view, 4), "baseline": (baseline, view, 4)}
-    times = _in_turn(cases, frame, target, part(progress, 0.0, 0.6), ROUNDS)
-    smooth = _in_turn(several, frame, target, part(progress, 0.6, 0.7), ROUNDS // 4)
+    times = _in_turn(cases, frame, target, subrange(progress, 0.0, 0.6), ROUNDS)
+    smooth = _in_turn(several, frame, target, subrange(progress, 0.6, 0.7), ROUNDS // 4)
 
     # A cheap mesh, so that the change is not lost in the noise of the draw.
     ours.set_mesh([_sphere(8)])

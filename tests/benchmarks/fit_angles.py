@@ -23,7 +23,7 @@ from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleWeights
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS
 from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.layers import layered
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
@@ -172,7 +172,7 @@ def drag(progress: Progress | None, steps: int = STEPS) -> tuple[list[AngleFit],
 
 def run(progress: Progress | None = None) -> dict[str, float | None]:
     """Return the figures of :data:`BOUNDS`."""
-    fits, processor = drag(part(progress, 0.0, 0.6), STEPS)
+    fits, processor = drag(subrange(progress, 0.0, 0.6), STEPS)
     taken = 1e3 * np.array([fit.seconds for fit in fits])
     limited = sum(fit.time_limited for fit in fits)
     # A fit that other programs interrupt waits for its turn, and that is no property of the fit.
@@ -182,8 +182,8 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
         f"{limited} of {len(fits)} met the limit of 16 ms"
     )
     paints = designed()
-    measured, held = judged(paints, part(progress, 0.6, 0.9))
-    facets_measured, facets_held = judged(cook_torrance(), part(progress, 0.9, 1.0), facets=True)
+    measured, held = judged(paints, subrange(progress, 0.6, 0.9))
+    facets_measured, facets_held = judged(cook_torrance(), subrange(progress, 0.9, 1.0), facets=True)
     matte = {name for name, target in paints.items() if target.coat.roughness > MATTE}
     shift = {name for name, target in paints.items() if not hasattr(target.base, "rule")}
     worst = sorted(held, key=lambda name: held[name].max(), reverse=True)[:5]

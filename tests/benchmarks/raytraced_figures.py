@@ -16,7 +16,7 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Sparkle, SurfaceLook
 from brdf_suite.pipeline.raytraced import Quality, RaytracedSession
 from brdf_suite.pipeline.raytraced_presets import compare_presets
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
@@ -53,7 +53,7 @@ def figures(progress: Progress | None = None) -> dict[str, float | None]:
     medium = _seconds(session, "medium", (640, 480), 3)
     report(progress, 0.1, "ray tracing, high")
     high = _seconds(session, "high", (1280, 960), 1)
-    presets = compare_presets(PAINT, VIEW, (160, 120), progress=part(progress, 0.4, 0.9))
+    presets = compare_presets(PAINT, VIEW, (160, 120), progress=subrange(progress, 0.4, 0.9))
     TABLES["presets"] = {
         one.name: {
             "core_seconds": one.seconds,
@@ -69,7 +69,7 @@ def figures(progress: Progress | None = None) -> dict[str, float | None]:
         "medium_fps_per_core": 1.0 / medium,
         "high_core_seconds": high,
         "mis_time_ratio": presets.paths_as_good_as(best.errors.mean) / best.seconds,
-        "raytraced_sparkle_ratio": sparkle_ratio(session, part(progress, 0.9, 1.0)),
+        "raytraced_sparkle_ratio": sparkle_ratio(session, subrange(progress, 0.9, 1.0)),
     }
 
 

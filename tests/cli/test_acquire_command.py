@@ -33,20 +33,20 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def test_a_table_is_written_and_told(
+def test_a_table_is_written_and_reported(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     capsys.readouterr()
     output = tmp_path / "titan.brdftable"
     assert main(["acquire", str(folder), "-o", str(output), "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert told["file"] == str(output)
-    assert told["positions"] == 6
-    assert told["left_out"] == []
+    reported = json.loads(capsys.readouterr().out)
+    assert reported["file"] == str(output)
+    assert reported["positions"] == 6
+    assert reported["left_out"] == []
     table = read_measured(output)
     assert isinstance(table, IsotropicTable)
     assert table.coverage is not None
-    assert np.count_nonzero(table.coverage.samples) == told["coverage"]["bins"]
+    assert np.count_nonzero(table.coverage.samples) == reported["coverage"]["bins"]
     # A second time it is not overwritten, and the reason names the way on.
     before = output.read_bytes()
     assert main(["acquire", str(folder), "-o", str(output)]) == 1
@@ -86,6 +86,6 @@ def test_many_notices_alike_are_summed_up() -> None:
         f"light_{k:04d}/05.png: stated as 0.02 s, but its pixels show about 0.0{k + 20} s." for k in range(9)
     ]
     other = ["The scale is unknown.", "dark/00.png: is missing."]
-    told = _summed_up([*alike, *other])
-    assert told == [f"{alike[0]} And 8 more photographs alike (--json names all).", *other]
+    reported = _summed_up([*alike, *other])
+    assert reported == [f"{alike[0]} And 8 more photographs alike (--json names all).", *other]
     assert _summed_up(alike[:3]) == alike[:3]

@@ -47,16 +47,16 @@ def test_a_simulated_folder_is_a_session_with_its_truth(folder: Path) -> None:
     assert truth["settings"]["centre_offset_px"] == [2.0, -1.0]
 
 
-def test_what_was_done_is_told_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_was_done_is_reported_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     made = tmp_path / "new"
     assert main(["acquire", "--simulate", "table1_blue", str(made), *SMALL, "--no-noise", "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert told["photographs"] == len(read_session(made).files())
+    reported = json.loads(capsys.readouterr().out)
+    assert reported["photographs"] == len(read_session(made).files())
     (made / "session.json").unlink()
     assert main(["acquire", "--template", str(made), "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert told["file"] == str(made / "session.json")
-    assert told["photographs"] == len(read_session(made).files())
+    reported = json.loads(capsys.readouterr().out)
+    assert reported["file"] == str(made / "session.json")
+    assert reported["photographs"] == len(read_session(made).files())
 
 
 @pytest.mark.parametrize(
@@ -74,11 +74,11 @@ def test_what_was_done_is_told_as_json(tmp_path: Path, capsys: pytest.CaptureFix
     ],
     ids=["paint", "occupied", "bits", "moved", "half", "far", "offset", "template", "both"],
 )
-def test_what_cannot_be_is_told_in_a_line(
+def test_what_cannot_be_is_reported_in_a_line(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], options: list[str], words: str
 ) -> None:
     places = {"made": str(folder), "new": str(tmp_path / "new")}
     assert main(["acquire", *(option.format(**places) for option in options)]) == FAILED
-    told = capsys.readouterr().err
-    assert words in told
-    assert len(told.splitlines()) == 1
+    reported = capsys.readouterr().err
+    assert words in reported
+    assert len(reported.splitlines()) == 1

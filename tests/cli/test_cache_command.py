@@ -98,8 +98,8 @@ def test_baked_occlusion_is_listed_checked_and_removed_too(capsys: pytest.Captur
     part = Part("f", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]]))
     baked_occlusion(Mesh("facet", (part,)))
     ((path, size),) = kept_occlusion()
-    told = answer(capsys, "info")[1]["occlusion"]
-    assert (told["bytes"], told["entries"]) == (size, [{"entry": path.name, "bytes": size}])  # type: ignore[index] # JSON
+    reported = answer(capsys, "info")[1]["occlusion"]
+    assert (reported["bytes"], reported["entries"]) == (size, [{"entry": path.name, "bytes": size}])  # type: ignore[index] # JSON
     assert main(["cache", "info"]) == 0
     assert f"{occlusion_folder()}: 1 surface" in capsys.readouterr().out
     assert answer(capsys, "verify")[1]["occlusion"]["sound"] == 1  # type: ignore[index] # JSON
@@ -124,7 +124,7 @@ def test_an_action_is_needed(capsys: pytest.CaptureFixture[str], tmp_path: Path)
     assert "info" in capsys.readouterr().err
 
 
-def test_pictures_of_paints_are_told_checked_and_removed(capsys: pytest.CaptureFixture[str]) -> None:
+def test_pictures_of_paints_are_reported_checked_and_removed(capsys: pytest.CaptureFixture[str]) -> None:
     store = SwatchStore()
     store.put({f"{index:064d}": np.full((8, 8, 3), index, np.uint8) for index in range(3)})
     assert answer(capsys, "info")[1]["swatches"]["pictures"] == 3  # type: ignore[index] # JSON

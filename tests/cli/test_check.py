@@ -48,7 +48,7 @@ def test_a_model_as_json() -> None:
         assert row["directional_albedo"] == pytest.approx([0.8, 0.5, 0.2], rel=1e-3)
 
 
-def test_a_known_violator_is_told_with_its_size() -> None:
+def test_a_known_violator_is_reported_with_its_size() -> None:
     done = command("cosine_lobes", "--json")
     assert done.returncode == 0
     found = {f["check"]: f for f in json.loads(done.stdout)["findings"]}["reciprocity"]
@@ -58,7 +58,7 @@ def test_a_known_violator_is_told_with_its_size() -> None:
 
 
 def test_a_file_that_makes_light_is_measured(tmp_path: Path) -> None:
-    """kd = 1.5 sends back half as much again as arrives; the paint claims nothing, so it is told, not refused."""
+    """kd = 1.5 sends back half as much again as arrives; the paint claims nothing, so it is reported, not refused."""
     path = tmp_path / "bright.brdfpaint"
     save_paint(CookTorrancePaint("bright", (1.5, 0.1, 0.1), (CookTorranceLobe((0, 0, 0), 0.1, 0.1),)), path)
     done = command(path, "--json")

@@ -160,7 +160,7 @@ def test_files_are_found_from_the_working_folder(inside, tmp_path: Path) -> None
     triangle.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     done = inside("render", "blue", "-o", "out.png", "--mesh", "folder/triangle.obj", "--size", "64x48")
     assert done.returncode == 0, done.stderr
-    assert "note:" in done.stdout  # normals and texture coordinates were made, and that is told
+    assert "note:" in done.stdout  # normals and texture coordinates were made, and that is reported
 
 
 def test_the_unreadable_mesh_says_why(command, shared_data: Path) -> None:
@@ -241,7 +241,7 @@ def test_a_closed_output_is_no_fault() -> None:
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full, a disk that is always full")
 @pytest.mark.parametrize("arguments", [["fit", "blue"], ["fit", "blue", "--json"], ["--help"]])
-def test_output_that_cannot_be_written_is_told_in_one_line(arguments: list[str]) -> None:
+def test_output_that_cannot_be_written_is_reported_in_one_line(arguments: list[str]) -> None:
     with Path("/dev/full").open("w") as full:
         done = subprocess.run(
             [sys.executable, "-m", "brdf_suite.cli.main", *arguments],
@@ -303,7 +303,7 @@ def test_pipes_and_folders_are_no_environment(command, tmp_path: Path) -> None:
         refused(command("render", "blue", "-o", "out.png", "--environment", name), "is not a plain file")
 
 
-def test_a_fit_that_was_stopped_by_time_is_told(monkeypatch, capsys, tmp_path: Path) -> None:
+def test_a_fit_that_was_stopped_by_time_is_reported(monkeypatch, capsys, tmp_path: Path) -> None:
     def stopped(paint: Paint, name: str, basis: object) -> PaintFit:
         found = fit_patiently(paint, name)
         return replace(found, fit=replace(found.fit, time_limited=True))

@@ -18,8 +18,8 @@ def asked(capsys):
 
     def ask(*words: object) -> tuple[int, str, str]:
         status = main([str(word) for word in words])
-        told = capsys.readouterr()
-        return status, told.out, told.err
+        reported = capsys.readouterr()
+        return status, reported.out, reported.err
 
     return ask
 
@@ -32,7 +32,7 @@ def batch(tmp_path: Path) -> Path:
     return path
 
 
-def test_judge_tells_differences_verdict_and_words(asked, batch: Path) -> None:
+def test_judge_prints_differences_verdict_and_words(asked, batch: Path) -> None:
     status, out, _err = asked("judge", "blue", batch, "blue", "--tolerance", "1", "--tolerance", "110=L2")
     assert status == 1
     assert "Blue against Blue: FAIL" in out
@@ -53,14 +53,14 @@ def test_judge_against_a_measured_standard_and_what_it_refuses(asked, shared_dat
     assert status == 0
     assert "15°*" in out
     assert "not judged" in out
-    for words, told in (
+    for words, reported in (
         (("judge", "blue", batch, "--name", "red"), "no standard called 'red'"),
         (("judge", "blue", batch, "--tolerance", "33=1"), "nothing is read there"),
         (("judge", "blue", "no_such_paint"), "no_such_paint"),
     ):
         status, _out, err = asked(*words)
         assert status == 1
-        assert told in err
+        assert reported in err
         assert len(err.splitlines()) == 1
 
 

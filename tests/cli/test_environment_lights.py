@@ -55,13 +55,13 @@ def test_the_table_and_the_picture(capsys: pytest.CaptureFixture[str], tmp_path:
         (["booth", "--image", "/no/such/folder/lights.png"], "cannot be written"),
     ],
 )
-def test_a_mistake_is_told_in_one_line(
+def test_a_mistake_is_reported_in_one_line(
     capsys: pytest.CaptureFixture[str], arguments: list[str], words: str
 ) -> None:
     assert main(["environment", "lights", *arguments]) == 1
-    told = capsys.readouterr().err
-    assert words in told
-    assert told.count("\n") == 1
+    reported = capsys.readouterr().err
+    assert words in reported
+    assert reported.count("\n") == 1
 
 
 @pytest.mark.parametrize("count", ["0", "1025", "-3", "²", "1e3", "9" * 400])
@@ -79,7 +79,7 @@ def test_the_help_names_what_there_is() -> None:
 
 
 def test_the_layout_can_be_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A square image is a light probe or a dome: the shape cannot tell, and the lights differ."""
+    """A square image is a light probe or a dome: the shape is ambiguous, and the lights differ."""
     pixels = np.zeros((64, 64, 3), dtype=np.float32)
     pixels[24:40, 24:40] = 1.0
     write_exr(tmp_path / "probe.exr", pixels)

@@ -15,9 +15,9 @@ from brdf_suite.pipeline.scene import load_shipped_paint
 def test_several_paints_go_into_one_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "paints.csv"
     assert main(["export", "blue", "red", "-o", str(path), "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert told["paints"] == ["Blue", "Red"]
-    assert told["format"] == "csv"
+    reported = json.loads(capsys.readouterr().out)
+    assert reported["paints"] == ["Blue", "Red"]
+    assert reported["format"] == "csv"
     assert read_paints(path).paints == (load_shipped_paint("blue"), load_shipped_paint("red"))
 
 
@@ -38,9 +38,9 @@ def test_losses_are_listed_and_nothing_is_written(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert main(["export", "blue", "--list-losses", "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)["losses"]["blue"]
-    assert list(told) == [known.name for known in formats()]
-    assert any("flakes" in sentence for sentence in told["luxcore"])
+    reported = json.loads(capsys.readouterr().out)["losses"]["blue"]
+    assert list(reported) == [known.name for known in formats()]
+    assert any("flakes" in sentence for sentence in reported["luxcore"])
     assert main(["export", "blue", "--list-losses", "--format", "csv"]) == 0
     assert "Nothing is lost." in capsys.readouterr().out
     assert main(["export", "blue"]) == 1

@@ -34,10 +34,10 @@ def near(value: object, name: str) -> float:
 def test_a_paint_is_written_with_its_textures_and_opened_again(tmp_path: Path, capsys) -> None:
     out = tmp_path / "matte.brdfpaint"
     assert main(["factorize", "matte_grey", "-o", str(out), "--pairs", "5000", "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert told["factors"] == "p:|wo| q:sqrt|h| p:|wi| d:w.h"
-    assert told["peak"] == "s:sqrt|h| f:w.h"
-    assert told["texels"] == {"p": [32], "q": [32], "d": [16], "s": [64], "f": [32]}
+    reported = json.loads(capsys.readouterr().out)
+    assert reported["factors"] == "p:|wo| q:sqrt|h| p:|wi| d:w.h"
+    assert reported["peak"] == "s:sqrt|h| f:w.h"
+    assert reported["texels"] == {"p": [32], "q": [32], "d": [16], "s": [64], "f": [32]}
     paint = load_any_paint(out)
     assert isinstance(paint, FactoredPaint)
     assert near(load_measurable(out).reflectance, "matte_grey") < 0.3
@@ -51,10 +51,10 @@ def test_factors_and_settings_are_taken_and_a_table_is_written(tmp_path: Path, c
     arguments = ["factorize", "matte_grey", "-o", str(out), "--pairs", "6000", "--factors", "p:wo q:h p:wi"]
     arguments += ["--resolution", "16", "--peak", "off", "--smoothness", "3"]
     assert main([*arguments, "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert told["peak"] is None
-    assert told["compression"] == pytest.approx(6000 / (2 * 16 * 16))
-    assert told["asymmetry"]["p"] < 0.1
+    reported = json.loads(capsys.readouterr().out)
+    assert reported["peak"] is None
+    assert reported["compression"] == pytest.approx(6000 / (2 * 16 * 16))
+    assert reported["asymmetry"]["p"] < 0.1
     whole = read_measured(out)
     assert isinstance(whole, Factored)
     assert whole.p.shape == whole.q.shape == (16, 16, 3)
@@ -102,7 +102,7 @@ def test_no_textures_are_left_where_the_paint_cannot_be_written(tmp_path: Path, 
     assert [path.name for path in tmp_path.rglob("*")] == ["folder.brdfpaint"]
 
 
-def test_a_file_of_zeros_is_named_and_few_samples_are_told_as_few(tmp_path: Path, capsys) -> None:
+def test_a_file_of_zeros_is_named_and_few_samples_are_reported_as_few(tmp_path: Path, capsys) -> None:
     wi, wo = pairs(6)
     dark, few = tmp_path / "dark.brdftable", tmp_path / "few.brdftable"
     write_brdftable(ScatteredSamples(wi, wo, np.zeros((6, 3))), dark)

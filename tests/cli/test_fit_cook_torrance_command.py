@@ -35,10 +35,10 @@ def table(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_the_paint_of_a_table_has_its_parameters_and_opens_again(table: Path, tmp_path: Path, capsys) -> None:
     out = tmp_path / "paint.brdfpaint"
     assert main(["fit-cook-torrance", str(table), "-o", str(out), "--json", *QUICK]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert told["file"] == str(out)
-    assert told["errors"]["l1_mean"] < 0.01
-    assert told["errors"]["values"] == 3 * np.count_nonzero(read_brdftable(table).measured_mask())
+    reported = json.loads(capsys.readouterr().out)
+    assert reported["file"] == str(out)
+    assert reported["errors"]["l1_mean"] < 0.01
+    assert reported["errors"]["values"] == 3 * np.count_nonzero(read_brdftable(table).measured_mask())
     paint = load_any_paint(out)
     assert paint.name == "blue matte"
     assert [lobe.m for lobe in paint.lobes] == pytest.approx([lobe.m for lobe in TRUTH.lobes], rel=0.01)
@@ -81,9 +81,9 @@ def test_the_models_stand_side_by_side_and_any_goes_into_a_table(tmp_path: Path,
     write_brdftable(ScatteredSamples(wi, wo, CookTorrance(TRUTH).eval(wi, wo)), file)
     arguments = ["fit-cook-torrance", str(file), "-o", str(out), "--model", "ggx", "--compare", "--json"]
     assert main([*arguments, "--lobes", "2", "--starts", "1"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert list(told["models"]) == ["ggx", "cook-torrance", "ggx-clearcoat"]
-    assert all(0.0 < row["l1_mean"] < 1.0 for row in told["models"].values())
+    reported = json.loads(capsys.readouterr().out)
+    assert list(reported["models"]) == ["ggx", "cook-torrance", "ggx-clearcoat"]
+    assert all(0.0 < row["l1_mean"] < 1.0 for row in reported["models"].values())
     assert isinstance(read_brdftable(out), IsotropicTable)
 
 

@@ -122,7 +122,7 @@ def test_a_solved_paint_reads_its_colours_through_the_aperture(asked) -> None:
     assert seen[True] < 0.05
 
 
-def test_paints_that_share_a_name_are_told_apart(asked) -> None:
+def test_paints_that_share_a_name_are_distinguished(asked) -> None:
     status, out, _err = asked("measure", "blue", "table1_blue", "--csv")
     rows = list(csv.DictReader(io.StringIO(out)))
     assert status == 0
@@ -353,7 +353,7 @@ def test_the_process_itself() -> None:
     assert done.stderr == ""
 
 
-def test_compare_tells_what_is_to_be_known_of_each(asked, shared_data: Path) -> None:
+def test_compare_prints_the_facts_of_each(asked, shared_data: Path) -> None:
     bird = shared_data / "brdf" / "bird_example.json"
     status, out, _err = asked("compare", "blue", bird)
     assert status == 0
@@ -364,5 +364,5 @@ def test_compare_tells_what_is_to_be_known_of_each(asked, shared_data: Path) -> 
     assert answer["notices"]["b"]
 
 
-def test_paints_of_one_name_are_told_apart(asked) -> None:
+def test_paints_of_one_name_are_distinguished(asked) -> None:
     assert "Blue (table1_blue) against Blue (blue)" in asked("compare", "blue", "table1_blue")[1]

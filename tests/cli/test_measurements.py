@@ -16,7 +16,7 @@ from brdf_suite.errors import SuiteError
 
 
 def module(**figures: float | None) -> SimpleNamespace:
-    bounds = {"fast_ms": ("<=", 5.0, "ms", "how fast"), "info": ("", None, "", "only told")}
+    bounds = {"fast_ms": ("<=", 5.0, "ms", "how fast"), "info": ("", None, "", "for information")}
     return SimpleNamespace(
         NAME="demo", BOUNDS=bounds, NOTES={"info": "a reason"}, run=lambda progress: figures
     )
@@ -82,7 +82,7 @@ def test_figures_are_held_against_their_bounds() -> None:
     result = measure(module(fast_ms=4.0, info=None), None)
     rows = {row[0]: row for row in result.rows()}
     assert rows["fast_ms"][1:4] == ("4 ms", "≤ 5 ms", "yes")
-    assert rows["info"][1:] == ("not measured", "–", "", "only told (a reason)")
+    assert rows["info"][1:] == ("not measured", "–", "", "for information (a reason)")
     assert {row[0]: row[3] for row in measure(module(fast_ms=6.0, info=1), None).rows()}["fast_ms"] == "NO"
     answer = result.to_json({})
     assert list(answer) == ["bench", "machine", "figures", "notes"]

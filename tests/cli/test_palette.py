@@ -29,7 +29,7 @@ def source(tmp_path: Path) -> Path:
     return path
 
 
-def test_convert_tells_what_is_lost(source: Path, tmp_path: Path, capsys: Capture) -> None:
+def test_convert_reports_losses(source: Path, tmp_path: Path, capsys: Capture) -> None:
     target = tmp_path / "b.gpl"
     assert main(["palette", "convert", str(source), str(target), "--list-losses"]) == 0
     listed = capsys.readouterr().out
@@ -49,25 +49,29 @@ def test_convert_tells_what_is_lost(source: Path, tmp_path: Path, capsys: Captur
 def test_convert_by_format_and_json(source: Path, tmp_path: Path, capsys: Capture) -> None:
     target = tmp_path / "b.bin"
     assert main(["palette", "convert", str(source), str(target), "--format", "ase", "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert (told["input_format"], told["output_format"], told["entries"]) == ("brdfpalette", "ase", 3)
-    assert told["bytes"] == target.stat().st_size
-    assert told["losses"]
+    reported = json.loads(capsys.readouterr().out)
+    assert (reported["input_format"], reported["output_format"], reported["entries"]) == (
+        "brdfpalette",
+        "ase",
+        3,
+    )
+    assert reported["bytes"] == target.stat().st_size
+    assert reported["losses"]
     assert read_palette(target).format.name == "ase"
 
 
-def test_info_tells_everything(source: Path, capsys: Capture) -> None:
+def test_info_prints_everything(source: Path, capsys: Capture) -> None:
     assert main(["palette", "info", str(source), "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert (told["format"], told["name"]) == ("brdfpalette", "Süd")
-    ink, white, red = told["entries"]
+    reported = json.loads(capsys.readouterr().out)
+    assert (reported["format"], reported["name"]) == ("brdfpalette", "Süd")
+    ink, white, red = reported["entries"]
     assert ink["flat"] == {"name": "Ink", "model": "CMYK", "values": [1.0, 0.0, 0.5, 0.25]}
     assert (ink["group"], ink["usage"], ink["code"]) == (["Inks"], "spot", "I1")
     assert white["kind"] == "aspecular"
     assert [reading["aspecular_deg"] for reading in white["readings"]] == [15.0, 45.0, 110.0]
     assert white["lab"] == [95.0, 0.0, 1.0]
     assert red["hex"] == "#ff0000"
-    assert "CMYK" in told["messages"][0]
+    assert "CMYK" in reported["messages"][0]
     assert main(["palette", "info", str(source)]) == 0
     out = capsys.readouterr().out
     assert "[Inks]\n  Ink (I1): CMYK 1 0 0.5 0.25, spot" in out

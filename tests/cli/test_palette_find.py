@@ -33,11 +33,15 @@ def find(*arguments: str) -> int:
     return int(options.run(options))
 
 
-def test_the_nearest_are_told_with_every_angle(palette: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_nearest_are_reported_with_every_angle(palette: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert find("blue", "--in", str(palette), "--count", "3", "--combine", "worst", "--json") == 0
-    told = json.loads(capsys.readouterr().out)
-    assert [told["paint"], told["palette"], told["entries"]] == ["Blue", "All", len(paint_names()) + 1]
-    first, second, _third = told["found"]
+    reported = json.loads(capsys.readouterr().out)
+    assert [reported["paint"], reported["palette"], reported["entries"]] == [
+        "Blue",
+        "All",
+        len(paint_names()) + 1,
+    ]
+    first, second, _third = reported["found"]
     assert first["code"] == "blue"
     assert first["delta_e_2000"] == 0.0
     other = load_shipped_paint(second["code"])
@@ -56,7 +60,7 @@ def test_a_table_names_codes_and_groups(palette: Path, capsys: pytest.CaptureFix
 
 
 @pytest.mark.parametrize("wrong", [["nothing", "--in", "{}"], ["blue", "--in", "/nowhere/x.ase"]])
-def test_what_is_not_there_is_told(palette: Path, wrong: list[str]) -> None:
+def test_what_is_not_there_is_reported(palette: Path, wrong: list[str]) -> None:
     with pytest.raises(SuiteError):
         find(*(word.format(palette) for word in wrong))
 

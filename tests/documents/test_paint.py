@@ -85,7 +85,7 @@ def test_a_solid_paint_has_one_colour() -> None:
     assert paint.gloss.gu_20 == 88.0
 
 
-def test_two_lights_at_one_aspecular_angle_are_told_apart() -> None:
+def test_two_lights_at_one_aspecular_angle_are_distinguished() -> None:
     first, second = (50.0, 1.0, 2.0), (40.0, 3.0, 4.0)
     solid = solid_paint("p", first)
     paint = dataclasses.replace(solid, measurements=(*solid.measurements, Measurement(15.0, 15.0, second)))

@@ -68,16 +68,16 @@ def test_entries_get_ids_and_groups_are_declared() -> None:
     assert [entry.id for entry in made] == [WHITE.id, "2", "3", "second", "5"]
     assert [group.path for group in made.groups] == [("Cold",), ("Empty",), ("Cold", "Blues"), ("B",)]
     assert made.entry("second").name == "Blue"
-    # A number that somebody has taken is not given twice.
+    # A number that is taken is not given twice.
     assert len({entry.id for entry in Palette("p", (replace(BLUE, id="2"), BLUE, BLUE))}) == 3
 
 
-def test_sections_tell_each_group_once_in_the_order_of_the_file() -> None:
-    told = [
+def test_sections_hold_each_group_once_in_the_order_of_the_file() -> None:
+    reported = [
         (None if group is None else group.path, [entry.id for entry in entries])
         for group, entries in palette().sections()
     ]
-    assert told == [
+    assert reported == [
         (None, [WHITE.id]),
         (("Cold",), []),
         (("Cold", "Blues"), ["2", "second"]),

@@ -87,7 +87,7 @@ def test_groups_take_what_is_in_them_along() -> None:
     assert kept.entry("c").group == ()
 
 
-def test_what_is_not_there_is_told() -> None:
+def test_what_is_not_there_is_reported() -> None:
     for call in (
         lambda: removed(PALETTE, ("z",)),
         lambda: moved(PALETTE, ("a",), before="z"),

@@ -79,13 +79,13 @@ def test_a_specification_per_angle_is_read_with_name_and_gloss(written) -> None:
     assert paint.lab_at(45.0, 45.0) == LABS[45]
 
 
-def test_unknown_gloss_is_told(written) -> None:
+def test_unknown_gloss_is_reported(written) -> None:
     found = read_cxf(written(three()))
     assert found.samples[0].gloss is None
     assert "gloss" in found.notes[0]
 
 
-def test_values_named_after_one_of_several_angles_are_told_apart(written) -> None:
+def test_values_named_after_one_of_several_angles_are_distinguished(written) -> None:
     shared = specification("all", "".join(angle(at) for at in LABS))
     values = "".join(lab_value(lab, "all", f'Name="45as{at}"') for at, lab in LABS.items())
     assert {r.geometry: r.lab for r in read_cxf(written(document(values, shared))).samples[0].readings} == {
@@ -124,7 +124,7 @@ def test_a_spectrum_replaces_the_colour_of_another_light_and_nothing_else_does(w
         read_cxf(written(document(colour, of_a)))
 
 
-def test_a_reading_out_of_the_plane_is_left_out_and_told(written) -> None:
+def test_a_reading_out_of_the_plane_is_left_out_and_reported(written) -> None:
     values = "".join(lab_value(lab, f"s{at}") for at, lab in LABS.items()) + lab_value((1, 2, 3), "out")
     specs = "".join(specification(f"s{at}", angle(at)) for at in LABS)
     found = read_cxf(written(document(values, specs + specification("out", angle(25, azimuth=30)))))

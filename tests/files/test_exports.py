@@ -56,18 +56,19 @@ def labs(paint: Paint) -> dict[tuple[float, float], tuple[float, float, float]]:
     return {(m.illumination_deg, m.aspecular_deg): m.lab for m in paint.measurements}
 
 
-def test_what_is_lost_is_told_in_sentences(known: ExportFormat) -> None:
-    told = known.losses(Subject(PAINT, PAINT))
+def test_what_is_lost_is_reported_in_sentences(known: ExportFormat) -> None:
+    reported = known.losses(Subject(PAINT, PAINT))
     assert all(
-        (sentence[0].isupper() or sentence.startswith("glTF")) and sentence.endswith(".") for sentence in told
+        (sentence[0].isupper() or sentence.startswith("glTF")) and sentence.endswith(".")
+        for sentence in reported
     )
     if known.read is None:
-        assert any("left out" in sentence for sentence in told)
+        assert any("left out" in sentence for sentence in reported)
     if known.name in ("luxcore", "openpbr", "gltf"):
-        assert any("ΔE00" in sentence for sentence in told)
-        assert any("flakes" in sentence for sentence in told)
+        assert any("ΔE00" in sentence for sentence in reported)
+        assert any("flakes" in sentence for sentence in reported)
     if known.name in ("luxcore", "openpbr", "rgl"):
-        assert any("orange peel" in sentence for sentence in told)
+        assert any("orange peel" in sentence for sentence in reported)
 
 
 def test_a_paint_comes_back_as_it_was(
@@ -148,9 +149,9 @@ def test_cxf_is_valid_against_the_schema(shared_data: Path, tmp_path: Path) -> N
         tuple(np.linspace(400.0, 700.0, 31).tolist()), tuple((row * k).tolist() for k in (1.0, 0.5, 9.0))
     )
     spectral = Subject(replace(PAINT, name="spectral\ufffe"), None, build_paint(PAINT), spectra)
-    told = " ".join(BY_NAME["cxf"].losses(spectral))
-    assert "1 of 3 spectra are left out" in told
-    assert "�" in told
+    reported = " ".join(BY_NAME["cxf"].losses(spectral))
+    assert "1 of 3 spectra are left out" in reported
+    assert "�" in reported
     path = tmp_path / "paints.cxf"
     BY_NAME["cxf"].write([Subject(PAINT, PAINT), spectral], path, None)
     xmlschema.XMLSchema(shared_data / "palettes" / "cxf" / "CxF3_Core.xsd").validate(path)
@@ -162,7 +163,7 @@ def test_cxf_is_valid_against_the_schema(shared_data: Path, tmp_path: Path) -> N
     assert path.read_text().count("<cc:BRDFAngle") == 5
 
 
-def test_uneven_spectra_are_read_off_and_told(tmp_path: Path) -> None:
+def test_uneven_spectra_are_read_off_and_reported(tmp_path: Path) -> None:
     bands = (380.5, 450.0, 600.0, 750.0)
     subject = Subject(PAINT, None, build_paint(PAINT), Spectra(bands, ((0.1, 0.2, 0.3, 0.4),) * 3))
     assert any("every 10 nm" in sentence for sentence in BY_NAME["cxf"].losses(subject))
@@ -227,7 +228,7 @@ def test_texts_are_no_formulas_to_a_spreadsheet(tmp_path: Path) -> None:
     assert row["source"].startswith("'-")
 
 
-def test_json_tells_what_follows_from_the_readings(tmp_path: Path) -> None:
+def test_json_holds_what_follows_from_the_readings(tmp_path: Path) -> None:
     path = tmp_path / "a.json"
     BY_NAME["json"].write([Subject(PAINT, PAINT)], path, None)
     (item,) = json.loads(path.read_text())["paints"]

@@ -113,7 +113,7 @@ def test_codes_for_a_monitor_are_littlecms_codes(curve: bytes) -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "told"),
+    ("change", "reported"),
     [
         (lambda d: b"", "not an ICC profile"),
         (lambda d: d[:100], "not an ICC profile"),
@@ -127,8 +127,8 @@ def test_codes_for_a_monitor_are_littlecms_codes(curve: bytes) -> None:
         (lambda d: with_curves(b"curv\0\0\0\0\0\0\xff\xff\0\0"), "cut off in a curve"),
     ],
 )
-def test_damaged_profiles_are_refused(change, told: str) -> None:
-    with pytest.raises(FileError, match=told):
+def test_damaged_profiles_are_refused(change, reported: str) -> None:
+    with pytest.raises(FileError, match=reported):
         read_display_profile(change(profile_bytes(SRGB_SPACE)), "monitor.icc")
 
 

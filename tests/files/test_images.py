@@ -1,4 +1,4 @@
-"""Environment images: real files, every kind that is read, every fault that is named, every repair that is told."""
+"""Environment images: real files, every kind that is read, every fault that is named, every repair that is reported."""
 
 import os
 import struct
@@ -46,7 +46,7 @@ def test_every_real_environment_is_read(shared_data: Path) -> None:
         assert image.pixels.mean() > 0.05
 
 
-def test_real_negatives_and_nonsense_are_told(shared_data: Path) -> None:
+def test_real_negatives_and_nonsense_are_reported(shared_data: Path) -> None:
     folder = shared_data / "environments"
     assert any(
         "842 pixel" in n and "negative" in n for n in read_environment_image(folder / "warehouse.exr").notes
@@ -145,7 +145,7 @@ def test_other_primaries_and_white_are_honoured(tmp_path: Path) -> None:
     assert np.allclose(rgb_to_working(REC709), rec709_to_working(np.eye(3)).T, atol=1e-4)
 
 
-def test_what_cannot_be_radiance_is_repaired_and_told(tmp_path: Path) -> None:
+def test_what_cannot_be_radiance_is_repaired_and_reported(tmp_path: Path) -> None:
     channels = {name: np.full(SHAPE, 2.0, np.float32) for name in "RGB"}
     channels["R"][4, 0] = np.nan
     channels["G"][8, 8] = np.inf
@@ -169,7 +169,7 @@ def test_an_image_of_nothing_but_nan_is_refused(tmp_path: Path) -> None:
         read_environment_image(save(tmp_path / "nan.exr", channels))
 
 
-def test_each_repair_is_told_as_what_it_is(tmp_path: Path) -> None:
+def test_each_repair_is_reported_as_what_it_is(tmp_path: Path) -> None:
     channels = {name: np.full(SHAPE, 2.0, np.float32) for name in "RGB"}
     channels["R"][:] = np.nan
     channels["G"][1, 1:3] = -np.inf
@@ -188,14 +188,14 @@ def test_each_repair_is_told_as_what_it_is(tmp_path: Path) -> None:
     )
 
 
-def test_maps_that_give_no_light_are_told(tmp_path: Path) -> None:
+def test_maps_that_give_no_light_are_reported(tmp_path: Path) -> None:
     dark = "every pixel is black: nothing is lit by this environment"
-    for value, told in ((0.0, (dark,)), (-1.0, ("512 pixel(s) (all of them) held negative", dark))):
+    for value, reported in ((0.0, (dark,)), (-1.0, ("512 pixel(s) (all of them) held negative", dark))):
         channels = {name: np.full(SHAPE, value, np.float32) for name in "RGB"}
         image = read_environment_image(save(tmp_path / "dark.exr", channels, chromaticities=REC2020))
         assert image.pixels.max() == 0.0
-        assert [note.startswith(words) for note, words in zip(image.notes, told, strict=True)] == [
-            True for _ in told
+        assert [note.startswith(words) for note, words in zip(image.notes, reported, strict=True)] == [
+            True for _ in reported
         ]
 
 

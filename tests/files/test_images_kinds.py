@@ -81,7 +81,7 @@ def test_parts_that_are_too_large_together_are_refused(
         read_environment_image(path)
 
 
-def test_chroma_that_is_no_number_is_repaired_and_told(tmp_path: Path) -> None:
+def test_chroma_that_is_no_number_is_repaired_and_reported(tmp_path: Path) -> None:
     light = np.full((16, 32, 3), 0.5)
     light[4, 6] = [np.inf, np.inf, np.inf]
     with np.errstate(invalid="ignore"):
@@ -111,7 +111,7 @@ def test_huge_values_survive_the_reduction_by_area() -> None:
         return np.full((last - first, 8, 3), 3e38, np.float32)
 
     pixels, _ = read_reduced(2 * MOST_ROWS, 8, rows)
-    assert np.isinf(pixels).all(), "told and repaired by whoever reads the image"
+    assert np.isinf(pixels).all(), "reported and repaired by the image reader"
 
 
 def test_parts_without_light_are_refused_with_their_channels(tmp_path: Path) -> None:

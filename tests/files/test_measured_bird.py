@@ -1,4 +1,4 @@
-"""BiRD's JSON: its example, units and groups, and what a damaged file is told."""
+"""BiRD's JSON: its example, units and groups, and what a damaged file is reported."""
 
 from __future__ import annotations
 

@@ -95,7 +95,7 @@ def test_spectra_survive_load_save_load(shared_data: Path, tmp_path: Path, name:
     np.testing.assert_array_equal(second.values, first.values)
 
 
-def test_the_observer_is_the_one_asked_for_and_told(shared_data: Path) -> None:
+def test_the_observer_is_the_one_asked_for_and_reported(shared_data: Path) -> None:
     path = shared_data / "brdf" / "krylon_blue.brdf"
     ten, two = read_measured(path), read_measured(path, options=ReadOptions(observer_deg=2))
     assert ten.facts["observer_deg"] == 10

@@ -128,7 +128,9 @@ def test_plain_values_are_noticed_and_said(file: WriteFile) -> None:
 
 
 @pytest.mark.parametrize(("albedo", "scaled"), [(0.01, True), (0.9, True), (0.01, False), (0.95, False)])
-def test_black_and_white_are_told_apart_from_their_scale(tmp_path: Path, albedo: float, scaled: bool) -> None:
+def test_black_and_white_are_distinguished_from_their_scale(
+    tmp_path: Path, albedo: float, scaled: bool
+) -> None:
     path = tmp_path / "grey.binary"
     grey = IsotropicTable(np.full((90, 90, 180, 3), albedo / np.pi, np.float32))
     write_merl(grey, path, scale_factors=scaled)
@@ -138,7 +140,7 @@ def test_black_and_white_are_told_apart_from_their_scale(tmp_path: Path, albedo:
     assert np.allclose(table.values, albedo / np.pi, rtol=1e-5)
 
 
-def test_a_scale_that_energy_cannot_tell_is_called_uncertain(tmp_path: Path) -> None:
+def test_a_scale_that_energy_cannot_decide_is_called_uncertain(tmp_path: Path) -> None:
     path = tmp_path / "odd.binary"
     write_merl(IsotropicTable(np.full((8, 8, 16, 3), 4.0 / np.pi, np.float32)), path, scale_factors=False)
     assert any("uncertain" in note for note in read_merl(path).facts["notes"])
@@ -198,7 +200,7 @@ def test_written_and_read_again(whole: bytes, file: WriteFile, tmp_path: Path) -
     assert np.allclose(read_merl(plain).values, table.values, rtol=1e-6)
 
 
-def test_a_colour_outside_rec_709_is_written_without_holes_and_told(tmp_path: Path) -> None:
+def test_a_colour_outside_rec_709_is_written_without_holes_and_reported(tmp_path: Path) -> None:
     path = tmp_path / "green.binary"
     notes = write_merl(IsotropicTable(np.full((8, 8, 16, 3), [0.0, 0.3, 0.0], np.float32)), path)
     assert "1,024 bins are too saturated" in notes[0]
@@ -222,7 +224,7 @@ def test_a_model_is_tabulated_to_be_written(tmp_path: Path) -> None:
     assert np.array_equal(np.asarray(table.holes), ~HalfAngleGrid().above_horizon())
 
 
-def test_spectra_that_the_layout_cannot_hold_are_told(tmp_path: Path) -> None:
+def test_spectra_that_the_layout_cannot_hold_are_reported(tmp_path: Path) -> None:
     up = np.array([[0.0, 0.0, 1.0]])
     samples = ScatteredSamples(up, up, np.full((1, 3), 0.1), np.full((1, 2), 0.1), np.array([400.0, 700.0]))
     notes = write_merl(samples, tmp_path / "a.binary")
@@ -277,7 +279,7 @@ def test_damaged_files_are_refused_by_place(content: bytes, says: str, file: Wri
     assert str(path) in str(caught.value)
 
 
-def test_missing_files_and_folders_are_told(tmp_path: Path) -> None:
+def test_missing_files_and_folders_are_reported(tmp_path: Path) -> None:
     with pytest.raises(FileError, match="cannot be read"):
         read_merl(tmp_path / "none.binary")
     with pytest.raises(FileError):

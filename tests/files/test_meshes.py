@@ -288,7 +288,7 @@ def test_a_gltf_with_its_buffer_beside_it(shared_data: Path, tmp_path: Path) -> 
         ("primer", "antibody", "paint"),
     ],
 )
-def test_names_that_tell_the_material(material: str, part: str, word: str) -> None:
+def test_names_that_give_the_material(material: str, part: str, word: str) -> None:
     assert material_word(material, part) == word
 
 

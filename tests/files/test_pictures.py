@@ -67,7 +67,7 @@ def test_postscript_reaches_no_decoder(reader, tmp_path: Path, monkeypatch: pyte
 
 
 @pytest.mark.parametrize("kind", ["GIF", "ICO", "PCX", "PPM", "SGI", "MSP", "XBM", "DDS", "BLP", "QOI"])
-def test_formats_that_nobody_needs_are_refused(kind: str, tmp_path: Path) -> None:
+def test_formats_outside_the_list_are_refused(kind: str, tmp_path: Path) -> None:
     path = tmp_path / "map.png"
     picture = Image.new({"MSP": "1", "XBM": "1", "BLP": "P"}.get(kind, "RGB"), (32, 32))
     try:

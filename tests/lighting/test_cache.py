@@ -212,7 +212,7 @@ def test_the_folder_can_be_chosen(monkeypatch: pytest.MonkeyPatch, tmp_path: Pat
 def test_two_at_once_find_a_damaged_entry_and_rebuild_it_once(
     environment: Environment, count_work: list[str]
 ) -> None:
-    """Whoever waited must take what the other rebuilt, not remove it."""
+    """A waiting process must take what the other rebuilt, not remove it."""
     good = MapCache().get_or_compute(environment, [3.0])
     entry = MapCache().entries()[0].path
     entry.write_bytes(entry.read_bytes()[:-5])
@@ -298,7 +298,7 @@ def test_an_entry_larger_than_the_limit_is_not_kept_and_pushes_nothing_out(envir
     assert MapCache().entries() == before
 
 
-def test_the_limit_can_be_set_and_nonsense_is_told(
+def test_the_limit_can_be_set_and_nonsense_is_reported(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setenv("BRDF_SUITE_CACHE_MB", "300")

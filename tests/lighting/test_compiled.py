@@ -125,7 +125,7 @@ def test_a_wait_says_what_it_waits_for_and_can_be_cancelled(
         process.wait()
 
 
-def test_a_compiler_that_fails_is_told_once_and_not_asked_again(
+def test_a_compiler_that_fails_is_reported_once_and_not_asked_again(
     fresh: type, monkeypatch: pytest.MonkeyPatch, tmp_path, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(compiled, "_stamp", lambda module: tmp_path / "not there")

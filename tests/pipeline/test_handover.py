@@ -24,13 +24,13 @@ from brdf_suite.files.cxf import read_cxf
 from brdf_suite.pipeline import report_pictures
 from brdf_suite.pipeline.handover import (
     export,
+    export_losses,
     format_named,
     format_of,
     formats,
     read_paints,
     subject_of,
     subject_of_paint,
-    told_losses,
 )
 from brdf_suite.pipeline.report import ReportOptions, build_report
 from brdf_suite.pipeline.scene import load_shipped_paint
@@ -224,7 +224,7 @@ def test_too_many_and_impossible_paints_are_refused_before_anything_is_written(
         export(format_named("pdf", PLAIN), [subject_of_paint(impossible)], path)
     assert not path.exists()
     # What only holds readings takes it all the same.
-    assert told_losses(format_named("csv"), subject_of_paint(impossible)) == ()
+    assert export_losses(format_named("csv"), subject_of_paint(impossible)) == ()
     export(format_named("csv"), [subject_of_paint(impossible)], tmp_path / "a.csv")
 
 

@@ -46,7 +46,7 @@ def test_parts_have_their_materials(renderer, scenes):
 def test_unknown_material_is_the_neutral_grey(renderer, scenes):
     renderer.set_environment(scenes.constant())
     pictures = []
-    for name in ("neutral", "a material of somebody else"):
+    for name in ("neutral", "a material of another program"):
         renderer.set_mesh([scenes.sphere(name)])
         pictures.append(renderer.render_image(View(), (64, 64)))
     assert np.array_equal(*pictures)

@@ -1,4 +1,4 @@
-"""A mistake in a shader is told by file and line."""
+"""A mistake in a shader is reported by file and line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The comparison of the two renderers: its figures tell real differences, are kept, and become a page."""
+"""The comparison of the two renderers: its figures show real differences, are kept, and become a page."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_a_comparison_is_kept_and_becomes_a_page(tmp_path: Path, light: Path, mo
     assert "| Copper |" in text
     assert "| number of lobes | 5 lobes |" in text
     assert (tmp_path / "images" / "agreement_designed_sphere.png").stat().st_size > 1000
-    # Another surface is told apart, and so is a paint that is not designed.
+    # Another surface is distinguished, and so is a paint that is not designed.
     titles = [title for title, _ in groups([again, replace(again, designed=False)])]
     assert titles == ["Designed paints on the sphere", "Cook-Torrance and measured paints on the sphere"]
     roof = tmp_path / "roof.obj"

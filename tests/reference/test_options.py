@@ -58,7 +58,7 @@ def test_bits_colours_and_transparency_are_those_asked_for(traced, tmp_path: Pat
 
 
 @pytest.mark.parametrize(
-    ("name", "words", "told"),
+    ("name", "words", "expected"),
     [
         ("a.png", ["--samples", "8"], "--spp"),
         ("a.exr", ["--bits", "16"], "goes on from"),
@@ -67,9 +67,9 @@ def test_bits_colours_and_transparency_are_those_asked_for(traced, tmp_path: Pat
         ("a.png", ["--quality", "fast"], "--quality"),
     ],
 )
-def test_what_cannot_be_is_refused_before_the_work(name, words, told, tmp_path: Path, capsys) -> None:
+def test_what_cannot_be_is_refused_before_the_work(name, words, expected, tmp_path: Path, capsys) -> None:
     assert main([*WORDS, "-o", str(tmp_path / name), *words]) == 1
-    assert told in capsys.readouterr().err
+    assert expected in capsys.readouterr().err
     assert not (tmp_path / name).exists()
 
 
@@ -78,7 +78,7 @@ def test_spp_belongs_to_what_traces(tmp_path: Path, capsys) -> None:
     assert "--samples" in capsys.readouterr().err
 
 
-def test_a_denoiser_that_is_not_there_is_told_before_the_work(variant, tmp_path: Path, capsys) -> None:
+def test_a_denoiser_that_is_not_there_is_reported_before_the_work(variant, tmp_path: Path, capsys) -> None:
     if variant.name.startswith("cuda"):
         pytest.skip("there is an NVIDIA graphics card")
     assert main([*WORDS, "-o", str(tmp_path / "a.png"), "--denoise"]) == 1

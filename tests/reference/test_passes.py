@@ -90,15 +90,20 @@ def test_a_cancelled_render_is_gone_on_from_and_gives_the_same_picture(tmp_path:
     assert render_reference("blue", VIEW, SIZE, parts, samples=16).resumed_samples == 0
 
 
-def test_progress_rises_and_tells_what_is_left(tmp_path: Path) -> None:
-    told: list[tuple[float, str]] = []
+def test_progress_rises_and_states_what_is_left(tmp_path: Path) -> None:
+    reported: list[tuple[float, str]] = []
     picture = render_reference(
-        "copper", VIEW, SIZE, tmp_path / "a.png", samples=24, progress=lambda f, what: told.append((f, what))
+        "copper",
+        VIEW,
+        SIZE,
+        tmp_path / "a.png",
+        samples=24,
+        progress=lambda f, what: reported.append((f, what)),
     )
-    shares = [share for share, _ in told]
+    shares = [share for share, _ in reported]
     assert shares == sorted(shares)
     assert shares[-1] == 1.0
-    assert any("s left" in what for _, what in told)
+    assert any("s left" in what for _, what in reported)
     assert picture.samples == 24
     assert 0.0 < picture.noise < 2.0
 
@@ -116,7 +121,7 @@ def test_names_that_no_picture_can_have_are_refused(tmp_path: Path) -> None:
         render_reference("copper", VIEW, SIZE, tmp_path / "none" / "a.png")
 
 
-def test_a_renderer_that_fails_is_told_and_what_is_there_is_kept(tmp_path: Path, monkeypatch) -> None:
+def test_a_renderer_that_fails_is_reported_and_what_is_there_is_kept(tmp_path: Path, monkeypatch) -> None:
     from brdf_suite.reference import passes
 
     real, count = passes.trace_pass, 0
@@ -150,7 +155,7 @@ def test_without_mitsuba_the_command_says_what_to_install(tmp_path: Path, monkey
     variants.choose_variant.cache_clear()
     assert code == 1
     lines = capsys.readouterr().err.strip().splitlines()
-    told = [line for line in lines if not line.endswith(STAGE_END)]
-    assert len(told) == 1
-    assert "needs Mitsuba, which is not installed" in told[0]
+    reported = [line for line in lines if not line.endswith(STAGE_END)]
+    assert len(reported) == 1
+    assert "needs Mitsuba, which is not installed" in reported[0]
     assert module.DEFAULT_SAMPLES == 256

@@ -29,7 +29,7 @@ FOUR = Quality(32, 4, 4)
 
 
 def cancel_at(samples: int):
-    """A progress callback that cancels once so many samples are told."""
+    """A progress callback that cancels once so many samples are reported."""
 
     def progress(_share: float, what: str) -> None:
         if "samples" in what and int(what.split()[0]) >= samples:
@@ -68,17 +68,23 @@ def test_a_cancelled_render_is_gone_on_from_and_gives_the_same_picture(tmp_path:
         render_raytraced("copper", VIEW, SIZE, parts, quality=FOUR, samples=6, progress=cancel_at(3))
     assert kept.exists()
     assert not parts.exists()
-    told: list[tuple[float, str]] = []
+    reported: list[tuple[float, str]] = []
     made = render_raytraced(
-        "copper", VIEW, SIZE, parts, quality=FOUR, samples=6, progress=lambda f, what: told.append((f, what))
+        "copper",
+        VIEW,
+        SIZE,
+        parts,
+        quality=FOUR,
+        samples=6,
+        progress=lambda f, what: reported.append((f, what)),
     )
     assert (made.samples, made.resumed_samples, made.rounds) == (6, 3, 1.5)
     assert not kept.exists()
     np.testing.assert_allclose(read_exr(parts).pixels, read_exr(whole).pixels, rtol=1e-4, atol=1e-5)
-    shares = [share for share, _ in told]
+    shares = [share for share, _ in reported]
     assert shares == sorted(shares)
     assert shares[-1] == 1.0
-    assert any("of 6 samples" in what for _, what in told)
+    assert any("of 6 samples" in what for _, what in reported)
     # Another scene, or one that is to begin anew, does not go on from it.
     for paint, fresh in (("blue", False), ("copper", True)):
         with pytest.raises(Cancelled):
@@ -96,7 +102,7 @@ def test_a_budget_of_time_ends_it_after_a_pass(tmp_path: Path) -> None:
         assert "ray-traced with 32 lights" in picture.info["Description"]
 
 
-def test_what_fails_is_told_and_what_is_there_is_kept(tmp_path: Path, monkeypatch) -> None:
+def test_what_fails_is_reported_and_what_is_there_is_kept(tmp_path: Path, monkeypatch) -> None:
     from brdf_suite.pipeline import raytraced
     from brdf_suite.reference.raytraced import frames
 
@@ -134,7 +140,7 @@ def test_what_fails_is_told_and_what_is_there_is_kept(tmp_path: Path, monkeypatc
         render_raytraced("copper", VIEW, SIZE, tmp_path / "b.png", quality=FOUR)
 
 
-def test_remaining_time_is_told_as_a_person_would() -> None:
+def test_remaining_time_is_reported_as_a_person_would() -> None:
     words = raytraced_file._clock_words
     assert [words(s) for s in (0.4, 99.0, 130.0, 7300.0)] == ["0 s", "99 s", "3 min", "2 h 2 min"]
 
@@ -154,11 +160,11 @@ def test_a_turntable_goes_on_from_its_finished_frames(tmp_path: Path, renderer) 
     assert sorted(p.name for p in kept.glob("*.png")) == ["frame_0001.png", "frame_0002.png"]
     first = (kept / "frame_0001.png").read_bytes()
     assert not folder.exists()
-    told: list[str] = []
+    reported: list[str] = []
     made = write_traced_turntable(
-        renderer, "copper", view, SIZE, folder, turn, budget, progress=lambda _f, what: told.append(what)
+        renderer, "copper", view, SIZE, folder, turn, budget, progress=lambda _f, what: reported.append(what)
     )
-    assert not any(what.startswith("frame 1") for what in told)
+    assert not any(what.startswith("frame 1") for what in reported)
     assert made.frames == 3
     assert not kept.exists()
     assert sorted(p.name for p in folder.iterdir()) == [f"frame_000{k}.png" for k in (1, 2, 3)]
@@ -205,6 +211,6 @@ def test_without_mitsuba_the_command_says_what_to_install(tmp_path: Path, monkey
     variants.choose_variant.cache_clear()
     assert code == 1
     lines = capsys.readouterr().err.strip().splitlines()
-    told = [line for line in lines if not line.endswith(STAGE_END)]
-    assert len(told) == 1
-    assert "needs Mitsuba, which is not installed" in told[0]
+    reported = [line for line in lines if not line.endswith(STAGE_END)]
+    assert len(reported) == 1
+    assert "needs Mitsuba, which is not installed" in reported[0]

@@ -40,7 +40,7 @@ def test_flakes_are_those_of_the_core(variant: Variant) -> None:
     two = [mi.Point2f(np.ascontiguousarray(x.T, np.float32)) for x in (at, across, down)]
     seen = fl.flakes_seen(sparkle, two[0], mi.Vector2f(two[1]), mi.Vector2f(two[2]))
     light, view = (mi.Vector3f(np.ascontiguousarray(w.T, np.float32)) for w in (wi, wo))
-    base = mi.Color3f(1e6)  # so bright that flakes have a small share of it, and the sum tells the ratio
+    base = mi.Color3f(1e6)  # so bright that flakes have a small share of it, and the sum gives the ratio
     value = np.array(fl.sparkling(sparkle, seen, light, view, mi.Float(spread.astype(np.float32)), base)).T
     mean = np.array(
         fl.sparkling(sparkle, replace(seen, contrast=mi.Float(0.0)), light, view, mi.Float(0.0), base)

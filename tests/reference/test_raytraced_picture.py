@@ -40,7 +40,7 @@ def session(variant: Variant) -> RaytracedSession:
 
 
 def sky(height: int = 16, contrast: float = 0.8) -> Environment:
-    """A smooth light that tells every direction."""
+    """A smooth light that differs in every direction."""
     d = direction(ring_angles(height)[:, None], column_angles(2 * height)[None])
     return Environment("sky", (1.0 + contrast * d).astype(np.float32))
 

@@ -23,7 +23,7 @@ SIZE = (48, 40)
 
 
 def coloured(height: int = 32) -> Environment:
-    """A smooth light that tells every direction: red along x, green along y, blue along z."""
+    """A smooth light that differs in every direction: red along x, green along y, blue along z."""
     d = direction(ring_angles(height)[:, None], column_angles(2 * height)[None])
     return Environment("coloured", (1.0 + 0.8 * d).astype(np.float32))
 
@@ -118,7 +118,7 @@ def test_a_mirror_ball_shows_what_lies_in_the_mirror_direction(sphere, rotation,
         )
         found = estimate.radiance[row, column]
         light = 1.0 + 0.8 * env
-        # Fresnel scales all channels alike: the colour tells the direction.
+        # Fresnel scales all channels alike: the colour identifies the direction.
         np.testing.assert_allclose(found / found.sum(), light / light.sum(), atol=0.02)
         assert estimate.coverage[row, column] == 1.0
         checked += 1
@@ -196,7 +196,7 @@ def test_automatic_exposure_meters_the_object(sphere) -> None:
     assert made.exposed_view(estimate).exposure_ev == pytest.approx(np.log2(0.18 / 4.0), abs=0.02)
 
 
-def test_a_scene_is_told_by_what_its_light_depends_on(sphere) -> None:
+def test_a_scene_is_reported_by_what_its_light_depends_on(sphere) -> None:
     first = scene(Lambertian(0.5), even(), sphere)
     assert first.key == scene(Lambertian(0.5), even(), sphere, exposure_ev=3.0, tone_curve="linear").key
     others = [
@@ -208,7 +208,7 @@ def test_a_scene_is_told_by_what_its_light_depends_on(sphere) -> None:
 
 
 def test_parts_are_of_the_material_that_the_view_gives_them(sphere) -> None:
-    """Chrome instead of a black paint, and another scene to whoever keeps estimates."""
+    """Chrome instead of a black paint, and another scene for kept estimates."""
     look = SurfaceLook(materials=(PartMaterial(sphere.parts[0].name, "chrome"),))
     black = scene(Lambertian(0.0), even(), sphere)
     made = scene(Lambertian(0.0), even(), sphere, surface_look=look)
@@ -229,10 +229,10 @@ class Glowing:
         return np.where(above, self.value / np.pi, 0.0) * np.array([0.1, 1.0, 0.2])
 
 
-def test_a_paint_that_reflects_more_than_it_gets_is_told_and_traced(sphere) -> None:
+def test_a_paint_that_reflects_more_than_it_gets_is_reported_and_traced(sphere) -> None:
     made = scene(Glowing(3.0), even(), sphere)
-    (told,) = (notice for notice in made.notices if "sends back" in notice)
-    assert "300 % of the green light" in told
+    (reported,) = (notice for notice in made.notices if "sends back" in notice)
+    assert "300 % of the green light" in reported
     found = traced(made, 8)
     assert found.radiance[found.coverage == 1.0][:, 1].mean() == pytest.approx(3.0, rel=0.02)
     assert not any("sends back" in notice for notice in scene(Lambertian(0.9), even(), sphere).notices)
@@ -244,11 +244,11 @@ def test_a_paint_without_numbers_is_refused(sphere) -> None:
             scene(Glowing(value), even(), sphere)
 
 
-def test_what_is_drawn_otherwise_is_told(sphere) -> None:
+def test_what_is_drawn_otherwise_is_reported(sphere) -> None:
     view = View(surface="sphere", fresnel="off", surface_look=SurfaceLook(occlusion=False))
-    told = " ".join(build_reference("t", Lambertian(0.5), view, SIZE, even(), sphere).notices)
-    assert "Fresnel" in told
-    assert "always shows the shadows" in told
+    reported = " ".join(build_reference("t", Lambertian(0.5), view, SIZE, even(), sphere).notices)
+    assert "Fresnel" in reported
+    assert "always shows the shadows" in reported
     assert not scene(Lambertian(0.5), even(), sphere).notices
 
 

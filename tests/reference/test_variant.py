@@ -1,4 +1,4 @@
-"""Which variant is taken, and what is told where there is none; each trial is a process of its own."""
+"""Which variant is taken, and what is reported where there is none; each trial is a process of its own."""
 
 from __future__ import annotations
 
@@ -44,9 +44,9 @@ def test_a_graphics_card_goes_first_and_what_fails_gives_way() -> None:
     ("libraries", "words"), [([], ()), ([OLD], ("LLVM 15",)), ([NEW], ("signal 6", "LLVM ERROR"))]
 )
 def test_without_one_the_package_is_named(libraries: list[str], words: tuple[str, ...]) -> None:
-    with pytest.raises(ReferenceUnavailableError, match="libllvm19") as told:
+    with pytest.raises(ReferenceUnavailableError, match="libllvm19") as reported:
         choose(False, libraries, Trial())
-    assert all(word in str(told.value) for word in ("apt-get install", "DRJIT_LIBLLVM_PATH", *words))
+    assert all(word in str(reported.value) for word in ("apt-get install", "DRJIT_LIBLLVM_PATH", *words))
 
 
 def test_without_the_extra_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -80,7 +80,7 @@ def test_a_trial_that_dies_takes_nothing_along(monkeypatch: pytest.MonkeyPatch, 
     assert "signal 6" in found.words
 
 
-def test_a_library_that_is_none_is_told(tmp_path: Path) -> None:
+def test_a_library_that_is_none_is_reported(tmp_path: Path) -> None:
     pytest.importorskip("mitsuba", reason="the extra reference is not installed")
     bad = tmp_path / "libLLVM.so.19.9"
     bad.write_bytes(b"no library")

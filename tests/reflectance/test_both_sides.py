@@ -77,20 +77,20 @@ def test_the_factor_of_the_mirror_direction_leaves_both_sides_alone() -> None:
     np.testing.assert_allclose(ratio, 2.0, rtol=1e-3)
 
 
-def test_readings_that_contradict_each_other_are_told_one_by_one() -> None:
+def test_readings_that_contradict_each_other_are_reported_one_by_one() -> None:
     paint = read_at(shipped("fine_silver"), SIX)
     first = paint.measurements[0]
     wrong = replace(first, lab=(first.lab[0] - 20.0, *first.lab[1:]))
     contradictory = replace(paint, measurements=(wrong, *paint.measurements[1:]))
     solved = build_through(contradictory, POINT)
-    told = misses(contradictory)
-    np.testing.assert_allclose(solved.missed, told, atol=1e-9)
-    assert min(told[:2]) > 1.0, "neither side is taken for the truth"
+    reported = misses(contradictory)
+    np.testing.assert_allclose(solved.missed, reported, atol=1e-9)
+    assert min(reported[:2]) > 1.0, "neither side is taken for the truth"
     fitted = PaintFitter(time_limit_s=60.0).fit(contradictory)
     for notices in (solved.notices, fitted.notices):
         [notice] = [notice for notice in notices if "does not pass through every reading" in notice]
-        assert f"{told[0]:.2f} at -15°" in notice
-        assert f"{told[1]:.2f} at 15°" in notice
+        assert f"{reported[0]:.2f} at -15°" in notice
+        assert f"{reported[1]:.2f} at 15°" in notice
         assert notice.index("at -15°") < notice.index("at 15°")
     assert not any("does not pass" in notice for notice in PaintFitter(time_limit_s=60.0).fit(paint).notices)
 

@@ -49,7 +49,7 @@ def test_a_narrow_coat_sends_back_fresnels_share(roughness: float, angle: float)
     np.testing.assert_allclose(found, fresnel_at(angle, 1.5), rtol=3e-3)
 
 
-def test_light_and_view_are_told_apart() -> None:
+def test_light_and_view_are_distinguished() -> None:
     """f = cosθi/π: with the light at θ all of it is cosθ; with the view at θ it is ∫ cos²/π = 2/3."""
     wi = illumination(np.array([0.0, 60.0]))
     np.testing.assert_allclose(directional_albedo(Tilted(0.0, 1.0), wi)[:, 0], [1.0, 0.5], atol=1e-3)
@@ -96,7 +96,7 @@ def test_nothing_may_be_negative_or_not_finite() -> None:
     assert finding(broken, "non_negativity").size == math.inf
 
 
-def test_the_median_tells_a_common_violation_from_a_rare_one() -> None:
+def test_the_median_distinguishes_a_common_violation_from_a_rare_one() -> None:
     """For f = cosθi/π the relative difference is |cosθi - cosθo| / max; over even pairs its median is 1 - 1/√2.
 
     cosθ is √u with u even, so the smaller over the larger cosine is the root of an even number.

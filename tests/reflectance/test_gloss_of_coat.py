@@ -48,6 +48,6 @@ def test_a_coat_brighter_than_the_colour_is_refused_with_its_place() -> None:
     assert caught.value.measurement == (45.0, 15.0)
     assert caught.value.share > 0.1
     assert isinstance(caught.value, UnreachableError)
-    # It can be told again under a name, and by another process.
+    # It can be reported again under a name, and by another process.
     again = type(caught.value)(f"black: {caught.value}")
     assert str(pickle.loads(pickle.dumps(again))).startswith("black: At 15°")

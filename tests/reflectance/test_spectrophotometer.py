@@ -114,7 +114,7 @@ def test_two_readings_of_gloss_are_read_back() -> None:
     assert report.haze == pytest.approx(24.0, abs=0.7)
 
 
-def test_what_is_not_read_is_not_told() -> None:
+def test_what_is_not_read_is_not_reported() -> None:
     reflectance = build_paint(load_shipped_paint("blue"))
     few = measure(reflectance, geometry_set("45:25,45"))
     assert few.flop is None

@@ -246,16 +246,16 @@ def test_one_triangle() -> None:
 
 
 def test_a_cancel_is_heard() -> None:
-    told: list[tuple[float, str]] = []
+    reported: list[tuple[float, str]] = []
 
     def progress(fraction: float, what: str) -> None:
-        told.append((fraction, what))
+        reported.append((fraction, what))
         if fraction > 0.5:
             raise Cancelled
 
     with pytest.raises(Cancelled):
         bake(sphere(), progress)
-    fractions = [fraction for fraction, _ in told]
+    fractions = [fraction for fraction, _ in reported]
     assert fractions == sorted(fractions)
     assert fractions[-1] < 0.9
     assert len(fractions) > 5

@@ -13,7 +13,7 @@ from brdf_designer.acquire.states import GeometryState, Problem
 from brdf_designer.acquire.work_response import ResponseFound, response_found
 from brdf_designer.acquire.work_series import LONGEST_SIDE
 from brdf_designer.acquire.workbench import RoadRequest
-from brdf_suite.progress import Progress, part
+from brdf_suite.progress import Progress, subrange
 
 if TYPE_CHECKING:
     from brdf_suite.pipeline.acquiring import Acquisition
@@ -55,10 +55,10 @@ def find_geometry(request: RoadRequest, progress: Progress) -> GeometryAnswer:
     response = None
     start = 0.0
     if request.response is None:
-        road.calibrate_response(part(progress, 0.0, 0.3))
+        road.calibrate_response(subrange(progress, 0.0, 0.3))
         response, start = response_found(road), 0.3
-    road.calibrate_intrinsics(part(progress, start, start + 0.05))
-    road.calibrate_geometry(part(progress, start + 0.05, 1.0))
+    road.calibrate_intrinsics(subrange(progress, start, start + 0.05))
+    road.calibrate_geometry(subrange(progress, start + 0.05, 1.0))
     return GeometryAnswer(geometry_found(road), response)
 
 

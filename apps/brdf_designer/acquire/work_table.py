@@ -17,7 +17,7 @@ from brdf_designer.acquire.work_geometry import GeometryFound, geometry_found, r
 from brdf_designer.acquire.work_response import ResponseFound, response_found, thousands
 from brdf_designer.acquire.workbench import WORK_FILE, RoadRequest
 from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 if TYPE_CHECKING:
     from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -105,10 +105,10 @@ def find_table(request: TableRequest, progress: Progress) -> TableFound:
         else:
             start = 0.25
             if request.road.response is None:
-                road.calibrate_response(part(progress, 0.0, 0.08))
+                road.calibrate_response(subrange(progress, 0.0, 0.08))
                 response = response_found(road)
-            road.calibrate_intrinsics(part(progress, 0.08, 0.1))
-            road.calibrate_geometry(part(progress, 0.1, start))
+            road.calibrate_intrinsics(subrange(progress, 0.08, 0.1))
+            road.calibrate_geometry(subrange(progress, 0.1, start))
             geometry = geometry_found(road)
     due = time.monotonic() + _PARTIAL_S
 
@@ -124,7 +124,7 @@ def find_table(request: TableRequest, progress: Progress) -> TableFound:
             due = ended + max(_PARTIAL_S, (ended - begun) / _PARTIAL_SHARE)
         request.partial(done, total, state)
 
-    acquired = road.table(part(progress, start, 0.98), work, partial, request.restart)
+    acquired = road.table(subrange(progress, start, 0.98), work, partial, request.restart)
     report(progress, 0.99, tr("drawing the coverage"))
     return TableFound(acquired, coverage_state(acquired.table, acquired), response, geometry)
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_viewer.traced.request import TraceRequest
 from brdf_viewer.traced.scene_files import read_environment_file, read_surface_file
 
@@ -105,7 +105,7 @@ class Engines:
             request.paint,
             replace(_without_backdrop(request.view), surface_look=replace(look, ground=False)),
             request.size,
-            part(progress, 0.3, 1.0),
+            subrange(progress, 0.3, 1.0),
             environment=environment,
             mesh=mesh,
         )
@@ -125,7 +125,7 @@ class Engines:
             _without_backdrop(request.view),
             request.size,
             quality=request.quality,
-            progress=part(progress, 0.3, 1.0),
+            progress=subrange(progress, 0.3, 1.0),
             environment=environment,
             mesh=mesh,
         )

@@ -35,32 +35,32 @@ _NO_XML = re.compile("[^\t\n -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 def losses(subject: Subject) -> tuple[str, ...]:
     """Return what CxF3 cannot hold of a paint."""
-    told = list(readings_loss(subject))
+    losses = list(readings_loss(subject))
     kept = [name for name in settings_of(subject.paint) if "." in name]
     parts = " and ".join(dict.fromkeys(name.partition(".")[0].replace("_", " ") for name in kept))
     what = f"The {parts}, the rule between angles" if parts else "The rule between angles"
-    told.append(
+    losses.append(
         f"{what} and the near-specular factor go in as tags of this suite; other programs pass over them."
     )
     if any(_NO_XML.search(text) for text in (subject.name, subject.paint.notes, subject.paint.source)):
-        told.append("Characters that XML does not know are written as �.")
+        losses.append("Characters that XML does not know are written as �.")
     if subject.spectra is not None:
-        told += _spectral_losses(subject.spectra)
-    return tuple(told)
+        losses += _spectral_losses(subject.spectra)
+    return tuple(losses)
 
 
 def _spectral_losses(spectra: Spectra) -> list[str]:
-    told = []
+    losses = []
     if not _is_even(spectra):
-        told.append(
+        losses.append(
             "The spectra are read off at 400 to 700 nm, every 10 nm: CxF3 wants even steps from 360 to 400 nm."
         )
     high = sum(not fits(row) for row in spectra.values)
     if high:
-        told.append(
+        losses.append(
             f"{high} of {len(spectra.values)} spectra are left out: a reflectance there is 3 or more, or -0.1 or less."
         )
-    return told
+    return losses
 
 
 def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
@@ -210,7 +210,7 @@ def _even(spectra: Spectra) -> Spectra:
 
 
 def read(path: PathLike) -> Imported:
-    """Return the paints of a CxF3 file; samples that make no paint are told in the notes."""
+    """Return the paints of a CxF3 file; samples that make no paint are reported in the notes."""
     found = read_cxf(path)
     paints, notes = [], [*found.notes, *found.refused]
     for sample in found.samples:

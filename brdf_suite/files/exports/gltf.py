@@ -20,7 +20,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.exports import json_document
 from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike, Subject, model_loss
 from brdf_suite.files.exports.metal_rough_fit import GLTF_IOR, fit_gltf
-from brdf_suite.files.exports.model_fit import told_differences
+from brdf_suite.files.exports.model_fit import format_differences
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.progress import Progress
 
@@ -32,18 +32,18 @@ _RADIUS_M = 0.1
 def losses(subject: Subject) -> tuple[str, ...]:
     """Return what a viewer of glTF does not show of a paint; it is fitted for this."""
     found = fit_gltf(subject.modelled)
-    told = [
+    losses = [
         *model_loss(subject),
-        told_differences(subject.paint, found.differences, "glTF's clearcoat (one colour for every angle)"),
+        format_differences(subject.paint, found.differences, "glTF's clearcoat (one colour for every angle)"),
         f"The clearcoat of glTF has the index {GLTF_IOR:g}, whatever the paint's.",
         "Viewers show no change of hue over the angle, and no flakes: readings, gloss, flakes and texts go along in "
         "the material's extras, which only this suite reads.",
     ]
     if found.clipped:
-        told.append(
+        losses.append(
             "A colour lies outside Rec. 709, in which the parameters are kept; it is moved to the edge."
         )
-    return (*told, *json_document.losses(subject))
+    return (*losses, *json_document.losses(subject))
 
 
 def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:

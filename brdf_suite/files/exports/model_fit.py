@@ -84,8 +84,8 @@ def leaves_rec_709(samples: Samples) -> bool:
     return bool(samples.f[: samples.readings].min() < -1e-6)
 
 
-def told_differences(paint: Paint, differences: tuple[float, ...], what: str) -> str:
-    """Return the sentence that tells how far a model is from the paint at its readings."""
+def format_differences(paint: Paint, differences: tuple[float, ...], what: str) -> str:
+    """Return the sentence that states how far a model is from the paint at its readings."""
     at = ", ".join(
         f"{difference:.1f} at {m.aspecular_deg:g}°"
         + ("" if m.illumination_deg == 45.0 else f" (light {m.illumination_deg:g}°)")
@@ -98,12 +98,12 @@ def fitted_losses(
     subject: Subject, what: str, differences: tuple[float, ...], clipped: bool
 ) -> tuple[str, ...]:
     """Return what is lost of a paint in a format that holds a fitted model and nothing beside it."""
-    told = [*model_loss(subject), told_differences(subject.paint, differences, what)]
+    losses = [*model_loss(subject), format_differences(subject.paint, differences, what)]
     if clipped:
-        told.append(
+        losses.append(
             "A colour lies outside Rec. 709, in which the parameters are kept; it is moved to the edge."
         )
-    return (*told, *flake_loss(subject), "Gloss readings, notes and source are left out.")
+    return (*losses, *flake_loss(subject), "Gloss readings, notes and source are left out.")
 
 
 def half_vector(wi: Floats, wo: Floats) -> tuple[Floats, Floats]:

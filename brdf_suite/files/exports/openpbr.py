@@ -58,10 +58,10 @@ def _block(subject: Subject, name: str, model: MetalRough) -> str:
     inputs = [f'    <input name="base_color" type="color3" value="{colour}"/>']
     inputs += [f'    <input name="{key}" type="float" value="{value:.9g}"/>' for key, value in floats.items()]
     differences = ", ".join(f"{value:.2f}" for value in model.differences)
-    told = f"{subject.name}, by BRDF Suite {version('brdf-suite')}; ΔE00 at its readings: {differences}"
+    comment = f"{subject.name}, by BRDF Suite {version('brdf-suite')}; ΔE00 at its readings: {differences}"
     lines = "\n".join(inputs)
     return (
-        f'  <open_pbr_surface name="{name}_surface" type="surfaceshader" doc={quoteattr(told)}>\n{lines}\n'
+        f'  <open_pbr_surface name="{name}_surface" type="surfaceshader" doc={quoteattr(comment)}>\n{lines}\n'
         "  </open_pbr_surface>\n"
         f'  <surfacematerial name="{name}" type="material">\n'
         f'    <input name="surfaceshader" type="surfaceshader" nodename="{name}_surface"/>\n'

@@ -4,7 +4,7 @@ Layout (Matusik, Pfister, Brand and McMillan, "A Data-Driven Reflectance Model",
 the bins along (θh, θd, φd); then three planes of float64, red, green and blue, each with the place
 φd + n_φd·(θd + n_θd·θh). A stored value is f_r·1500 / (1, 1.15, 1.66) of linear Rec. 709; a negative one, in any
 channel, is a hole. Met as well: φd over 360° (both orders of a pair apart, or with MERL's own header of 360 above
-180 bins), and tables that hold f_r itself. Which of the two is told apart by energy: a surface of more than
+180 bins), and tables that hold f_r itself. Which of the two is decided by energy: a surface of more than
 0.2 % reflectance, taken without the factors, would send back more light than it got.
 """
 
@@ -111,7 +111,7 @@ def write_merl(value: Reflectance, path: PathLike, *, scale_factors: bool = True
 
     Anything but a table is tabulated first, at the centres of the bins. A table whose holes are known is
     written with them. Rec. 709 is narrower than the working space: negative channels become 0, because a
-    negative one would read as a hole; a note tells how many.
+    negative one would read as a hole; a note states how many.
 
     Raises
     ------

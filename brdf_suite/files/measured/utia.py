@@ -2,7 +2,7 @@
 
 Layout (Filip and Vávra, "Template-Based Sampling of Anisotropic BRDFs", 2014), as other readers have it: float64,
 little-endian, no header; three planes R, G, B of 288 × 288, a row per light and a column per view, each
-θ-major: θ of 0, 15 … 75°, φ of 0, 7.5 … 352.5°. The file does not tell its scale nor whether the values
+θ-major: θ of 0, 15 … 75°, φ of 0, 7.5 … 352.5°. The file does not state its scale nor whether the values
 were passed through the sRGB curve - readers differ; they are taken as f_r in linear Rec. 709, and where that sends
 back more light than came in, the ``facts`` say so.
 """

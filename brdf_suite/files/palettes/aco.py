@@ -159,7 +159,7 @@ def _packed(entry: Entry) -> bytes:
 
 
 def _sniff(head: bytes, size: int) -> bool:
-    """Two words cannot tell much: the count must fit the size, and the first colour must be of a known space."""
+    """Check an ACO header: its count must fit the size and its first colour's space be known."""
     if size < 4 or head[:2] not in (b"\0\1", b"\0\2"):
         return False
     count = int.from_bytes(head[2:4], "big")

@@ -1,6 +1,6 @@
 """ACT (Photoshop colour table) and raw PAL, read only: 256 colours of three bytes.
 
-Four more bytes may say how many of them count, and which is transparent. Nothing but its size tells such a file.
+Four more bytes may say how many of them count, and which is transparent. Only its size identifies such a file.
 """
 
 from __future__ import annotations

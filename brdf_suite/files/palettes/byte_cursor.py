@@ -1,4 +1,4 @@
-"""Binary palettes, read field by field: whatever is missing is told with its offset."""
+"""Cursor over a binary palette, read field by field; truncated data is reported with its offset."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ class Collector:
     """Takes entries and groups in the order of a file; every complaint has the file's name and a place.
 
     Names that are too long are cut, control characters become spaces, and a group of a name that was there already
-    gets a number: all of this is counted, and told by :meth:`finish`.
+    gets a number: all of this is counted, and reported by :meth:`finish`.
     """
 
     def __init__(self, path: PathLike) -> None:
@@ -200,7 +200,7 @@ def stem_of(path: PathLike) -> str:
 
 
 def decoded(content: bytes, path: PathLike, collector: Collector | None = None) -> str:
-    """Return a text file's text: UTF-8, with or without a mark, UTF-16 with one, else Latin-1, which is told.
+    """Return a text file's text: UTF-8, with or without a mark, UTF-16 with one, else Latin-1, which is reported.
 
     Raises
     ------

@@ -112,7 +112,7 @@ def plain_of(entry: Entry, models: Collection[str]) -> FlatColour:
 def in_srgb(colour: FlatColour) -> FlatColour:
     """Return RGB, HSB or HSL of another known space as sRGB, not clipped; any other colour as it is.
 
-    Of an unknown space nobody can say what its numbers look like, so they are kept.
+    The look of an unknown space's numbers is undefined, so they are kept.
     """
     if not is_of_other_space(colour):
         return colour

@@ -3,7 +3,7 @@
 The columns of a paint are those of :mod:`brdf_suite.files.exports.csv_table` (``L_15``, ``a_15``, ``b_15`` … by angle,
 ``G20``, settings); before them stand what a palette adds: ``group``, ``code``, ``tags``, ``usage``, ``date`` and
 ``entry_notes``. A flat colour has its ``model``, ``values`` and ``space`` instead, and under ``L_45`` … what it looks
-like under D65 to the 10° observer, for whoever reads the table.
+like under D65 to the 10° observer, for readers of the table.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         raise collector.fail(f"is not valid CSV ({error})", f"line {reader.line_num}") from error
     for line, cells in lines:
         rows.add(cells, line)
-    rows.tell()
+    rows.report()
     return collector.finish()
 
 
@@ -80,7 +80,7 @@ class _Rows:
         self._table = Table(collector.path, angles, comma=comma)
         self._groups: set[GroupPath] = set()
 
-    def tell(self) -> None:
+    def report(self) -> None:
         """Note the columns that nothing is made of."""
         readings = {axis + name[1:] for name in self._angles for axis in "Lab"}
         known = {*_FIRST, *_FLAT, *_LAST, "G20", "G60"} | readings | known_settings()

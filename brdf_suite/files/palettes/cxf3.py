@@ -64,7 +64,7 @@ _ILLUMINANTS = (
 
 
 def _spectra_of(entry: Entry, paint: Paint) -> Spectra | None:
-    """The spectra that a paint came with, where they still tell its colours."""
+    """The spectra that a paint came with, where they still match its colours."""
     text = dict(entry.foreign).get(SPECTRA, "")
     try:
         kept = json.loads(text)
@@ -158,7 +158,7 @@ def _flat_object(
     specifications: dict[str, str],
     tags: dict[str, str],
 ) -> str:
-    # A changed colour is told from an unchanged one by its Lab, so every object has it.
+    # A changed colour is distinguished from an unchanged one by its Lab, so every object has it.
     lab = flat_of(entry, ("Lab",))
     shown = [lab, *(c for c in (colour, *colour.others) if c.model != "Lab")]
     values: list[str] = []

@@ -98,9 +98,9 @@ class _Reader:
             return
         entries = self._collector.entries
         worked_out = labs_d50(flat_labs([own for _, own, _ in self._kept])).tolist()
-        for (index, own, told), lab in zip(self._kept, worked_out, strict=True):
+        for (index, own, lab_read), lab in zip(self._kept, worked_out, strict=True):
             shown = _direct_lab(own) or lab
-            if all(abs(a - b) < _UNCHANGED for a, b in zip(shown, told, strict=True)):
+            if all(abs(a - b) < _UNCHANGED for a, b in zip(shown, lab_read, strict=True)):
                 entries[index] = replace(entries[index], content=own)
 
     def declare(self, path: GroupPath, place: str) -> GroupPath:
@@ -180,9 +180,9 @@ class _Reader:
             observer_deg=first.observer_deg, wavelengths_nm=first.wavelengths_nm, others=tuple(colours[1:]),
         )  # fmt: skip
         kept = _own_flat(own, name, collector.path) if own else None
-        told = next((c.values for c in (found, *found.others) if c.model == "Lab"), None)
-        if kept is not None and told is not None:
-            self._kept.append((len(collector.entries), kept, told))
+        lab_read = next((c.values for c in (found, *found.others) if c.model == "Lab"), None)
+        if kept is not None and lab_read is not None:
+            self._kept.append((len(collector.entries), kept, lab_read))
         return found
 
     def _value(self, value: Element) -> FlatColour | None:

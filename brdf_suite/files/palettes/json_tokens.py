@@ -270,7 +270,7 @@ def _value(entry: Entry) -> dict[str, Any]:
         colour = in_srgb(colour)
     values = list(colour.values)
     if colour.model == "RGB":
-        # A space that nobody knows: the numbers go as sRGB, and the extension knows better.
+        # An unknown space: the numbers go as sRGB, and the extension knows better.
         space = next((word for word, name in SPACES.items() if name == colour.space), "srgb")
     elif colour.model == "XYZ":
         space = "xyz-d65" if colour.illuminant == "D65" else "xyz-d50"

@@ -51,20 +51,20 @@ def losses_of(palette: Palette, known: PaletteFormat, content: bytes, path: Path
     if known.order == "none first":
         sections.sort(key=lambda section: section[0] is not None)
     entries = [entry for _, section in sections for entry in section]
-    told = _of_entries(entries, list(back))
+    losses = _of_entries(entries, list(back))
     if [e.id for e in entries] != [e.id for e in palette] and not _keeps_order(palette, back):
-        told.append("The entries of each group stand together there.")
-    told += _of_palette(palette, back)
+        losses.append("The entries of each group stand together there.")
+    losses += _of_palette(palette, back)
     if many and known is not OWN:
         most = f"{collecting.MOST_COLOURS:,}"
-        told.append(
+        losses.append(
             f"BRDF Suite opens no file of this kind with more than {most} colours, so it cannot read this one back."
         )
-    return tuple(told)
+    return tuple(losses)
 
 
 def _keeps_order(palette: Palette, back: Palette) -> bool:
-    """Whether the entries come back in their order all the same, as far as names and groups tell."""
+    """Whether the entries come back in the same order, as far as names and groups show."""
     return [(e.name, e.group) for e in palette] == [(e.name, e.group) for e in back]
 
 
@@ -73,12 +73,12 @@ def _of_entries(entries: list[Entry], back: list[Entry]) -> list[str]:
     models: Counter[tuple[str, str]] = Counter()
     for entry, other in zip(entries, back, strict=False):
         _compare(entry, other, counts, models)
-    told = []
+    losses = []
     if len(back) < len(entries):
-        told.append(f"{_many(len(entries) - len(back), 'entry')} left out.")
+        losses.append(f"{_many(len(entries) - len(back), 'entry')} left out.")
     for (own, new), count in models.items():
         rough = ", worked out without a profile" if own in ("CMYK", "CMY", "Gray") or new == "CMYK" else ""
-        told.append(f"{_many(count, 'colour')} in {own} {_were(count)} written as {new}{rough}.")
+        losses.append(f"{_many(count, 'colour')} in {own} {_were(count)} written as {new}{rough}.")
     sentences = {
         "paint": "{paint} {is} written as the one colour at 45°: other angles, gloss and flakes are left out.",
         "instrument": "Only what the virtual instruments read of {paint} goes in.",
@@ -104,8 +104,8 @@ def _of_entries(entries: list[Entry], back: list[Entry]) -> list[str]:
             text = sentence.replace("{is}", "is" if count == 1 else "are")
             for word, many in words.items():
                 text = text.replace("{" + word + "}", many)
-            told.append(text)
-    return told
+            losses.append(text)
+    return losses
 
 
 def _compare(entry: Entry, other: Entry, counts: Counter[str], models: Counter[tuple[str, str]]) -> None:
@@ -144,20 +144,20 @@ def _compare(entry: Entry, other: Entry, counts: Counter[str], models: Counter[t
 
 
 def _of_palette(palette: Palette, back: Palette) -> list[str]:
-    told = []
+    losses = []
     if palette.name != back.name:
-        told.append("The palette's name is left out: that of the file counts.")
+        losses.append("The palette's name is left out: that of the file counts.")
     for field, word in (("notes", "notes"), ("colour", "colour"), ("columns", "count of columns")):
         own, new = getattr(palette, field), getattr(back, field)
         if own and own != new:
-            told.append(f"The palette's {word} {'are' if field == 'notes' else 'is'} left out or changed.")
+            losses.append(f"The palette's {word} {'are' if field == 'notes' else 'is'} left out or changed.")
     if palette.foreign and palette.foreign != back.foreign:
-        told.append("What another program's file said further of the palette is left out.")
+        losses.append("What another program's file said further of the palette is left out.")
     paths = {group.path for group in back.groups}
     used = {entry.group[:depth] for entry in palette for depth in range(1, len(entry.group) + 1)}
     empty = sum(group.path not in paths and group.path not in used for group in palette.groups)
     if empty:
-        told.append(f"{_many(empty, 'empty group')} {_were(empty)} left out.")
+        losses.append(f"{_many(empty, 'empty group')} {_were(empty)} left out.")
     groups = {group.path: group for group in back.groups}
     changed = sum(
         (group.notes, group.colour) != (groups[group.path].notes, groups[group.path].colour)
@@ -166,8 +166,8 @@ def _of_palette(palette: Palette, back: Palette) -> list[str]:
         for group in palette.groups
     )
     if changed:
-        told.append(f"The notes or colours of {_many(changed, 'group')} are left out.")
-    return told
+        losses.append(f"The notes or colours of {_many(changed, 'group')} are left out.")
+    return losses
 
 
 def _many(count: int, word: str) -> str:

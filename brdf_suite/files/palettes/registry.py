@@ -55,7 +55,7 @@ FORMATS: tuple[PaletteFormat, ...] = (
     aco.FORMAT,
     act.FORMAT,
 )
-"""In the order in which they are tried; those that least can be told by come last."""
+"""In the order in which they are tried; those with the weakest signatures come last."""
 
 _HEAD = 1 << 16
 
@@ -89,7 +89,7 @@ def sniff(content: bytes, path: PathLike) -> PaletteFormat:
     head, size = content[:_HEAD], len(content)
     found = [known for known in FORMATS if known.sniff(head, size)]
     ending = Path(path).suffix.lower()
-    # Formats that a signature tells are sure; the last two are told by a few numbers or the size alone.
+    # Formats with a signature are certain; the last two are recognised by a few numbers or the size alone.
     named = [known for known in found if ending in known.endings]
     if found and found[0] in (aco.FORMAT, act.FORMAT) and named:
         return named[0]

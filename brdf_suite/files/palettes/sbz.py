@@ -38,7 +38,7 @@ _MODELS: dict[str, Model] = {
     "HSV": "HSB",
     "HSL": "HSL",
 }
-"""Hue is told as a share of the circle there, and the white's Y is 1."""
+"""Hue is stored as a fraction of the circle there, and the white's Y is 1."""
 _NAMES = {"RGB": "RGB", "CMYK": "CMYK", "CMY": "CMY", "Gray": "GRAY", "Lab": "Lab", "LCh": "LCH", "XYZ": "XYZ",
           "HSB": "HSV", "HSL": "HSL"}  # fmt: skip
 _USAGES = ("spot", "global")
@@ -102,7 +102,7 @@ class _Reader:
         collector.check_count(len(self._materials), place)
 
     def _read_group(self, around: Element, group: GroupPath, before: list[str]) -> None:
-        """Read what is in a book or a group; spacers and breaks are told with the swatch before them."""
+        """Read what is in a book or a group; spacers and breaks are recorded with the swatch before them."""
         collector = self._collector
         for element in around.children:
             place = f"line {element.line}"
@@ -150,14 +150,14 @@ class _Reader:
             illuminant=first.illuminant, observer_deg=first.observer_deg, others=tuple(colours[1:17]),
         )  # fmt: skip
         usage = element.attributes.get("usage", "")
-        told = usage.split(",")[0].strip() if usage else ""
+        word = usage.split(",")[0].strip() if usage else ""
         collector.add(
             place,
             colour,
             group=group,
             code="" if own or not title else collector.name(identifier, 200),
             notes=notes,
-            usage=told if told in _USAGES else "process",  # type: ignore[arg-type]  # one of two words
+            usage=word if word in _USAGES else "process",  # type: ignore[arg-type]  # one of two words
             foreign=((_META, json.dumps(kept, ensure_ascii=False)),) if kept else (),
         )
 

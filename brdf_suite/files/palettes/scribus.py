@@ -54,7 +54,7 @@ def _colour(element: Element, collector: Collector, place: str) -> FlatColour:
             raise collector.fail(f"a colour in {space} without {', '.join(missing)}", place)
         texts = [given[key].strip() for key in keys]
         for key, text in zip(keys, texts, strict=True):
-            number(element, text, collector.path, key)  # so that what is none is told with its line
+            number(element, text, collector.path, key)  # so that invalid numbers are reported with their line
         return [unscaled(text, scale) for text in texts]
 
     if space == "CMYK":

@@ -43,7 +43,7 @@ def unpack(content: bytes, path: PathLike) -> dict[str, bytes]:
                         f"is packed by a method that palettes do not have ({part.compress_type}); pack it by deflate",
                         f"part {name[:80]!r}",
                     )
-                # The size that the file tells may be a lie, so no more than that is unpacked in any case.
+                # The stated size may be wrong, so no more than that is unpacked in any case.
                 with archive.open(part) as stream:
                     found[name] = stream.read(left + 1)
                 left -= len(found[name])
@@ -74,7 +74,7 @@ def packed(parts: dict[str, bytes], *, stored: str = "") -> bytes:
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in parts.items():
-            # The first moment that a zip file can tell, so that nothing depends on the clock.
+            # The first moment that a zip file can store, so that nothing depends on the clock.
             part = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
             part.compress_type = zipfile.ZIP_STORED if name == stored else zipfile.ZIP_DEFLATED
             archive.writestr(part, content)

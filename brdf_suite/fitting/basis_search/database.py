@@ -207,13 +207,13 @@ def _content(path: Path) -> bytes:
     """Return what a paint's file says, without the version it says it in: a new version is no other paint."""
     raw = path.read_bytes()
     try:
-        told = json.loads(raw)
-    except ValueError:  # it is told when it is read; here it is only not what was searched
+        record = json.loads(raw)
+    except ValueError:  # reported when it is read; here it only differs from what was searched
         return raw
-    if not isinstance(told, dict):
+    if not isinstance(record, dict):
         return raw
-    told.pop("version", None)
-    return json.dumps(told, sort_keys=True).encode()
+    record.pop("version", None)
+    return json.dumps(record, sort_keys=True).encode()
 
 
 def _edited(paint: AnyPaint, share: float) -> Layered | None:

@@ -107,10 +107,12 @@ def search(
             report(progress, before / whole, what)
             chosen = _starts(errors, results[-1] if results else None, count, starts)
 
-            def told(finished: int, before: int = before, count: int = count, what: str = what) -> None:
+            def report_finished(
+                finished: int, before: int = before, count: int = count, what: str = what
+            ) -> None:
                 report(progress, (before + count**2 * finished / starts) / whole, what)
 
-            optima = team.run(chosen, told)
+            optima = team.run(chosen, report_finished)
             result = _result(errors, optima, time.perf_counter() - begun)
             results.append(result)
             if found is not None:

@@ -44,9 +44,9 @@ def load_search(path: Path) -> StoredSearch:
     kind = reader.take("format"), reader.take("version")
     if kind == (STORED_FORMAT, STORED_VERSION):
         names, default = reader.take("paints"), reader.take("default_count")
-        told = reader.take("provenance")
-        sha256 = told.get("database_sha256") if isinstance(told, dict) else None
-        date = told.get("date") if isinstance(told, dict) else None
+        record = reader.take("provenance")
+        sha256 = record.get("database_sha256") if isinstance(record, dict) else None
+        date = record.get("date") if isinstance(record, dict) else None
     elif kind == (STATE_FORMAT, STATE_VERSION):
         settings = reader.take("settings")
         names = settings.get("paints") if isinstance(settings, dict) else None

@@ -23,7 +23,7 @@ Exponents = tuple[float, ...]
 #: How often the caller hears of the work, seconds: it may want to cancel.
 POLL_S = 0.2
 
-# What a worker process holds from its start: the errors, and the event that tells it to stop.
+# State of a worker process from its start: the errors, and the event that stops it.
 _errors: BasisError | None = None
 _stop: Event | None = None
 
@@ -51,10 +51,10 @@ class Workers:
                 count, mp_context=context, initializer=_start, initargs=(database, self._event)
             )
 
-    def run(self, starts: Sequence[Exponents], told: Callable[[int], None]) -> list[Optimum]:
+    def run(self, starts: Sequence[Exponents], report: Callable[[int], None]) -> list[Optimum]:
         """Return the optimum of each start, in their order.
 
-        ``told`` is called with the number of starts that are done, at least every fifth of a second where there
+        ``report`` is called with the number of starts that are done, at least every fifth of a second where there
         are processes, else after each evaluation; it cancels by raising, and nothing then runs on.
 
         Raises
@@ -66,7 +66,7 @@ class Workers:
             assert self._own is not None
             optima = []
             for done, start in enumerate(starts):
-                optima.append(optimize(self._own, start, partial(told, done)))
+                optima.append(optimize(self._own, start, partial(report, done)))
             return optima
         futures: list[Future[Optimum]] = []
         try:
@@ -75,7 +75,7 @@ class Workers:
                 futures = [self._pool.submit(_work, start) for start in starts]
             left = set(futures)
             while left:
-                told(len(futures) - len(left))
+                report(len(futures) - len(left))
                 left -= wait(left, POLL_S, FIRST_COMPLETED).done
             return [future.result() for future in futures]
         except BrokenProcessPool as error:
@@ -99,7 +99,7 @@ def _start(database: Database, stop: Event) -> None:
 
 
 def _leave_with_parent() -> None:
-    """End this process when its parent is gone: a parent that was killed tells nobody."""
+    """End this process when its parent is gone: a killed parent sends no notice."""
     parent = multiprocessing.parent_process()
     if parent is not None:
         parent.join()

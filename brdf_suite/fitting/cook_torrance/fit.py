@@ -233,7 +233,7 @@ def _other_reflectances(
                     trials.append((_objective(few, x, settings), x))
         if not trials or value <= _ROUNDING:
             break
-        # The valleys differ by less than few samples tell: those that may be lower are searched with all.
+        # The valleys differ by less than few samples can resolve: those that may be lower are searched with all.
         trials.sort(key=lambda trial: trial[0])
         limit = max(_WORTH_A_LOOK * min(trials[0][0], _objective(few, best, settings)), _ROUNDING)
         answers = [

@@ -1,7 +1,7 @@
 """Lobes as a vector of parameters: the logarithm of f_r and its Jacobian.
 
 The vector is log kd (3), then for each lobe log a (3), log m and e = 1/n. The weight is held as a = ks r, the height
-at normal incidence: ks and r themselves are told apart only by the rise towards grazing, so that their product is
+at normal incidence: ks and r themselves are distinguished only by the rise towards grazing, so that their product is
 known well where neither is; with a the Jacobian's columns stay apart. A coat has log m and e alone: it is colourless,
 and its facets are a whole surface (ks = ¼).
 
@@ -32,7 +32,7 @@ from brdf_suite.fitting.cook_torrance.shapes import (
 from brdf_suite.geometry.directions import Floats
 
 LEAST_WEIGHT = 1e-9
-"""kd, or a, below which a fit cannot be told from one without; it becomes 0."""
+"""kd, or a, below which a fit cannot be distinguished from one without; it becomes 0."""
 MOST_KD, MOST_HEIGHT = 10.0, 10.0
 LEAST_M, MOST_M = 1e-3, 1.0
 LEAST_R = 4e-3

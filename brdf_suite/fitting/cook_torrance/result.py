@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from brdf_suite.documents.cook_torrance import CookTorrancePaint
 
 # Relative standard errors above this are said in words.
-_POORLY_TOLD = 0.5
+_POORLY_DETERMINED = 0.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,41 +93,43 @@ class LobeFit:
     @property
     def notices(self) -> tuple[str, ...]:
         """What a user should know."""
-        told = []
+        notices = []
         used = self.problem.samples
         if used.left_out:
-            told.append(
+            notices.append(
                 f"{used.left_out:,} samples are left out: black, not finite, not weighted, or seen at more than "
                 f"{self.settings.grazing_deg:g}° from the normal."
             )
         if used.black and not used.floor.share:
-            told.append(f"{used.black:,} values of 0 or less have no logarithm and are left out.")
+            notices.append(f"{used.black:,} values of 0 or less have no logarithm and are left out.")
         elif used.black:
-            told.append(
+            notices.append(
                 f"{100.0 * used.black_share:.1f} % of the values are 0 or less: colours outside of the working space, "
                 f"or noise. To all, and to the fit, {100.0 * used.floor.share:g} % of the sample's brightest channel "
                 f"and {used.floor.dark:.2g} /sr are added before the logarithm."
             )
         for channel, name in enumerate(("red", "green", "blue")):
             if not used.channels[channel]:
-                told.append(f"There is nothing in the {name} channel; its weights are 0.")
+                notices.append(f"There is nothing in the {name} channel; its weights are 0.")
         if self.dropped:
             left, count = self.model.lobes - len(self.dropped), len(self.dropped)
             does = {0: "No lobe does", 1: "One lobe does"}.get(left, f"{left} lobes do")
             has = "the first has" if count == 1 else f"the first {count} have"
-            told.append(f"{does} as well as {self.model.lobes}; {has} no weight.")
-        told += self._poorly_told()
-        return tuple(told)
+            notices.append(f"{does} as well as {self.model.lobes}; {has} no weight.")
+        notices += self._poorly_determined()
+        return tuple(notices)
 
-    def _poorly_told(self) -> list[str]:
+    def _poorly_determined(self) -> list[str]:
         words = []
         for lobe in range(self.model.lobes):
             if lobe in self.dropped:
                 continue
             error = float(self.standard_errors.r[lobe])
             if not math.isfinite(error) and self.r[lobe] < 0.999:
-                words.append(f"The Fresnel reflectance of lobe {lobe + 1} is not told by these samples.")
-            elif math.isfinite(error) and error > _POORLY_TOLD * float(self.r[lobe]):
+                words.append(
+                    f"The Fresnel reflectance of lobe {lobe + 1} is not determined by these samples."
+                )
+            elif math.isfinite(error) and error > _POORLY_DETERMINED * float(self.r[lobe]):
                 words.append(
                     f"Of lobe {lobe + 1} only ks times r is known: r is {self.r[lobe]:.2g} ± {error:.1g}."
                 )
@@ -182,7 +184,7 @@ class LobeFit:
         return CookTorrancePaint(name, _three(self.kd), lobes, notes=notes, source=source)
 
     def to_json(self) -> dict[str, object]:
-        """Return everything as plain values; what is not told is null."""
+        """Return everything as plain values; undetermined values are null."""
         errors = self.standard_errors
         return {
             "model": self.model.name,

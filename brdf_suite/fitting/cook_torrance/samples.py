@@ -1,8 +1,8 @@
 """The samples of a fit: checked, and few enough, spread over θh and over θd.
 
-Most bins of a table, and most samples of a gonioreflectometer, lie far from the peak; and θd alone tells the lobes'
-Fresnel reflectance from their weight (section 4.2 of Günther et al. 2005 samples its table by θh for that reason).
-So where there are more than a fit needs, they are taken by turns from the cells of a grid over √θh and θd.
+Most bins of a table, and most samples of a gonioreflectometer, lie far from the peak; and θd alone determines the
+lobes' Fresnel reflectance from their weight (section 4.2 of Günther et al. 2005 samples its table by θh for that
+reason). So where there are more than a fit needs, they are taken by turns from the cells of a grid over √θh and θd.
 
 Values of 0 or less have no logarithm. A few are left out. Many are no accident: the colour is outside of the working
 space, so that a channel was cut at 0 (of Cayman nine tenths of the red ones), or the reading drowned in noise. Left

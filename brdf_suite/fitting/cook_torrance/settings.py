@@ -1,4 +1,4 @@
-"""What a fit of lobes can be told."""
+"""Settings of a fit of Cook-Torrance lobes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Loss = Literal["l1", "l2", "robust"]
 LOSSES: tuple[str, ...] = get_args(Loss)
 
 MOST_LOBES = 6
-"""More than twice as many as the paper's; what is fitted beyond tells lobes apart that no measurement does."""
+"""More than twice the paper's number; further lobes cannot be resolved by any measurement."""
 
 
 @dataclass(frozen=True)

@@ -145,7 +145,7 @@ def robust_width(problem: Problem, x: Vector) -> float:
 
 
 def spread_of(problem: Problem, x: Vector) -> float:
-    """Return the standard deviation of the residuals that their median size tells, deaf to outliers."""
+    """Return the standard deviation of the residuals estimated from their median size, robust to outliers."""
     known = problem.samples.known
     return float(np.median(np.abs(problem.residuals(x)[known]))) / _MEDIAN
 

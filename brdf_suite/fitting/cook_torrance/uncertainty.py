@@ -1,12 +1,12 @@
-"""How well the parameters are told: standard errors from the Jacobian at the answer.
+"""Uncertainty of the fitted parameters: standard errors from the Jacobian at the solution.
 
 The answer of an estimator with influence ψ (the derivative of its cost) spreads as A⁻¹ B A⁻¹, A = Σ w ψ' JᵀJ and
 B = Σ (Σ w ψ J)ᵀ(Σ w ψ J), where the inner sums run over the channels of one sample: what is wrong with a sample is
 wrong in all its channels alike, and they are not taken for three measurements (White 1980, by clusters). For |x|, ψ' is
 2 f(0), twice the density of the residuals at 0, which is estimated with a kernel as wide as half of their median size.
 
-They tell the spread by chance of the samples that the solver saw; where the model itself is wrong, neighbouring
-residuals agree, and the errors told are too small.
+They state the random spread of the samples that the solver saw; where the model itself is wrong, neighbouring
+residuals agree, and the standard errors are too small.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from brdf_suite.fitting.cook_torrance.solve import Problem, products
 from brdf_suite.geometry.directions import Floats
 
 _LEAST_WIDTH = 1e-6
-# A combination of parameters so much less told than the best one is not told at all.
+# A combination of parameters so much less determined than the best one counts as undetermined.
 _RANK = 1e-12
 _AT_BOUND = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
 class StandardErrors:
-    """Of kd (3,), ks (N, 3), m (N,) and r (N,); NaN where the samples do not tell, or a parameter stands at a bound."""
+    """Standard errors of kd (3,), ks (N, 3), m (N,) and r (N,); NaN where undetermined or at a bound."""
 
     kd: Floats
     ks: Floats
@@ -79,13 +79,13 @@ def _influence(residuals: Floats, known: np.ndarray, cost: Cost) -> tuple[Floats
 
 
 def _sandwich(a: Floats, b: Floats) -> Floats:
-    """Return A⁻¹ B A⁻¹, NaN for what A does not tell."""
+    """Return A⁻¹ B A⁻¹, NaN for what A does not determine."""
     length = np.sqrt(np.diag(a))
     squares, vectors = np.linalg.eigh(a / np.outer(length, length))
     known = squares > _RANK * max(float(squares[-1]), 1e-300)
     inverse = (vectors[:, known] / squares[known]) @ vectors[:, known].T / np.outer(length, length)
     found = np.asarray(inverse @ b @ inverse)
-    # What has a share in a direction that is not told is not told.
+    # Parameters with a component in an undetermined direction are undetermined.
     lost = (vectors[:, ~known] ** 2).sum(axis=1) > 1e-6
     found[lost, :] = np.nan
     found[:, lost] = np.nan

@@ -20,7 +20,7 @@ from brdf_suite.fitting.homomorphic.projected import averaged, enlarged
 from brdf_suite.fitting.homomorphic.solve import Solver, solve, way_for
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, Factor, parse_factors
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 BIAS = 1e-5
 """ε of equation 6, as the paper has it: for values without noise."""
@@ -112,7 +112,7 @@ def factorize(
     sizes = [resolution] if way == "direct" else _sizes(resolution)
     logs: Mapping[str, Floats] = {}
     for number, size in enumerate(sizes):
-        step = part(progress, 0.95 * number / len(sizes), 0.95 * (number + 1) / len(sizes))
+        step = subrange(progress, 0.95 * number / len(sizes), 0.95 * (number + 1) / len(sizes))
         layout = Layout.of(chosen, size)
         matrix = constraints(layout, samples.wi, samples.wo)
         if number == 0:

@@ -36,7 +36,7 @@ from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_projections import PROJECTIONS
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, Factor, parse_factors
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 PeakForm = Literal["radial", "map"]
 PEAK_FORMS: tuple[str, ...] = get_args(PeakForm)
@@ -144,26 +144,26 @@ def factorize_with_peak(
             few,
             clamped,
             few_share * _trust(few, held, bias),
-            part(progress, 0.1 * number, 0.1 * (number + 1)),
+            subrange(progress, 0.1 * number, 0.1 * (number + 1)),
         ).product
     s = _peak_factor(form, resolution)
-    first = _peak(few, few_share, rough, s, cut, fresnel_maps(), part(progress, 0.2, 0.3))
+    first = _peak(few, few_share, rough, s, cut, fresnel_maps(), subrange(progress, 0.2, 0.3))
     held = _grey(rough.eval(kept.wi, kept.wo))
     clamped = _clamped(kept.values, cut * held)
     left, seen = clamped, share * _trust(kept, held, bias)
     if first is not None:
         added = first.product.eval(kept.wi, kept.wo)
         left = np.clip(kept.values - added, _LEAST_LEFT * clamped, clamped)
-        # Under the peak the body is a small difference of large numbers: there it is told by what lies beside.
+        # Under the peak the body is a small difference of large numbers: there it is inferred from its neighbourhood.
         seen = seen * held / np.maximum(held + _grey(added), 1e-300)
-    found = body.fit(kept, left, seen, part(progress, 0.3, 0.8))
+    found = body.fit(kept, left, seen, subrange(progress, 0.3, 0.8))
     peak = None
     if first is not None:
-        last = _peak(kept, share, found.product, s, cut, (first.formula,), part(progress, 0.8, 1.0))
+        last = _peak(kept, share, found.product, s, cut, (first.formula,), subrange(progress, 0.8, 1.0))
         peak = (last or first).product
     raised = int((samples.values[good] < 0.0).any(axis=1).sum())
-    told = replace(found, left_out=len(samples) - found.used, raised=raised)
-    return WithPeak(found.product, peak), told
+    result = replace(found, left_out=len(samples) - found.used, raised=raised)
+    return WithPeak(found.product, peak), result
 
 
 @dataclass(frozen=True, eq=False)
@@ -255,7 +255,7 @@ def _peak(
     """Return what stands out over ``product``, or None where nothing does.
 
     Where nothing stands out the peak is taken for a small share of the body: near the normal for one that no noise can
-    be told from, beyond the peak's reach for next to nothing.
+    be distinguished from, beyond the peak's reach for next to nothing.
     """
     body = product.eval(samples.wi, samples.wo)
     over = _grey(samples.values) - _STANDS_OUT * _grey(body)

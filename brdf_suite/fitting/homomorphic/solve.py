@@ -22,7 +22,7 @@ from scipy import linalg, sparse
 from scipy.sparse.linalg import LinearOperator, lsmr
 
 from brdf_suite.geometry.directions import Floats
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 
 Solver = Literal["auto", "direct", "iterative"]
 Way = Literal["direct", "iterative"]
@@ -132,7 +132,7 @@ def _iterative(
     system = LinearOperator((rows + more, count), matvec=forwards, rmatvec=back, dtype=np.float64)
     found = np.empty_like(start)
     for channel in range(start.shape[1]):
-        step = part(progress, channel / start.shape[1], (channel + 1) / start.shape[1])
+        step = subrange(progress, channel / start.shape[1], (channel + 1) / start.shape[1])
         report(step, 0.0, "least squares by iteration")
         right = np.concatenate((wanted[:, channel], np.zeros(more)))
         guess = start[:, channel]

@@ -1,6 +1,6 @@
 """The thread that brings a fit to its end after the time limit, in slices, at lower priority.
 
-The model belongs to whoever holds the lock: the caller inside its limit, or this thread for one slice. Between
+The model belongs to the holder of the lock: the caller inside its limit, or this thread for one slice. Between
 slices a request that was cancelled is dropped, so that the newest edit gets the model soon. The slices are
 tasks of an executor of one thread, each of which asks for the next: an executor that is shut down, or an
 interpreter that ends, refuses the next one, and the thread ends after at most one slice.
@@ -119,11 +119,11 @@ class BackgroundSolver:
     def _next(self, work: Work) -> None:
         try:
             self._executor.submit(self._slice, work)
-        except RuntimeError:  # shut down, or the interpreter ends: nobody waits for the rest
+        except RuntimeError:  # shut down, or the interpreter ends: no caller waits for the rest
             self._drop(work)
 
     def _drop(self, work: Work) -> None:
-        """End ``work`` without a result, and tell whoever waits: a future that is cancelled does not by itself."""
+        """End ``work`` without a result and notify waiting callers: a cancelled future does not by itself."""
         work.future.cancel()
         work.future.set_running_or_notify_cancel()
         self._let_go(work, None)
@@ -152,7 +152,7 @@ class BackgroundSolver:
                 self._drop(work)
                 return
             value = work.then(answer[0])
-        except Exception as error:  # noqa: BLE001 - carried to whoever waits; a future left alone hangs
+        except Exception as error:  # noqa: BLE001 - carried to the waiting caller; a future left alone hangs
             if future.set_running_or_notify_cancel():
                 future.set_exception(error)
             self._let_go(work, None)
@@ -162,7 +162,7 @@ class BackgroundSolver:
             future.set_result(value)
 
     def _advance(self, work: Work) -> tuple[LimitedSolution, Solutions] | None:
-        """Solve for one slice; None where the optimum is still to come or nobody wants it."""
+        """Solve for one slice; None where the optimum is still to come or is not requested."""
         request = work.request
         with self.lock:
             if work.future.cancelled():

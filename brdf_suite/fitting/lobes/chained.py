@@ -6,7 +6,7 @@ A_n and b_n come as their products only. S counts a column by its own size, so t
 steps with momentum (Nesterov's, begun anew where they lead uphill), all angles and channels at once: a step is some
 50 µs for 20 angles and 20 columns.
 
-A column costs whoever draws it, and many columns say nearly the same. So the least useful are dropped one by one, by
+Each column costs drawing time, and many columns are nearly redundant. So the least useful are dropped one by one, by
 what their loss adds to the error when the others take over (the surgeon's rule of Hassibi and Stork, 1993: x² over the
 diagonal of the inverse), as long as that is little or there are too many.
 """

@@ -26,7 +26,7 @@ def checked_targets(
 ) -> FloatArray:
     """Return ``values`` as float64 of ``shape``, which ends with three channels.
 
-    ``subject`` begins the message of an error ("The base"); ``where`` tells the place of a sample from its index
+    ``subject`` begins the message of an error ("The base"); ``where`` names the place of a sample from its index
     without the channel ("at the aspecular angle 45°").
 
     Raises

@@ -147,7 +147,7 @@ class LimitedSolver:
     ) -> Future[Any]:
         """Begin to look for the optimum, in slices on the solver's thread; the future gets ``then`` of it.
 
-        For work for which nobody waits. The next call of this method or of :meth:`solve`, and :meth:`close`, cancel
+        For work that no caller waits for. The next call of this method or of :meth:`solve`, and :meth:`close`, cancel
         the future. Arguments and errors as :meth:`solve`.
         """
         request = request_of(self.parts, self.channels, targets, factors)

@@ -5,7 +5,7 @@ For n samples with targets b and weights w, and m columns M, find ``x ≥ 0`` th
 optimum where it is and gives the solver entries near 1: a gloss column of E = 50,000 otherwise differs from
 one of E = 2 by five orders in what it means.
 
-Weights that depend on the target are told beside it, as factors on the fixed ones: in the dual form they bound
+Weights that depend on the target are given beside it, as factors on the fixed ones: in the dual form they bound
 the columns, so that the matrix stays (``solver``).
 """
 

@@ -4,7 +4,7 @@ KD, KDD and KG of a channel are fitted together to ``f_r·(N·L)``::
 
     min Σ_j w_j·|KD·c_j + Σ_i (KDD_i·c_j + KG_i)·(R_j·V_j)^E_i - b_j|,    weights ≥ 0
 
-What tells KDD from KG is c = N·L alone, so samples from at least three incidences are needed; with fewer, KG is
+KDD and KG differ by c = N·L alone, so samples from at least three incidences are needed; with fewer, KG is
 left out and the split is undetermined. The weights hold at every angle as they are: no Fresnel factor comes on top,
 because the data hold it already (``ior`` 1).
 
@@ -42,7 +42,7 @@ from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 FloatArray = NDArray[np.float64]
 
-#: Incidences from which on gloss and directional-diffuse lobes can be told apart.
+#: Incidences from which on gloss and directional-diffuse lobes can be separated.
 FEWEST_INCIDENCES = 3
 #: Samples below which only the diffuse part is fitted.
 FEWEST_SAMPLES = 3
@@ -53,7 +53,7 @@ SEEN = 0.3
 LEAST_LIGHT = 1e-4
 #: No frame waits for such a fit.
 TIME_LIMIT_S = 30.0
-#: A share of the target left as error from which the user is told.
+#: Residual, as a fraction of the target, from which a notice is given.
 _POOR = 0.3
 
 
@@ -62,7 +62,7 @@ class UndividedFit:
     """Weights of undivided data, and how the fit went.
 
     ``relative_error`` ``(3,)``: Σ w·|M x - b| over Σ w·b per channel, of the rows that were fitted (0 where that is
-    0). ``split_determined``: gloss and directional-diffuse parts were told apart. ``incidences_rad``: the different
+    0). ``split_determined``: gloss and directional-diffuse parts were separated. ``incidences_rad``: the different
     polar angles of the light. ``samples``: direction pairs. ``seconds``: samples in hand to weights.
     """
 
@@ -91,7 +91,7 @@ def fit_undivided(
 ) -> UndividedFit:
     """Fit lobes to any reflectance; scattered samples where they were measured, all else where it is sampled best.
 
-    ``rows`` takes other samples than the default ones. ``progress`` tells the share of the limit that is used up.
+    ``rows`` takes other samples than the default ones. ``progress`` receives the share of the limit that is used up.
 
     Raises
     ------
@@ -196,7 +196,7 @@ def fit_rows(
         seconds=time.perf_counter() - start,
         notices=(
             *rows.notices,
-            *_told(rows, exponents, unseen, error, relative, black=not target.any(), split=split),
+            *_notices(rows, exponents, unseen, error, relative, black=not target.any(), split=split),
         ),
     )
 
@@ -241,7 +241,7 @@ def _typical(weights: FloatArray) -> float:
     return float(weights.sum() / (2.0 * np.pi))
 
 
-def _told(
+def _notices(
     rows: UndividedRows,
     exponents: FloatArray,
     unseen: NDArray[np.bool_],
@@ -252,22 +252,22 @@ def _told(
     split: bool,
 ) -> tuple[str, ...]:
     """What a user should know of the fit; ``error`` (n, 3) is what each row adds to the objective."""
-    told = []
+    notices = []
     if black:
         return ("It is black wherever it was sampled; all weights are zero.",)
     angles = ", ".join(f"{np.degrees(angle):.0f}" for angle in rows.incidences_rad)
     if len(rows.weights) < FEWEST_SAMPLES:
-        told.append(f"There are fewer than {FEWEST_SAMPLES} samples: the diffuse part alone is fitted.")
+        notices.append(f"There are fewer than {FEWEST_SAMPLES} samples: the diffuse part alone is fitted.")
     elif unseen.all():
-        told.append("No sample lies near the mirror direction: the diffuse part alone is fitted.")
+        notices.append("No sample lies near the mirror direction: the diffuse part alone is fitted.")
     elif unseen.any():
-        told.append(
+        notices.append(
             f"No sample lies near enough to the mirror direction for lobes sharper than exponent "
             f"{exponents[~unseen].max():g}: what gloss there is beyond is not in the fit."
         )
     if not split:
-        told.append(
-            f"The light stood at {angles}° only. Gloss and directional-diffuse parts cannot be told apart with fewer "
+        notices.append(
+            f"The light stood at {angles}° only. Gloss and directional-diffuse parts cannot be separated with fewer "
             f"than {FEWEST_INCIDENCES} incidences: all lobes are taken as directional-diffuse, and the split is "
             "undetermined."
         )
@@ -275,8 +275,8 @@ def _told(
         worst = int(np.argmax(rows.share * error.sum(axis=1)[rows.row]))
         light = np.degrees(np.arccos(min(rows.wi[worst, 2], 1.0)))
         gamma = np.degrees(aspecular_angle(rows.wi[worst], rows.wo[worst]))
-        told.append(
+        notices.append(
             f"Cosine lobes about the mirror direction miss {100.0 * relative.max():.0f} % of it, most of all with the "
             f"light at {light:.0f}° and the view {float(gamma):.0f}° from its mirror direction."
         )
-    return tuple(told)
+    return tuple(notices)

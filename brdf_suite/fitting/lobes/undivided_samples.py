@@ -43,7 +43,7 @@ WIDEST_STEP_RAD = np.radians(10.0)
 AZIMUTHS = 6
 #: Azimuths at which an anisotropic reflectance is turned; its lobes are fitted to the mean.
 TURNS = 8
-#: Incidences that differ by less are one: their cosines, by which directional-diffuse and gloss are told apart.
+#: Incidences that differ by less are one: their cosines, by which directional-diffuse and gloss are separated.
 SAME_COSINE = 0.01
 #: Nearer to grazing a measurement says nothing, and f_r may be without bound.
 _LOWEST_COSINE = 1e-3

@@ -24,7 +24,7 @@ FloatArray = NDArray[np.float64]
 
 Weighting = Literal["absolute", "relative", "solid angle"]
 
-#: Smallest target that relative weights tell apart, over the channel's largest: weights differ by 20 at most.
+#: Smallest target that relative weights resolve, over the channel's largest: weights differ by 20 at most.
 SMALLEST_SHARE = 0.05
 
 

@@ -26,7 +26,7 @@ from brdf_suite.lighting.procedural.panorama import (
 from brdf_suite.lighting.procedural.preetham import sky_radiance
 from brdf_suite.lighting.procedural.sun import Sun
 from brdf_suite.lighting.procedural.sun_disc import LimbDisc
-from brdf_suite.progress import Progress, part
+from brdf_suite.progress import Progress, subrange
 
 Float64 = NDArray[np.float64]
 
@@ -80,7 +80,7 @@ def sky(
             return np.broadcast_to(ground, toward.shape)
         return mix(np.broadcast_to(ground, toward.shape), above(toward), edge(up, _HORIZON))
 
-    picture = draw(radiance, height, samples, part(progress, 0.0, 0.9))
+    picture = draw(radiance, height, samples, subrange(progress, 0.0, 0.9))
     if disc is not None and description.sun_disc:
         picture = disc.add_to(picture)
     haze = (

@@ -40,7 +40,7 @@ def in_pixel(index: Words) -> Any:
 
 
 def in_cube(index: Words, turn: Words) -> tuple[Any, Any]:
-    """Return a number and a pair, all even, for the sample ``index`` of the pixel that ``turn`` tells."""
+    """Return a number and a pair, all even, for the sample ``index`` of the pixel given by ``turn``."""
     a, b, c = (
         fraction(index * mi.UInt32(alpha) + scrambled(turn + mi.UInt32(0x9E3779B9 * (k + 1) & 0xFFFFFFFF)))
         for k, alpha in enumerate(_ALPHA_3)

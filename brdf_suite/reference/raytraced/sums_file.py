@@ -1,7 +1,7 @@
 """Sums in an EXR file: the picture as anyone sees it, and beside it what a render goes on from.
 
 Channels ``R G B`` hold the whole picture's radiance, ``A`` the object's coverage, ``object.R`` … its own light and
-``ground.R`` … the darkness of its shadow, all as means over the samples. A text attribute tells how many those were,
+``ground.R`` … the darkness of its shadow, all as means over the samples. A text attribute holds their number,
 and of which scene.
 """
 
@@ -25,7 +25,7 @@ def write_sums(
     key: str,
     metadata: Mapping[str, str] | None = None,
 ) -> None:
-    """Write sums atomically; ``picture`` (h, w, 3) is their light with the backdrop, ``key`` tells the scene."""
+    """Write sums atomically; ``picture`` (h, w, 3) is their light with the backdrop, ``key`` identifies the scene."""
     planes = {"A": sums.coverage}
     for index, name in enumerate("RGB"):
         planes[name] = picture[..., index]

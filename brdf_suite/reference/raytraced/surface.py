@@ -1,7 +1,7 @@
 """The surface as one mesh, whatever parts it has, and what a ray meets on it.
 
 One mesh instead of one for each part: where a ray meets it, everything is looked up in plain arrays, and only the
-materials are told apart.
+materials are distinguished.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class SurfaceArrays:
 
     @classmethod
     def of(cls, parts: Sequence[Any], numbers: dict[str, int]) -> SurfaceArrays:
-        """Return the arrays of parts of a mesh; ``numbers`` tells the number of each material."""
+        """Return the arrays of parts of a mesh; ``numbers`` maps each material to its number."""
         starts = np.cumsum([0, *(len(p.positions) for p in parts)])
         return cls(
             np.concatenate([p.positions for p in parts]).astype(np.float32),

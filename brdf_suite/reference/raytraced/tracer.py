@@ -185,7 +185,7 @@ def _dealt(deal: Deal, hand: Any) -> Pick:
 
 
 def _drawn_lights(lights: LightArrays, deal: Deal, word: Any) -> Pick:
-    """Lights drawn as often as they have light, evenly from a place that ``word`` tells.
+    """Lights drawn as often as they have light, evenly starting at a place given by ``word``.
 
     The few lights of a reflected ray stand for all of them: dealt, most rays would miss the sun.
     """

@@ -82,4 +82,4 @@ TABLE_1: Mapping[str, CookTorrancePaint] = MappingProxyType(
         ),
     }
 )
-"""By name: a prefix tells them from the shipped paints, one of which is called ``blue`` too."""
+"""By name: a prefix distinguishes them from the shipped paints, one of which is called ``blue`` too."""

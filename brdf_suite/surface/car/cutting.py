@@ -1,7 +1,7 @@
 """Exact cuts of a triangle mesh along the zero of any function of position.
 
 A cut adds points where edges cross the zero, so that the border of a window or of a shut line is a smooth curve
-however coarse the mesh is. Nothing is removed: pieces are told apart afterwards by the sign at their middle.
+however coarse the mesh is. Nothing is removed: pieces are identified afterwards by the sign at their middle.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The body's mesh: extracted, cut along all outlines, told apart into pieces, edges turned in.
+"""The body's mesh: extracted, cut along all outlines, separated into pieces, edges turned in.
 
 Works on the half x ≥ 0. The pieces share the points on their borders until each is taken out on its own.
 """
@@ -218,7 +218,7 @@ def build_shell() -> Shell:
     soup, marks = cut_all(soup, curves, marks)
     soup = Soup(_on_centre(project(body, soup.points, steps=1)), soup.triangles)
     normal = normals(body, soup.points)
-    # Told apart before merging: afterwards a triangle in a narrow bend may have its middle on the other side.
+    # Separated before merging: afterwards a triangle in a narrow bend may have its middle on the other side.
     piece = _pieces(soup, distances)
     triangles, kept = merged(soup.points, normal, soup.triangles, marks, MERGE, 6.0)
     return Shell(Soup(soup.points, triangles), normal, piece[kept], NAMES)

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import SuiteError
-from brdf_suite.progress import Progress, part, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
 from brdf_suite.surface.occlusion.fit import shared_places, vertex_values
@@ -80,7 +80,7 @@ def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
             f"Occlusion cannot be baked: the ray tracer Embree is not there for this machine ({error})."
         ) from error
     low, high = mesh.bounds()
-    ground = bake_floor(scene, low, high, part(progress, 0.02, 0.3))
+    ground = bake_floor(scene, low, high, subrange(progress, 0.02, 0.3))
     floor = Ground(ground.height, ground.low, ground.high, ground.share)
 
     def look(places: Places, progress: Progress | None) -> Float32:
@@ -90,7 +90,7 @@ def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
 
     count = int(np.clip(_PLACES_A_TRIANGLE * len(surface.triangles), _FEWEST_PLACES, _MOST_PLACES))
     places = spread(surface.positions, surface.normals, surface.triangles, count)
-    seen = look(places, part(progress, 0.3, 0.85))
+    seen = look(places, subrange(progress, 0.3, 0.85))
     limit = len(surface.triangles) + max(_ADDED_FEWEST, int(_ADDED_SHARE * mesh.triangle_count))
     for number in range(_ROUNDS + 1):
         report(progress, 0.85 + 0.15 * number / (_ROUNDS + 1), "fitting the occlusion")

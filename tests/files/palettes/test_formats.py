@@ -1,4 +1,4 @@
-"""Every palette format of the registry: what it holds comes back, what it does not is told."""
+"""Every palette format of the registry: what it holds comes back, what it does not is reported."""
 
 from __future__ import annotations
 
@@ -154,17 +154,17 @@ def test_what_a_format_claims_to_hold_comes_back(written: PaletteFormat, full: P
         assert isinstance(paint.content, FlatColour)
 
 
-def test_losses_are_told_before_and_after_writing(
+def test_losses_are_reported_before_and_after_writing(
     written: PaletteFormat, full: Palette, tmp_path: Path
 ) -> None:
     path = tmp_path / f"palette{written.endings[0]}"
-    told = losses(full, written, path)
+    reported = losses(full, written, path)
     done = write_palette(full, path, written)
-    assert done.losses == told
+    assert done.losses == reported
     assert done.size == path.stat().st_size
-    assert all(sentence.endswith(".") for sentence in told)
-    words = " ".join(told)
-    assert (told == ()) == (written.name in ("brdfpalette", "json"))
+    assert all(sentence.endswith(".") for sentence in reported)
+    words = " ".join(reported)
+    assert (reported == ()) == (written.name in ("brdfpalette", "json"))
     assert ("at 45°" in words) == (not written.paints)
     assert ("CMYK are written as" in words or "CMYK is written as" in words) == ("CMYK" not in written.models)
     if written.groups == "none":
@@ -253,7 +253,7 @@ def test_every_real_palette_loads_and_comes_back(
     assert seen > 0 or known.name in made_here
 
 
-def test_endings_name_formats_and_unknown_ones_are_told(tmp_path: Path) -> None:
+def test_endings_name_formats_and_unknown_ones_are_reported(tmp_path: Path) -> None:
     assert format_for("a.GPL").name == "gpl"
     assert format_for("a.pal").name == "riff"
     with pytest.raises(FileError, match="names no palette format"):
@@ -269,7 +269,7 @@ def test_endings_name_formats_and_unknown_ones_are_told(tmp_path: Path) -> None:
         losses(Palette("p"), act)
 
 
-def test_order_in_groups_is_told_where_a_file_must_change_it() -> None:
+def test_order_in_groups_is_reported_where_a_file_must_change_it() -> None:
     gray = FlatColour("", "Gray", (0.5,))
     mixed = Palette("p", (Entry(gray, group=("A",)), Entry(gray, group=("B",)), Entry(gray, group=("A",))))
     ase = next(f for f in FORMATS if f.name == "ase")
@@ -280,7 +280,7 @@ def test_order_in_groups_is_told_where_a_file_must_change_it() -> None:
 
 
 def written_as(name: str, colour: FlatColour) -> tuple[FlatColour, str]:
-    """Return what comes back of a colour from a format, and what is told of it."""
+    """Return what comes back of a colour from a format, and its notices."""
     known, own = next(f for f in FORMATS if f.name == name), Palette("p", (Entry(colour),))
     assert known.write is not None
     back = read_content(known.write(own), "a", known).palette.entries[0].content
@@ -295,33 +295,33 @@ def test_colours_of_another_space_stay_the_same_colours_where_a_format_knows_non
 ) -> None:
     values = (0.6, 0.3, 0.2) if model == "RGB" else (15.0, 2.0 / 3.0, 0.6)
     own = FlatColour("c", model, values, "Adobe RGB (1998)")  # type: ignore[arg-type]  # one of its words
-    back, told = written_as(name, own)
+    back, reported = written_as(name, own)
     assert (back.model, back.space) == ("RGB", "")
     # As far as eight bits go.
     assert delta_e_2000(*flat_labs([own, back])) < (0.5 if name == "gpl" else 0.01)
     as_what = "Adobe RGB (1998) is written as sRGB." if model == "RGB" else "HSB is written as RGB."
-    assert f"1 colour in {as_what}" in told
+    assert f"1 colour in {as_what}" in reported
     if name == "scribus":
-        assert "rounded" not in told
+        assert "rounded" not in reported
 
 
-def test_spaces_and_whites_that_are_lost_are_told_beside_rounded_numbers() -> None:
-    back, told = written_as("ase", FlatColour("c", "RGB", (0.7, 0.2, 0.1), "Press 7"))
+def test_spaces_and_whites_that_are_lost_are_reported_beside_rounded_numbers() -> None:
+    back, reported = written_as("ase", FlatColour("c", "RGB", (0.7, 0.2, 0.1), "Press 7"))
     assert back.values == pytest.approx((0.7, 0.2, 0.1))
-    assert "The numbers of 1 colour are rounded." in told
-    assert "The colour spaces of 1 colour are left out." in told
-    _, told = written_as("ase", FlatColour("c", "Lab", (60.1, 10.1, 20.1), "", "D65", 10))
-    assert "The whites that 1 colour is measured by are left out." in told
+    assert "The numbers of 1 colour are rounded." in reported
+    assert "The colour spaces of 1 colour are left out." in reported
+    _, reported = written_as("ase", FlatColour("c", "Lab", (60.1, 10.1, 20.1), "", "D65", 10))
+    assert "The whites that 1 colour is measured by are left out." in reported
 
 
-def test_colours_beyond_what_a_format_holds_are_told_as_such() -> None:
+def test_colours_beyond_what_a_format_holds_are_reported_as_such() -> None:
     for name in ("aco", "gpl"):
-        _, told = written_as(name, FlatColour("c", "RGB", (0.7, 0.2, 0.1), "ProPhoto RGB"))
-        assert "1 colour is beyond what it holds and brought to the nearest that it does." in told
-        assert "rounded" not in told
-    back, told = written_as("ase", FlatColour("c", "RGB", (0.7, 0.2, 0.1), "ProPhoto RGB"))
+        _, reported = written_as(name, FlatColour("c", "RGB", (0.7, 0.2, 0.1), "ProPhoto RGB"))
+        assert "1 colour is beyond what it holds and brought to the nearest that it does." in reported
+        assert "rounded" not in reported
+    back, reported = written_as("ase", FlatColour("c", "RGB", (0.7, 0.2, 0.1), "ProPhoto RGB"))
     assert back.values[0] > 1.0
-    assert "beyond" not in told
+    assert "beyond" not in reported
 
 
 def test_a_further_model_in_another_space_is_converted_too() -> None:
@@ -352,7 +352,7 @@ def test_white_and_black_of_hwb_beyond_the_whole_are_a_grey(text: str, wanted: t
 
 
 @pytest.mark.parametrize("text", ["abc", "YWJj\n!", "ä", "****"])
-def test_what_is_no_profile_of_krita_is_left_out_and_told(text: str) -> None:
+def test_what_is_no_profile_of_krita_is_left_out_and_reported(text: str) -> None:
     kpl = next(f for f in FORMATS if f.name == "kpl")
     assert kpl.write is not None
     sound = (("kpl.profile:b.icc", "YWJj"), ("kpl.rows", "0"))
@@ -367,13 +367,13 @@ def test_more_colours_than_are_read_of_others_are_written_all_the_same(
 ) -> None:
     monkeypatch.setattr("brdf_suite.files.palettes.collecting.MOST_COLOURS", len(full) - 1)
     path = tmp_path / f"a{written.endings[0]}"
-    told = write_palette(full, path, written).losses
+    reported = write_palette(full, path, written).losses
     back = "BRDF Suite opens no file of this kind with more than 7 colours, so it cannot read this one back."
     if written.name == "brdfpalette":
-        assert told == ()
+        assert reported == ()
         assert len(read_palette(path).palette) == len(full)
     else:
-        assert told[-1] == back
+        assert reported[-1] == back
         with pytest.raises(FileError, match="8 colours are more than the 7"):
             read_content(path.read_bytes(), path, written)
     monkeypatch.setattr("brdf_suite.files.palettes.collecting.MOST_COLOURS", len(full))

@@ -1,4 +1,4 @@
-"""Damaged and hostile palettes: a named error with a place, or a repair that is told; never anything else."""
+"""Damaged and hostile palettes: a named error with a place, or a repair that is reported; never anything else."""
 
 from __future__ import annotations
 
@@ -81,9 +81,9 @@ def zipped(parts: dict[str, bytes]) -> bytes:
     return buffer.getvalue()
 
 
-def riff(count: int, told: int | None = None) -> bytes:
-    """The head of a RIFF palette of ``count`` colours with room for ``told``."""
-    size = 4 * (count if told is None else told) + 4
+def riff(count: int, reported: int | None = None) -> bytes:
+    """The head of a RIFF palette of ``count`` colours with room for ``stated``."""
+    size = 4 * (count if reported is None else reported) + 4
     return b"RIFF" + struct.pack("<I", size + 12) + b"PAL data" + struct.pack("<IHH", size, 0x300, count)
 
 
@@ -182,7 +182,7 @@ LONG = "n" * 1_000_000
         ("aco", struct.pack(">HH5HI", 2, 1, 0, 257, 514, 771, 0, len(LONG)) + LONG.encode("utf-16-be")),
     ],
 )
-def test_names_of_a_million_characters_are_cut_and_told(name: str, content: bytes) -> None:
+def test_names_of_a_million_characters_are_cut_and_reported(name: str, content: bytes) -> None:
     palette, notes = format_named(name).read(content, "long")
     assert len(palette.entries[0].name) == 1000
     assert any("1 name was cut" in note for note in notes)
@@ -251,7 +251,7 @@ def test_what_is_wrong_is_named_with_its_place(name: str, content: bytes, place:
     assert error.place == place
 
 
-def test_repairs_are_told() -> None:
+def test_repairs_are_reported() -> None:
     gpl = b"GIMP Palette\nName: \xe4\n300 -1 20\tl\xe4\tst\n"
     palette, notes = format_named("gpl").read(gpl, "a")
     assert palette.entries[0].content.values == (1.0, 0.0, 20 / 255)
@@ -284,7 +284,7 @@ def test_numbers_of_absurd_exponents_are_the_numbers_that_they_are_near() -> Non
     assert palette.entries[0].content.values == (0.0, 1.0, 0.07, 0.0)
 
 
-def test_files_that_cannot_be_read_are_told(tmp_path: Path) -> None:
+def test_files_that_cannot_be_read_are_reported(tmp_path: Path) -> None:
     with pytest.raises(FileError, match="No such file"):
         read_palette(tmp_path / "none.ase")
     with pytest.raises(FileError, match="is a folder"):

@@ -90,11 +90,11 @@ def parse_ase(data: bytes) -> list[dict[str, Any]]:
 def test_an_independent_parser_reads_our_ase(tmp_path: Path) -> None:
     path = tmp_path / "a.ase"
     write_palette(PALETTE, path)
-    told = parse_ase(path.read_bytes())
-    assert [item["name"] for item in told] == ["Red", "Inks", "spectrum", "Silver"]
-    assert told[0]["type"] == "Global"
-    assert told[0]["data"] == {"mode": "RGB", "values": pytest.approx([1.0, 0.2, 0.4])}
-    inks = told[1]["swatches"]
+    reported = parse_ase(path.read_bytes())
+    assert [item["name"] for item in reported] == ["Red", "Inks", "spectrum", "Silver"]
+    assert reported[0]["type"] == "Global"
+    assert reported[0]["data"] == {"mode": "RGB", "values": pytest.approx([1.0, 0.2, 0.4])}
+    inks = reported[1]["swatches"]
     assert [(item["name"], item["type"], item["data"]["mode"]) for item in inks] == [
         ("Ätna 藍 🎨", "Spot", "CMYK"),
         ("Lab", "Process", "LAB"),
@@ -103,7 +103,7 @@ def test_an_independent_parser_reads_our_ase(tmp_path: Path) -> None:
     assert inks[0]["data"]["values"] == pytest.approx([1.0, 0.7, 0.1, 0.0])
     assert inks[1]["data"]["values"] == pytest.approx([0.6, -30.5, 12.25])
     lightness, a, b = lab_d50(PAINT.lab_at(45.0))
-    assert told[3]["data"]["values"] == pytest.approx([lightness / 100.0, a, b], rel=1e-6)
+    assert reported[3]["data"]["values"] == pytest.approx([lightness / 100.0, a, b], rel=1e-6)
 
 
 def test_our_cxf_is_valid_against_the_schema(shared_data: Path, tmp_path: Path) -> None:

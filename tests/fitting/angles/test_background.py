@@ -74,7 +74,7 @@ def test_the_next_fit_cancels_it_at_once_whichever_solver_it_needs(
     assert grey.exact is not None
     assert grey.exact.cancelled()
     released.set()
-    assert not wait([grey.exact], timeout=SECONDS).not_done, "who waits for it is told"
+    assert not wait([grey.exact], timeout=SECONDS).not_done, "the waiting caller is notified"
     assert coloured.exact is not None
     assert not coloured.exact.result(timeout=SECONDS).time_limited
 
@@ -108,7 +108,7 @@ def test_a_fit_that_begins_meanwhile_finds_the_late_base_begun(
     assert base.cancelled()
 
 
-def test_a_late_base_that_nobody_wants_is_not_begun(
+def test_a_late_base_without_requests_is_not_begun(
     hurried: AngleFitter, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     begun: list[object] = []
@@ -136,7 +136,7 @@ def test_a_late_base_that_nobody_wants_is_not_begun(
     assert begun == []
 
 
-def test_close_ends_what_is_in_work_and_tells_who_waits(
+def test_close_ends_what_is_in_work_and_notifies_waiting_callers(
     hurried: AngleFitter, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     released = held_back(hurried, monkeypatch)
@@ -149,7 +149,7 @@ def test_close_ends_what_is_in_work_and_tells_who_waits(
     assert fit.exact.cancelled()
 
 
-def test_a_coat_without_an_optimum_is_told(hurried: AngleFitter, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_coat_without_an_optimum_is_reported(hurried: AngleFitter, monkeypatch: pytest.MonkeyPatch) -> None:
     def lost(*_: object) -> None:
         raise FittingError("no optimum")
 
@@ -201,4 +201,4 @@ def test_one_after_another_carries_values_errors_and_cancelling() -> None:
     first = Future[int]()
     whole = one_after_another(first, lambda _value, _whole: Future[str]())
     whole.cancel()
-    assert first.cancelled(), "what is not begun yet has nobody to be done for"
+    assert first.cancelled(), "what is not begun yet is not needed"

@@ -47,7 +47,7 @@ def test_the_mirror_reflects_fresnels_share_and_the_base_loses_it_twice(theta: f
         np.testing.assert_allclose(raised.reflected(wi, wo), expected, rtol=1e-9)
 
 
-def test_light_and_view_are_told_apart_away_from_the_mirror() -> None:
+def test_light_and_view_are_distinguished_away_from_the_mirror() -> None:
     wi, wo = illumination(70.0), aspecular_view(70.0, 60.0)
     by_light, by_view = RaisedWeights(weights()), RaisedWeights(weights(), "view")
     ratio = by_light.gains(wi[2])[0] / by_view.gains(wo[2])[0]

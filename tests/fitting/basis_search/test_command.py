@@ -29,9 +29,9 @@ def save(state, settings, results):
     real_save(state, settings, results)
     kept = len(results)
 
-def run(self, starts, told):
+def run(self, starts, report):
     def held(done):
-        told(done)
+        report(done)
         if kept == 1:
             print("at the second", flush=True)
             time.sleep(600)
@@ -141,7 +141,7 @@ def test_interrupted_it_keeps_what_is_done_and_says_so(tmp_path: Path, few_paint
     assert "1 of 3 counts are kept in basis.json.part" in err
     assert err.splitlines()[-1] == "brdf-suite: cancelled"
     assert "Traceback" not in err
-    # Another order does not go on from it without being told to.
+    # Another order does not go on from it without being asked to.
     status, _out, err = run(tmp_path, few_paints, "--starts", "3")
     assert status == 1
     assert "other paints or other starts" in err

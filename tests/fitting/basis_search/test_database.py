@@ -62,7 +62,7 @@ def test_the_hash_is_of_names_and_bytes(few_paints: Path, few: Database, tmp_pat
     assert load_database(copy).sha256 not in (few.sha256, renamed)
 
 
-def test_what_is_no_database_is_told(tmp_path: Path, few_paints: Path) -> None:
+def test_what_is_no_database_is_reported(tmp_path: Path, few_paints: Path) -> None:
     with pytest.raises(FileError, match="there is no paint"):
         load_database(tmp_path)
     shutil.copytree(few_paints, tmp_path / "db")

@@ -49,7 +49,7 @@ def test_exponents_stay_inside_their_ends_and_apart() -> None:
     assert down[1] > down[0]
 
 
-def test_whoever_watches_can_end_it() -> None:
+def test_a_watcher_can_end_it() -> None:
     seen = []
 
     def watch() -> None:

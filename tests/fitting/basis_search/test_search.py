@@ -39,11 +39,11 @@ def test_each_count_is_better_than_the_last_and_says_its_errors(
 
 
 def test_two_processes_find_the_same_to_the_bit(few: Database, found: list[CountResult]) -> None:
-    told: list[float] = []
-    two = search(few, 2, starts=2, workers=2, progress=lambda share, _what: told.append(share))
+    reported: list[float] = []
+    two = search(few, 2, starts=2, workers=2, progress=lambda share, _what: reported.append(share))
     assert timeless(two) == timeless(found)
-    assert told == sorted(told)
-    assert told[-1] == 1.0
+    assert reported == sorted(reported)
+    assert reported[-1] == 1.0
 
 
 def test_it_goes_on_from_what_is_done(few: Database, found: list[CountResult], tmp_path: Path) -> None:

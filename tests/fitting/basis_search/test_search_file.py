@@ -51,7 +51,7 @@ def test_a_paint_is_the_same_in_another_version_of_its_file_and_not_with_another
     path.write_text(json.dumps({**paint, "notes": "another"}))
     assert database_sha256(copy) != database_sha256(few_paints)
     path.write_bytes(b"\xff no paint")
-    assert len(database_sha256(copy)) == 64  # told by who reads it
+    assert len(database_sha256(copy)) == 64  # reported by its reader
 
 
 @pytest.mark.parametrize(
@@ -63,18 +63,18 @@ def test_a_paint_is_the_same_in_another_version_of_its_file_and_not_with_another
         ({"results": []}, "default_count"),
     ],
 )
-def test_what_is_no_search_is_told_with_its_place(
+def test_what_is_no_search_is_reported_with_its_place(
     tmp_path: Path, change: dict[str, object], place: str
 ) -> None:
     plain = json.loads(resource("basis", STORED_NAME).read_text())
     path = tmp_path / "search.json"
     path.write_text(json.dumps(plain | change))
-    with pytest.raises(DocumentError) as told:
+    with pytest.raises(DocumentError) as reported:
         load_search(path)
-    assert told.value.place == place
+    assert reported.value.place == place
 
 
-def test_counts_out_of_order_are_told(tmp_path: Path) -> None:
+def test_counts_out_of_order_are_reported(tmp_path: Path) -> None:
     plain = json.loads(resource("basis", STORED_NAME).read_text())
     path = tmp_path / "search.json"
     path.write_text(json.dumps(plain | {"results": plain["results"][::-1]}))

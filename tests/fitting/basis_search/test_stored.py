@@ -68,7 +68,7 @@ def test_the_default_is_read_from_it(stored: dict) -> None:
         ("}", "", "line"),
     ],
 )
-def test_damage_is_told_with_its_place(tmp_path: Path, old: str, new: str, place: str) -> None:
+def test_damage_is_reported_with_its_place(tmp_path: Path, old: str, new: str, place: str) -> None:
     text = resource("basis", STORED_NAME).read_text()
     assert old in text
     path = tmp_path / "search.json"

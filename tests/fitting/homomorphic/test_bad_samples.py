@@ -144,10 +144,10 @@ def test_the_peak_apart_stands_the_same(bad: str) -> None:
         with pytest.raises(FittingError, match="nothing to factor"):
             factorize_with_peak(Samples(wi, wo, values), resolution=8)
         return
-    found, told = factorize_with_peak(Samples(wi, wo, values), factors=MEASURED_FACTORS, resolution=8)
+    found, reported = factorize_with_peak(Samples(wi, wo, values), factors=MEASURED_FACTORS, resolution=8)
     assert good(found.product)
     assert found.peak is None or good(found.peak)
-    assert (told.left_out, told.raised) == (int(bad == "nan"), int(bad == "negative"))
+    assert (reported.left_out, reported.raised) == (int(bad == "nan"), int(bad == "negative"))
     anywhere = drawn(200, 9)
     evaluated = found.eval(anywhere.wi, anywhere.wo)
     assert np.isfinite(evaluated).all()

@@ -28,7 +28,7 @@ def pairs(count: int = 2000) -> tuple[np.ndarray, np.ndarray]:
     return even_directions(count, rng), even_directions(count, rng)
 
 
-def test_round_maps_are_told_from_others_and_kept_as_their_radius() -> None:
+def test_round_maps_are_reported_from_others_and_kept_as_their_radius() -> None:
     whole = product()
     found = asymmetries(whole)
     assert found["p"] < 0.01
@@ -61,7 +61,7 @@ def test_words_that_say_nothing_are_refused(words: str) -> None:
     assert caught.value.place == "factors"
 
 
-def test_the_mean_is_restored_in_each_channel_and_told() -> None:
+def test_the_mean_is_restored_in_each_channel_and_reported() -> None:
     whole = product()
     wi, wo = pairs()
     values = whole.eval(wi, wo) * np.array([2.0, 1.0, 0.5])

@@ -1,4 +1,4 @@
-"""Whoever waits is told: of the optimum before anything is made of it, and of what will never come."""
+"""Waiting callers are notified of the optimum before anything is made of it, and of work that never ends."""
 
 from __future__ import annotations
 
@@ -78,10 +78,10 @@ def test_a_caller_in_time_has_its_optimum_before_anything_is_made_of_it() -> Non
     assert answer.exact is None
     free.set()
     solver.close()
-    assert made == []  # the caller has it, so nobody else does
+    assert made == []  # the caller has it, so no other does
 
 
-def test_a_caller_whose_solver_is_lost_is_told_before_its_limit(solver: LimitedSolver) -> None:
+def test_a_caller_whose_solver_is_lost_is_reported_before_its_limit(solver: LimitedSolver) -> None:
     tries = []
 
     def lost(*_: object) -> Outcome:
@@ -100,7 +100,7 @@ def test_a_caller_whose_solver_is_lost_is_told_before_its_limit(solver: LimitedS
     assert len(tries) == (4 if solver.inline else 2)
 
 
-def test_work_for_which_nobody_waits_is_begun_and_dropped(solver: LimitedSolver) -> None:
+def test_work_that_no_caller_waits_for_is_begun_and_dropped(solver: LimitedSolver) -> None:
     best = solver.solve([target()], time.perf_counter() + PATIENCE_S)
     late = solver.begin([target()], then=lambda answer: (answer, threading.current_thread().name))
     answer, name = late.result(timeout=PATIENCE_S)

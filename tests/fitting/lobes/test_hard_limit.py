@@ -46,7 +46,7 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
 
 
 class SteadySolver:
-    """Takes ``step_s`` for each iteration, stops where it was told, and never ends by itself."""
+    """Takes ``step_s`` for each iteration, stops where it was reported, and never ends by itself."""
 
     def __init__(self, clock: Clock, real: BlockSolver, step_s: float) -> None:
         self.runs: list[tuple[float, float, int]] = []  # when, for how long, how many iterations at most
@@ -93,7 +93,7 @@ def make_steady(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> Iterator[MakeS
         solver.close()
 
 
-def test_no_run_is_begun_after_its_share_nor_told_to_last_longer(
+def test_no_run_is_begun_after_its_share_nor_allowed_to_last_longer(
     make_steady: MakeSteady, clock: Clock
 ) -> None:
     solver, steady = make_steady()
@@ -201,7 +201,7 @@ def test_the_vertex_of_two_targets_answers_the_third_without_the_solver(
     assert first.iterations > 0
     again = solver.solve([target()], clock.now + PATIENCE_S)
     assert again.iterations == 0
-    monkeypatch.setattr(solver, "_solver", None)  # whoever asks it fails
+    monkeypatch.setattr(solver, "_solver", None)  # any use of it fails
     third = solver.solve([target() * (1.0 + 1e-9)], clock.now - 1.0)
     assert third.optimal
     np.testing.assert_allclose(third.objectives[0], first.objectives[0], rtol=1e-6)
@@ -219,9 +219,7 @@ def test_the_next_target_cancels_the_one_in_work_even_where_nothing_is_begun_for
     solver.close()
 
 
-def test_whoever_watches_is_asked_between_short_runs_and_may_end_it(
-    make_steady: MakeSteady, clock: Clock
-) -> None:
+def test_a_watcher_is_asked_between_short_runs_and_may_end_it(make_steady: MakeSteady, clock: Clock) -> None:
     solver, steady = make_steady()
     times: list[float] = []
 

@@ -198,7 +198,7 @@ def test_no_lobe_is_claimed_that_no_sample_sees() -> None:
 
 
 def test_where_answers_tie_the_one_with_least_light_is_taken() -> None:
-    """One sample at the mirror direction alone cannot tell how wide the gloss is."""
+    """One sample at the mirror direction alone does not determine how wide the gloss is."""
     samples = scattered_from(lobe_sum(9, share=0.0), (20.0, 45.0, 65.0))
     values = np.array(samples.values)
     peak = np.abs(samples.wi * (-1, -1, 1) - samples.wo).max(axis=1) < 1e-9
@@ -277,7 +277,7 @@ def test_nothing_above_the_horizon_is_refused() -> None:
         fit_scattered(ScatteredSamples(flat, flat, np.ones((2, 3))))
 
 
-def test_samples_at_the_horizon_are_left_out_and_told() -> None:
+def test_samples_at_the_horizon_are_left_out_and_reported() -> None:
     known = lobe_sum(11, share=0.0)
     good = scattered_from(known, (20.0, 45.0, 65.0))
     wi = np.concatenate((good.wi, [[1.0, 0.0, 0.0]]))
@@ -326,10 +326,10 @@ def test_an_incidence_of_which_little_was_measured_is_none(last: int, split: boo
     fit = fit_undivided(IsotropicTable(table.values, holes), rows=rows)
     assert fit.split_determined == split
     assert fit.weights.kg.any() == split
-    told = [notice for notice in fit.notices if "undetermined" in notice]
-    assert bool(told) != split
+    reported = [notice for notice in fit.notices if "undetermined" in notice]
+    assert bool(reported) != split
     if last == 34:
-        assert "The light stood at 10, 30° only" in told[0]
+        assert "The light stood at 10, 30° only" in reported[0]
 
 
 def test_a_part_of_the_rows_has_the_incidences_that_are_in_it() -> None:
@@ -348,24 +348,24 @@ def test_a_part_of_the_rows_has_the_incidences_that_are_in_it() -> None:
     assert fewer.subset(np.ones(fewer.weights.size, np.bool_)).incidences_rad == fewer.incidences_rad
 
 
-def test_a_fit_tells_its_progress_and_is_cancelled_between_runs() -> None:
+def test_a_fit_reports_its_progress_and_is_cancelled_between_runs() -> None:
     rng = np.random.default_rng(3)
     wi, wo = (
         spherical(np.arccos(rng.uniform(0.05, 1.0, 20_000)), rng.uniform(0, 2 * np.pi, 20_000))
         for _ in range(2)
     )
     samples = ScatteredSamples(wi, wo, lobe_sum(15).eval(wi, wo) * rng.lognormal(0.0, 0.3, (20_000, 1)))
-    told: list[tuple[float, str]] = []
+    reported: list[tuple[float, str]] = []
 
     def cancel(fraction: float, what: str) -> None:
-        told.append((fraction, what))
-        if len(told) == 4:
+        reported.append((fraction, what))
+        if len(reported) == 4:
             raise Cancelled
 
     with pytest.raises(Cancelled):
         fit_scattered(samples, progress=cancel)
-    assert [what for _, what in told] == ["fitting"] * 4
-    assert 0.0 <= told[0][0] < told[3][0] < 1.0
+    assert [what for _, what in reported] == ["fitting"] * 4
+    assert 0.0 <= reported[0][0] < reported[3][0] < 1.0
 
 
 def test_what_differs_with_azimuth_is_fitted_to_its_mean() -> None:

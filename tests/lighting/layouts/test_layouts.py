@@ -13,7 +13,7 @@ from brdf_suite.lighting.layouts import LAYOUTS, as_latlong, detect_layout
 
 
 def light(d: np.ndarray) -> np.ndarray:
-    """A smooth light that tells every direction from every other: three channels of low degree."""
+    """A smooth light that differs in every direction: three channels of low degree."""
     x, y, z = d[..., 0], d[..., 1], d[..., 2]
     return np.stack([1.5 + x + 0.3 * y * z, 1.5 + y - 0.2 * x * z, 1.5 + z + 0.1 * x], axis=-1)
 
@@ -128,7 +128,7 @@ def test_no_seam_at_the_edges_of_a_cube(layout):
     assert step < 3.0 * np.pi / result.shape[0]  # no jump beyond what the light itself does in a texel
 
 
-def test_shape_tells_the_layout_where_it_can():
+def test_shape_gives_the_layout_where_it_can():
     for layout in (
         "latlong",
         "horizontal_cross",

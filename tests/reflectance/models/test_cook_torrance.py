@@ -131,7 +131,7 @@ def test_blocks_give_what_single_pairs_give() -> None:
 
 
 def test_one_paint_of_the_table_makes_light_at_grazing_incidence() -> None:
-    """Blue Matte: its second lobe's weight is 1.12 times a mirror's in blue, and F goes to 1. Told, with its size."""
+    """Blue Matte: its second lobe's weight is 1.12 times a mirror's in blue, and F goes to 1. The size is reported."""
     models = {name: CookTorrance(paint) for name, paint in TABLE_1.items()}
     excess = {n: directional_albedo(m, illumination(89.0)).max() - 1.0 for n, m in models.items()}
     assert excess.pop("table1_blue_matte") == pytest.approx(0.099, abs=0.002)

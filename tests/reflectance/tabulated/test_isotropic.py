@@ -53,7 +53,7 @@ def test_phi_goes_round_through_reciprocity() -> None:
     assert value == pytest.approx([3.0, 2.5, 2.002, 1.998, 1.5, 1.0, 2.0, 1.5, 1.0], abs=1e-4)
 
 
-def test_a_table_over_the_whole_turn_tells_a_pair_from_its_swap() -> None:
+def test_a_table_over_the_whole_turn_distinguishes_a_pair_from_its_swap() -> None:
     values = np.zeros((*GRID.shape, 3), np.float32)
     values[:, :, :12] = 1.0
     values[:, :, 12:] = 3.0

@@ -119,7 +119,7 @@ def test_what_is_no_sample_is_refused_by_name(change: dict[str, object], place: 
         ScatteredSamples(**{**sound, **change})
 
 
-def test_asking_for_spectra_that_are_not_there_is_told() -> None:
+def test_asking_for_spectra_that_are_not_there_is_reported() -> None:
     samples = ScatteredSamples(spherical([0.1], 0.0), spherical([0.2], 0.0), np.ones((1, 3)))
     with pytest.raises(ValueRangeError, match="no spectra"):
         samples.eval_spectra(spherical(0.1, 0.0), spherical(0.1, 0.0))

@@ -68,7 +68,7 @@ class AngleFit:
     exact: Future[AngleFit] | None = field(default=None, repr=False)
 
     def __getstate__(self) -> dict[str, object]:
-        """Leave out ``exact``: another process cannot be told of what this one's thread finds."""
+        """Leave out ``exact``: another process cannot receive what this one's thread finds."""
         return {**self.__dict__, "exact": None}
 
 

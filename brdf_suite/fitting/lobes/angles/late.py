@@ -37,7 +37,7 @@ def one_after_another(
             return
         try:
             second = begin(done.result(), whole)
-        except Exception as error:  # noqa: BLE001 - carried to whoever waits; a future left alone hangs
+        except Exception as error:  # noqa: BLE001 - carried to the waiting caller; a future left alone hangs
             _settle(whole, error=error)
             return
         if second is None:
