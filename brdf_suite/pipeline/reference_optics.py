@@ -18,8 +18,8 @@ from brdf_suite.realtime.values import MaterialWeights
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
-    from brdf_suite.reference.placed import PlacedPaint
-    from brdf_suite.reference.relief import Peel, Slopes
+    from brdf_suite.reference.placed import LayeredPaintBsdf
+    from brdf_suite.reference.relief import OrangePeel, Slopes
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +53,7 @@ class Optics:
 
 def optics_of(paint: TracedPaint, dress: Dress, view: View, bounds: Bounds) -> Optics:
     """Return what ``paint`` reflects by in ``view``: the plain twin where nothing differs from place to place."""
-    from brdf_suite.reference.placed import Mask, TwoTone
+    from brdf_suite.reference.placed import Mask, TwoToneBsdf
     from brdf_suite.reference.translate import translate
 
     first, told = _placed(paint, dress, view)
@@ -61,7 +61,7 @@ def optics_of(paint: TracedPaint, dress: Dress, view: View, bounds: Bounds) -> O
         second, more = _placed(dress.second, dress, view)
         where: dict[str, Any] = mask_coordinates(view, bounds, dress.mask.aspect)
         mask = Mask.of(dress.mask.share, where["mask_tiles"], where["mask_u"], where["mask_v"])
-        return Optics(TwoTone(first, second, mask), (*told, *(more if more != told else ())))
+        return Optics(TwoToneBsdf(first, second, mask), (*told, *(more if more != told else ())))
     if not first.is_plain:
         return Optics(first, told)
     if isinstance(paint.reflectance, MaterialWeights):
@@ -72,9 +72,9 @@ def optics_of(paint: TracedPaint, dress: Dress, view: View, bounds: Bounds) -> O
 
 def lobe_term(weights: MaterialWeights, view: View) -> Any:
     """Return lobe weights as something that reflects, with the gains that the view asks for."""
-    from brdf_suite.reference.lobe_weights import LobeWeights
+    from brdf_suite.reference.lobe_weights import LobeWeightsTerm
 
-    return LobeWeights(**_lobes(weights, view))
+    return LobeWeightsTerm(**_lobes(weights, view))
 
 
 def _lobes(weights: MaterialWeights, view: View) -> dict[str, Any]:
@@ -116,9 +116,9 @@ def scalar_lobes(weights: MaterialWeights, view: View) -> Any:
     return table_bsdf(seen, incidences=32, resolution=64)
 
 
-def _placed(paint: TracedPaint, dress: Dress, view: View) -> tuple[PlacedPaint, tuple[str, ...]]:
+def _placed(paint: TracedPaint, dress: Dress, view: View) -> tuple[LayeredPaintBsdf, tuple[str, ...]]:
     from brdf_suite.reference.flakes import FlakeLayer
-    from brdf_suite.reference.placed import PlacedPaint
+    from brdf_suite.reference.placed import LayeredPaintBsdf
 
     base, coat, ior, told = _divided(paint.reflectance, view)
     layer = None
@@ -126,7 +126,7 @@ def _placed(paint: TracedPaint, dress: Dress, view: View) -> tuple[PlacedPaint, 
         layer = FlakeLayer(
             paint.flakes, ior, view.sparkle.strength, as_texture=view.sparkle.mode == "texture"
         )
-    return PlacedPaint(base, coat, _shape(dress, view), _peel(paint, view), layer), told
+    return LayeredPaintBsdf(base, coat, _shape(dress, view), _peel(paint, view), layer), told
 
 
 def _divided(
@@ -154,14 +154,14 @@ def _shape(dress: Dress, view: View) -> Slopes | None:
     return Slopes.of(dress.normal_map.slopes, tiles, view.relief.normal_strength)
 
 
-def _peel(paint: TracedPaint, view: View) -> Peel | None:
-    from brdf_suite.reference.relief import Peel
+def _peel(paint: TracedPaint, view: View) -> OrangePeel | None:
+    from brdf_suite.reference.relief import OrangePeel
 
     slope_deg, length_mm = _peel_of(paint, view)
     if slope_deg <= 0.0:
         return None
     tile = peel_tile()
-    return Peel.of(tile.slopes, 1.0 / (tile.waves * length_mm), math.tan(math.radians(slope_deg)))
+    return OrangePeel.of(tile.slopes, 1.0 / (tile.waves * length_mm), math.tan(math.radians(slope_deg)))
 
 
 def _peel_of(paint: TracedPaint, view: View) -> tuple[float, float]:

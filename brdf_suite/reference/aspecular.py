@@ -18,7 +18,7 @@ from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.terms import Facets, Matt, Sampler
+from brdf_suite.reference.terms import Diffuse, Facets, Sampler
 from brdf_suite.reflectance.albedo import normal_albedo
 from brdf_suite.reflectance.aspecular_base import AspecularBase
 from brdf_suite.reflectance.flake_rule import FlakeRule, squared_tilt
@@ -55,9 +55,9 @@ class Aspecular:
     @property
     def samplers(self) -> Sequence[Sampler]:
         """Half matt, half about the flop."""
-        return (Matt(0.5 * self.albedo + 0.01), Facets(0.5 * self.albedo, _FLOP_SLOPE))
+        return (Diffuse(0.5 * self.albedo + 0.01), Facets(0.5 * self.albedo, _FLOP_SLOPE))
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         base = self.base
         # 2 asin(|R - V|/2) keeps the digits that the cosine has lost near the mirror direction.
@@ -122,14 +122,14 @@ class Several:
         """Those of the first light's base."""
         return self.terms[0].samplers
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         gamma = 2.0 * dr.asin(dr.clip(0.5 * dr.norm(d.mirrored(light) - view), 0.0, 1.0))
         theta_d = dr.asin(dr.clip(0.5 * dr.norm(light - view), 0.0, 1.0))
         shares = self._of_table(gamma, theta_d) if self.tables else self._of_two(gamma, theta_d)
         total = mi.Color3f(0.0)
         for term, share in zip(self.terms, shares, strict=True):
-            total += share * term.value(light, view)
+            total += share * term.eval(light, view)
         return total
 
     def _of_two(self, gamma: Real, theta_d: Real) -> tuple[Real, Real]:

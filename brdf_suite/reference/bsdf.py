@@ -11,7 +11,7 @@ from typing import Any
 from brdf_suite.reference import terms
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.place import Place, Viewpoint
-from brdf_suite.reference.placed import PlacedPaint, Standing, TwoTone
+from brdf_suite.reference.placed import LayeredPaintBsdf, LocalBsdf, TwoToneBsdf
 
 
 def make_bsdf(term: Any) -> Any:
@@ -36,17 +36,17 @@ def _plug_in() -> Any:
 
         def sample(self, _context: Any, si: Any, choice: Any, u: Any, active: Any = True) -> tuple[Any, Any]:
             view, side = _facing(si.wi)
-            standing = self._standing(si, view, side)
-            light = terms.draw(standing.samplers, view, choice, u)
+            local = self._local_bsdf(si, view, side)
+            light = terms.sample(local.samplers, view, choice, u)
             active &= (view.z > 0.0) & (light.z > 0.0)
-            pdf = terms.density(standing.samplers, light, view)
+            pdf = terms.pdf(local.samplers, light, view)
             found: Any = mi.BSDFSample3f(mi.Vector3f(light.x, light.y, light.z * side))
             found.pdf = dr.select(active, pdf, 0.0)
             found.eta = 1.0
             found.sampled_type = mi.UInt32(+mi.BSDFFlags.GlossyReflection)
             found.sampled_component = mi.UInt32(0)
             active &= pdf > 0.0
-            weight = standing.reflected(light, view) / pdf
+            weight = local.reflected(light, view) / pdf
             return found, dr.select(active, weight, mi.Color3f(0.0))
 
         def eval(self, _context: Any, si: Any, wo: Any, active: Any = True) -> Any:
@@ -62,15 +62,15 @@ def _plug_in() -> Any:
             view, side = _facing(si.wi)
             light = mi.Vector3f(wo.x, wo.y, wo.z * side)
             active &= (view.z > 0.0) & (light.z > 0.0)
-            standing = self._standing(si, view, side)
-            value = standing.reflected(light, view)
-            pdf = terms.density(standing.samplers, light, view)
+            local = self._local_bsdf(si, view, side)
+            value = local.reflected(light, view)
+            pdf = terms.pdf(local.samplers, light, view)
             return dr.select(active, value, mi.Color3f(0.0)), dr.select(active, pdf, 0.0)
 
-        def _standing(self, si: Any, view: Any, side: Any) -> Standing:
-            if isinstance(self.term, (PlacedPaint, TwoTone)) and self.viewpoint is not None:
+        def _local_bsdf(self, si: Any, view: Any, side: Any) -> LocalBsdf:
+            if isinstance(self.term, (LayeredPaintBsdf, TwoToneBsdf)) and self.viewpoint is not None:
                 return self.term.at(Place.of(si, side, self.viewpoint), view)
-            return Standing(self.term.samplers, lambda light, view: self.term.value(light, view) * light.z)
+            return LocalBsdf(self.term.samplers, lambda light, view: self.term.eval(light, view) * light.z)
 
         def to_string(self) -> str:
             return f"SuiteBsdf[{type(self.term).__name__}]"

@@ -9,7 +9,7 @@ from typing import Any
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.terms import CoatLobe, Sampler
+from brdf_suite.reference.terms import CoatLobeTerm, Sampler
 from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
 
 
@@ -26,13 +26,13 @@ class UnderCoat:
         return (*self.base.samplers, *self.coat.samplers)
 
     @property
-    def coat(self) -> CoatLobe:
+    def coat(self) -> CoatLobeTerm:
         """The coat's own lobe."""
-        return CoatLobe(self.model.ior, self.model.roughness)
+        return CoatLobeTerm(self.model.ior, self.model.roughness)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return self.base.value(light, view) * self.factor(light, view) + self.coat.value(light, view)
+        return self.base.eval(light, view) * self.factor(light, view) + self.coat.eval(light, view)
 
     def factor(self, light: Vector, view: Vector) -> Colour:
         """Return what the base's f_r is multiplied by, seen through the coat."""
@@ -49,7 +49,7 @@ class UnderCoat:
 
 
 @dataclass(frozen=True, eq=False)
-class SeenThrough:
+class SeenThroughTerm:
     """A base as it is seen through a coat, without the coat."""
 
     under: UnderCoat
@@ -59,6 +59,6 @@ class SeenThrough:
         """Those of the base."""
         return tuple(self.under.base.samplers)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return self.under.base.value(light, view) * self.under.factor(light, view)
+        return self.under.base.eval(light, view) * self.under.factor(light, view)

@@ -78,7 +78,7 @@ def cosine_hemisphere(u: Square) -> Vector:
     return mi.warp.square_to_cosine_hemisphere(u)
 
 
-def cosine_density(light: Vector) -> Real:
+def cosine_pdf(light: Vector) -> Real:
     """Return the density of :func:`cosine_hemisphere` per solid angle."""
     return dr.maximum(light.z, 0.0) / math.pi
 
@@ -93,7 +93,7 @@ def beckmann_mirrored(view: Vector, u: Square, slope: float) -> Vector:
     return dr.fma(2.0 * dr.dot(view, half), half, -view)
 
 
-def beckmann_density(half: Half, slope: float) -> Real:
+def beckmann_pdf(half: Half, slope: float) -> Real:
     """Return the density of :func:`beckmann_mirrored` per solid angle."""
     steep = 1.0 / (slope * slope)
     tan2 = half.tan2_h

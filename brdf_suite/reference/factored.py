@@ -12,7 +12,7 @@ from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
 from brdf_suite.reference.factored_samplers import MapSampler, RingSampler, place
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.terms import Matt, Sampler
+from brdf_suite.reference.terms import Diffuse, Sampler
 from brdf_suite.reflectance.factor_map import MapFactor
 from brdf_suite.reflectance.factored import Factored
 
@@ -36,13 +36,13 @@ class FactoredTerm:
         ]
         object.__setattr__(self, "terms", terms)
         found = self.model.samplers
-        samplers: list[Sampler] = [Matt(max(1.0 - sum(one.share for one in found), 0.0))]
+        samplers: list[Sampler] = [Diffuse(max(1.0 - sum(one.share for one in found), 0.0))]
         for one in found:
             kind = MapSampler if one.density.ndim == 2 else RingSampler
             samplers.append(kind.of(one.share, one.density, mirrored=one.mirrored))
         object.__setattr__(self, "samplers", tuple(samplers))
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         half = dr.normalize(light + view)
         total = d.colour([0.0, 0.0, 0.0])

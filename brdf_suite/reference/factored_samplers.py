@@ -47,7 +47,7 @@ class _Chances:
         """Return the share of a mixture."""
         return d.number(self.weight)
 
-    def draw(self, view: Vector, u: Square) -> Vector:
+    def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
         search: Any = dr.binary_search
         last = dr.width(self.bounds) - 1
@@ -71,7 +71,7 @@ class _Chances:
         """Return in which pieces places on the disc lie."""
         raise NotImplementedError
 
-    def density(self, light: Vector, view: Vector) -> Real:
+    def pdf(self, light: Vector, view: Vector) -> Real:
         """Return the density per solid angle."""
         total = light + view
         length = dr.maximum(dr.norm(total), TINY)

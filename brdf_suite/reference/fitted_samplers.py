@@ -9,7 +9,7 @@ import numpy as np
 from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.reference.terms import Facets, Matt, Sampler
+from brdf_suite.reference.terms import Diffuse, Facets, Sampler
 from brdf_suite.reflectance.protocol import Reflectance
 
 SLOPES = (0.004, 0.012, 0.035, 0.1, 0.25, 0.6)
@@ -53,4 +53,4 @@ def fitted_samplers(reflectance: Reflectance, seed: int = 1) -> tuple[Sampler, .
         for share, slope in zip(shares[1:], SLOPES, strict=True)
         if share > 1e-3 * total
     ]
-    return (Matt(max(float(shares[0]) / total, LEAST_MATT)), *facets)
+    return (Diffuse(max(float(shares[0]) / total, LEAST_MATT)), *facets)

@@ -19,13 +19,13 @@ from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.terms import AboutMirror, Matt, Sampler
+from brdf_suite.reference.terms import AboutMirror, Diffuse, Sampler
 
 Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class LobeWeights:
+class LobeWeightsTerm:
     """f_r (N·L) = KD (N·L) + (N·L) Σ KDD_i (R·V)^E_i + Σ KG_i (R·V)^E_i, with the gains of the angle.
 
     Attributes
@@ -65,9 +65,9 @@ class LobeWeights:
         matt = math.pi * float(self.kd @ LUMINANCE)
         lobes = [AboutMirror(float(y[k]), float(self.exponents[k])) for k in self._lobes]
         least = 0.05 * (matt + sum(lobe.weight for lobe in lobes))
-        return (Matt(max(matt, least, 1e-4)), *lobes)
+        return (Diffuse(max(matt, least, 1e-4)), *lobes)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         away = d.one_minus_mirror_cosine(light, view)
         base, gloss = d.colour(self.kd.tolist()), mi.Color3f(0.0)

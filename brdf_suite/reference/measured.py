@@ -41,7 +41,7 @@ class Measured:
             plug_in = mi.load_dict({"type": "measured", "filename": str(path)})
         return cls(plug_in, fitted_samplers(material))
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         si: Any = dr.zeros(mi.SurfaceInteraction3f)
         si.wi = light

@@ -1,7 +1,7 @@
-"""Reflectances that differ from place to place: a paint with relief and flakes, and two paints with a mask.
+"""Spatially varying BSDFs: a layered paint with relief and flakes, and two paints with a mask.
 
-``at(place, view)`` gives what the surface is there: samplers, and the light that it reflects per light that arrives,
-f_r times the cosine, which is not the same for a coat that leans and the base below it.
+``at(place, view)`` returns the BSDF at a place: samplers, and the reflected light per incident light, f_r times the
+cosine, which differs between a tilted coat and the base below it.
 """
 
 from __future__ import annotations
@@ -17,46 +17,55 @@ from brdf_suite.reference.directions import Colour, Vector, number
 from brdf_suite.reference.flakes import FlakeLayer
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.place import Place
-from brdf_suite.reference.relief import InFrame, Leaning, Peel, Slopes, Weighed, folds, look_up, texture
-from brdf_suite.reference.terms import Sampler, Sum
+from brdf_suite.reference.relief import (
+    OrangePeel,
+    Slopes,
+    TiltedFrame,
+    TiltedSampler,
+    WeightedSampler,
+    folds,
+    look_up,
+    texture,
+)
+from brdf_suite.reference.terms import Sampler, SumTerm
 
 
 @dataclass(frozen=True, eq=False)
-class Standing:
-    """What a surface is at one place: ``reflected`` gives f_r times the cosine, in 1/sr, of light and view."""
+class LocalBsdf:
+    """The BSDF at one place: ``reflected`` returns f_r times the cosine, in 1/sr, of light and view."""
 
     samplers: Sequence[Sampler]
     reflected: Callable[[Vector, Vector], Colour]
 
 
-class Placed(Protocol):
-    """A reflectance that differs from place to place."""
+class SpatiallyVaryingBsdf(Protocol):
+    """A spatially varying BSDF."""
 
-    def at(self, place: Place, view: Vector) -> Standing:
-        """Return what it is at a place that is seen from ``view`` (local, above the horizon)."""
+    def at(self, place: Place, view: Vector) -> LocalBsdf:
+        """Return the local BSDF at a place that is seen from ``view`` (local, above the horizon)."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
-class PlacedPaint:
-    """A paint of a base and a coat with what lies in and on them; without any of it, the sum of the two.
+class LayeredPaintBsdf:
+    """A paint of base and coat with relief, orange peel and flakes; without any of them, the sum of base and coat.
 
     Attributes
     ----------
     base, coat
         Terms; ``coat`` None: the base is all.
     shape
-        A normal map, with which base and coat lean.
+        A normal map that tilts base and coat.
     peel
-        Orange peel, with which the coat leans; all of the paint where it has no coat.
+        Orange peel that tilts the coat; the whole paint where it has no coat.
     flakes
-        The countable flakes of the base.
+        The visible flakes of the base.
     """
 
     base: Any
     coat: Any | None = None
     shape: Slopes | None = None
-    peel: Peel | None = None
+    peel: OrangePeel | None = None
     flakes: FlakeLayer | None = None
 
     @property
@@ -64,9 +73,9 @@ class PlacedPaint:
         """Those of base and coat on a plain surface."""
         return tuple(self._plain.samplers)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr on a plain surface: the mean over its flakes."""
-        return self._plain.value(light, view)
+        return self._plain.eval(light, view)
 
     @property
     def is_plain(self) -> bool:
@@ -75,38 +84,38 @@ class PlacedPaint:
 
     @property
     def _plain(self) -> Any:
-        return self.base if self.coat is None else Sum((self.base, self.coat))
+        return self.base if self.coat is None else SumTerm((self.base, self.coat))
 
-    def at(self, place: Place, view: Vector) -> Standing:
+    def at(self, place: Place, view: Vector) -> LocalBsdf:
         """Return the paint at a place."""
         up = mi.Vector3f(0.0, 0.0, 1.0)
         level = mi.Vector2f(0.0)
-        below = Leaning.of(up, level if self.shape is None else self.shape.at(place.uv), place, view)
+        below = TiltedFrame.of(up, level if self.shape is None else self.shape.at(place.uv), place, view)
         above = below
         if self.peel is not None:
-            above = Leaning.of(below.normal, self.peel.at(place.uv), place, view)
+            above = TiltedFrame.of(below.normal, self.peel.at(place.uv), place, view)
             if self.coat is None:
                 below = above
-        leans = self.shape is not None or self.peel is not None
+        tilted = self.shape is not None or self.peel is not None
         flaked = self._flaked(place, below)
 
         def reflected(light: Vector, view: Vector) -> Colour:
             total = mi.Color3f(0.0)
-            for direction in folds(light) if leans else (light,):
+            for direction in folds(light) if tilted else (light,):
                 total += _of_layer(self.base, below, direction, view, flaked)
                 if self.coat is not None:
                     total += _of_layer(self.coat, above, direction, view, None)
             return total
 
         # Flakes are sampled as their base: drawing their tilts as well was measured, and gave more noise.
-        if not leans:
-            return Standing(self.samplers, reflected)
-        samplers: list[Sampler] = [InFrame(sampler, below) for sampler in self.base.samplers]
+        if not tilted:
+            return LocalBsdf(self.samplers, reflected)
+        samplers: list[Sampler] = [TiltedSampler(sampler, below) for sampler in self.base.samplers]
         if self.coat is not None:
-            samplers += [InFrame(sampler, above) for sampler in self.coat.samplers]
-        return Standing(samplers, reflected)
+            samplers += [TiltedSampler(sampler, above) for sampler in self.coat.samplers]
+        return LocalBsdf(samplers, reflected)
 
-    def _flaked(self, place: Place, below: Leaning) -> Callable[[Colour, Vector, Vector], Colour] | None:
+    def _flaked(self, place: Place, below: TiltedFrame) -> Callable[[Colour, Vector, Vector], Colour] | None:
         layer = self.flakes
         if layer is None:
             return None
@@ -158,11 +167,11 @@ class Mask:
 
 
 @dataclass(frozen=True, eq=False)
-class TwoTone:
-    """Two paints: the second where the mask is 1."""
+class TwoToneBsdf:
+    """A two-tone paint: the second paint where the mask is 1."""
 
-    first: PlacedPaint
-    second: PlacedPaint
+    first: LayeredPaintBsdf
+    second: LayeredPaintBsdf
     mask: Mask
 
     @property
@@ -170,40 +179,40 @@ class TwoTone:
         """Those of the first paint, on a plain surface."""
         return self.first.samplers
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr of the first paint, on a plain surface."""
-        return self.first.value(light, view)
+        return self.first.eval(light, view)
 
-    def at(self, place: Place, view: Vector) -> Standing:
+    def at(self, place: Place, view: Vector) -> LocalBsdf:
         """Return the two at a place, by their shares."""
         share = self.mask.share(place)
         one, two = self.first.at(place, view), self.second.at(place, view)
-        samplers: list[Sampler] = [Weighed(sampler, 1.0 - share) for sampler in one.samplers]
-        samplers += [Weighed(sampler, share) for sampler in two.samplers]
+        samplers: list[Sampler] = [WeightedSampler(sampler, 1.0 - share) for sampler in one.samplers]
+        samplers += [WeightedSampler(sampler, share) for sampler in two.samplers]
 
         def reflected(light: Vector, view: Vector) -> Colour:
             return dr.lerp(one.reflected(light, view), two.reflected(light, view), share)
 
-        return Standing(samplers, reflected)
+        return LocalBsdf(samplers, reflected)
 
 
 def _of_layer(
     term: Any,
-    leaning: Leaning,
+    frame: TiltedFrame,
     light: Vector,
     view: Vector,
     flaked: Callable[[Colour, Vector, Vector], Colour] | None,
 ) -> Colour:
-    light, view = leaning.to_local(light), leaning.to_local(view)
+    light, view = frame.to_local(light), frame.to_local(view)
     above = (light.z > 0.0) & (view.z > 0.0)
-    value = term.value(light, view)
+    value = term.eval(light, view)
     if flaked is not None:
         value = flaked(value, light, view)
     return dr.select(above, value * light.z, mi.Color3f(0.0))
 
 
-def _frame_of_flakes(place: Place, below: Leaning) -> Callable[[Vector], Vector]:
-    """How directions of the leaning frame are turned to that of the flakes, which stands still on the object.
+def _frame_of_flakes(place: Place, below: TiltedFrame) -> Callable[[Vector], Vector]:
+    """Return the rotation of directions from the tilted frame to that of the flakes, which is fixed on the object.
 
     The tangents are those of the shader's ``local_frame`` (Duff et al., JCGT 6(1), 2017), of the normal in the world.
     """

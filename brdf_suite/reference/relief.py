@@ -1,4 +1,4 @@
-"""Small shapes of the surface in the renderer: frames that lean with a normal map, and with the coat's orange peel."""
+"""Surface relief in the renderer: shading frames tilted by a normal map and by the coat's orange peel."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from brdf_suite.reference.place import Place
 from brdf_suite.reference.terms import Sampler
 
 _LOWEST = 1e-3
-"""The least cosine of the view to a leaning normal, as in the real-time picture."""
+"""The least cosine of the view to a tilted normal, as in the real-time picture."""
 _TURN = (0.8090169943749475, 0.5877852522924731)
 _STRETCH = 1.0352762
 _BESIDE = (0.37, 0.61)
@@ -40,15 +40,15 @@ class Slopes:
 
 
 @dataclass(frozen=True, eq=False)
-class Peel:
-    """Orange peel: a tile of slopes of mean square 1, laid twice, the second time turned, so that it never repeats."""
+class OrangePeel:
+    """Orange peel: a tile of slopes of mean square 1, laid twice, the second time rotated, to avoid repetition."""
 
     texture: Any
     tiles: float
     slope: float
 
     @classmethod
-    def of(cls, image: npt.NDArray[Any], tiles: float, slope: float) -> Peel:
+    def of(cls, image: npt.NDArray[Any], tiles: float, slope: float) -> OrangePeel:
         """Return the peel of a tile (n, n, 2), ``tiles`` per millimetre, with a root mean square ``slope``."""
         return cls(texture(image), tiles, slope)
 
@@ -81,14 +81,14 @@ def look_up(image: Any, at: Any) -> Any:
 
 
 @dataclass(frozen=True, eq=False)
-class Leaning:
-    """A frame about a normal that leans from z, in the coordinates of the surface."""
+class TiltedFrame:
+    """A shading frame about a normal tilted from z, in the coordinates of the surface."""
 
     frame: Any
 
     @classmethod
-    def of(cls, normal: Vector, slopes: Any, place: Place, view: Vector) -> Leaning:
-        """Return the frame of a surface with ``slopes`` over ``normal``; one that looks away is bent to the view."""
+    def of(cls, normal: Vector, slopes: Any, place: Place, view: Vector) -> TiltedFrame:
+        """Return the frame of a surface with ``slopes`` over ``normal``; if it faces away it is bent to the view."""
         m = dr.normalize(normal - slopes.x * place.along_u - slopes.y * place.along_v)
         cosine = dr.dot(m, view)
         bent = dr.normalize(m + (_LOWEST - cosine) * view)
@@ -99,7 +99,7 @@ class Leaning:
 
     @property
     def normal(self) -> Vector:
-        """The normal that leans."""
+        """The tilted normal."""
         return self.frame.n
 
     def to_local(self, direction: Vector) -> Vector:
@@ -112,45 +112,45 @@ class Leaning:
 
 
 @dataclass(frozen=True, eq=False)
-class InFrame:
-    """A sampler of a surface that leans.
+class TiltedSampler:
+    """A sampler evaluated in a tilted shading frame.
 
-    Light from below the surface's own horizon, which a leaning one would mirror, comes by way of the surface beside it,
-    taken for a mirror that lies level (after Schüssler et al. 2017): from the other side of the horizon.
+    Light from below the surface's own horizon, which a tilted facet would mirror, arrives by way of the neighbouring
+    surface, modelled as a level mirror (after Schüssler et al. 2017): from the other side of the horizon.
     """
 
     sampler: Sampler
-    leaning: Leaning
+    frame: TiltedFrame
 
     def share(self, view: Vector) -> Real:
         """Return the share of a mixture."""
-        return self.sampler.share(self.leaning.to_local(view))
+        return self.sampler.share(self.frame.to_local(view))
 
-    def draw(self, view: Vector, u: Square) -> Vector:
-        """Return directions to the light; those below the leaning horizon are lost."""
-        light = self.sampler.draw(self.leaning.to_local(view), u)
-        found = self.leaning.to_surface(light)
+    def sample(self, view: Vector, u: Square) -> Vector:
+        """Return directions to the light; those below the tilted horizon are lost."""
+        light = self.sampler.sample(self.frame.to_local(view), u)
+        found = self.frame.to_surface(light)
         folded = mi.Vector3f(found.x, found.y, abs(found.z))
         return dr.select(light.z > 0.0, folded, mi.Vector3f(0.0))
 
-    def density(self, light: Vector, view: Vector) -> Real:
+    def pdf(self, light: Vector, view: Vector) -> Real:
         """Return the density per solid angle."""
-        local_view = self.leaning.to_local(view)
+        local_view = self.frame.to_local(view)
         total = mi.Float(0.0)
         for direction in folds(light):
-            local = self.leaning.to_local(direction)
-            total += dr.select(local.z > 0.0, self.sampler.density(local, local_view), 0.0)
+            local = self.frame.to_local(direction)
+            total += dr.select(local.z > 0.0, self.sampler.pdf(local, local_view), 0.0)
         return total
 
 
 def folds(light: Vector) -> tuple[Vector, Vector]:
-    """Return the two directions from which a leaning surface gets what comes from ``light``, above the horizon."""
+    """Return the two directions from which a tilted surface receives light of direction ``light``."""
     return light, mi.Vector3f(light.x, light.y, -light.z)
 
 
 @dataclass(frozen=True, eq=False)
-class Weighed:
-    """A sampler with a share of its own at each place."""
+class WeightedSampler:
+    """A sampler whose share of the mixture is scaled by a weight at each place."""
 
     sampler: Sampler
     weight: Real
@@ -159,10 +159,10 @@ class Weighed:
         """Return the share of a mixture."""
         return self.weight * self.sampler.share(view)
 
-    def draw(self, view: Vector, u: Square) -> Vector:
+    def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
-        return self.sampler.draw(view, u)
+        return self.sampler.sample(view, u)
 
-    def density(self, light: Vector, view: Vector) -> Real:
+    def pdf(self, light: Vector, view: Vector) -> Real:
         """Return the density per solid angle."""
-        return self.sampler.density(light, view)
+        return self.sampler.pdf(light, view)

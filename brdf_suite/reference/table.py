@@ -30,7 +30,7 @@ class HalfAngleTable:
         dr.eval(values)
         return cls(table, values, samplers)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         grid = self.table.grid
         total, apart = light + view, light - view

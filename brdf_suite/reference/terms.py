@@ -1,6 +1,6 @@
-"""Terms of a reflectance as the renderer evaluates and samples them: matt, facets, lobes, and mixtures of them.
+"""BSDF terms of the path tracer with eval, sample and pdf: diffuse, microfacets, lobes, and mixtures of them.
 
-Each is the twin of a model of ``brdf_suite.reflectance`` and is tested against it. Directions are local, z along the
+Each matches a model of ``brdf_suite.reflectance`` and is tested against it. Directions are local, z along the
 normal; ``light`` and ``view`` are those of ``wi`` and ``wo`` of the core. Values are f_r in 1/sr, without the cosine;
 the caller makes sure that both directions are above the horizon.
 """
@@ -20,34 +20,34 @@ Triple = tuple[float, float, float]
 
 
 class Sampler(Protocol):
-    """Draws directions to the light; ``share`` is how much of a mixture it deserves at a view, to a common factor."""
+    """A sampler of directions to the light; ``share`` is its weight in a mixture at a view, to a common factor."""
 
     def share(self, view: Vector) -> Real:
         """Return the share for a view, not negative."""
         ...
 
-    def draw(self, view: Vector, u: Square) -> Vector:
-        """Return directions for even numbers ``u``; some may lie below the horizon, where they are lost."""
+    def sample(self, view: Vector, u: Square) -> Vector:
+        """Return directions for uniform numbers ``u``; those below the horizon are discarded."""
         ...
 
-    def density(self, light: Vector, view: Vector) -> Real:
-        """Return the density of :meth:`draw` per solid angle, for directions above the horizon."""
+    def pdf(self, light: Vector, view: Vector) -> Real:
+        """Return the density of :meth:`sample` per solid angle, for directions above the horizon."""
         ...
 
 
 class Term(Protocol):
-    """A reflectance, or a part of one, with what samples it."""
+    """A reflectance, or a part of one, with its samplers."""
 
     samplers: Sequence[Sampler]
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         ...
 
 
 @dataclass(frozen=True)
-class Matt:
-    """Samples evenly in the projected solid angle; ``weight`` is the albedo that it stands for."""
+class Diffuse:
+    """Cosine-weighted sampler of a diffuse surface; ``weight`` is its albedo."""
 
     weight: float
 
@@ -55,18 +55,18 @@ class Matt:
         """Return the share of a mixture."""
         return d.number(self.weight)
 
-    def draw(self, _view: Vector, u: Square) -> Vector:
+    def sample(self, _view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
         return d.cosine_hemisphere(u)
 
-    def density(self, light: Vector, _view: Vector) -> Real:
+    def pdf(self, light: Vector, _view: Vector) -> Real:
         """Return the density per solid angle."""
-        return d.cosine_density(light)
+        return d.cosine_pdf(light)
 
 
 @dataclass(frozen=True)
 class Facets:
-    """Samples mirrors of a Beckmann surface; with ``ior`` its share follows Fresnel towards grazing."""
+    """Sampler of Beckmann microfacets; with ``ior`` its share follows Fresnel towards grazing."""
 
     weight: float
     slope: float
@@ -78,18 +78,18 @@ class Facets:
             d.number(self.weight) if self.ior is None else d.number(self.weight) * d.fresnel(view.z, self.ior)
         )
 
-    def draw(self, view: Vector, u: Square) -> Vector:
+    def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
         return d.beckmann_mirrored(view, u, self.slope)
 
-    def density(self, light: Vector, view: Vector) -> Real:
+    def pdf(self, light: Vector, view: Vector) -> Real:
         """Return the density per solid angle."""
-        return d.beckmann_density(Half.of(light, view), self.slope)
+        return d.beckmann_pdf(Half.of(light, view), self.slope)
 
 
 @dataclass(frozen=True)
 class AboutMirror:
-    """Samples a cosine lobe about the mirror direction."""
+    """Sampler of a cosine lobe about the mirror direction."""
 
     weight: float
     exponent: float
@@ -98,46 +98,46 @@ class AboutMirror:
         """Return the share of a mixture."""
         return d.number(self.weight)
 
-    def draw(self, view: Vector, u: Square) -> Vector:
+    def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
         return d.lobe_about_mirror(view, u, self.exponent)
 
-    def density(self, light: Vector, view: Vector) -> Real:
+    def pdf(self, light: Vector, view: Vector) -> Real:
         """Return the density per solid angle."""
         away = d.one_minus_mirror_cosine(light, view)
         return d.number((self.exponent + 1.0) / (2.0 * math.pi)) * d.mirror_lobe(away, self.exponent)
 
 
 @dataclass(frozen=True)
-class Lambertian:
-    """Matt of ``albedo``; ``weight`` is its share of a mixture where that is not the albedo."""
+class LambertianTerm:
+    """A Lambertian term of ``albedo``; ``weight`` is its share of a mixture where that is not the albedo."""
 
     albedo: Triple
     weight: float | None = None
 
     @property
     def samplers(self) -> Sequence[Sampler]:
-        """One, even in the projected solid angle."""
-        return (Matt(_y(self.albedo) if self.weight is None else self.weight),)
+        """One cosine-weighted sampler."""
+        return (Diffuse(_y(self.albedo) if self.weight is None else self.weight),)
 
-    def value(self, _light: Vector, _view: Vector) -> Colour:
+    def eval(self, _light: Vector, _view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         return d.colour([a / math.pi for a in self.albedo])
 
 
 @dataclass(frozen=True)
-class CoatLobe:
-    """The twin of :class:`brdf_suite.reflectance.coat_lobe.CoatLobe`."""
+class CoatLobeTerm:
+    """The specular lobe of a clearcoat, as :class:`brdf_suite.reflectance.coat_lobe.CoatLobe`."""
 
     ior: float
     roughness: float
 
     @property
     def samplers(self) -> Sequence[Sampler]:
-        """The facets, as often as they reflect."""
+        """The microfacets, weighted by their Fresnel reflectance."""
         return (Facets(1.0, self.roughness, self.ior),)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         half, a2 = Half.of(light, view), self.roughness**2
         facets = dr.exp(-half.tan2_h * d.number(1.0 / a2)) * dr.square(1.0 + half.tan2_h)
@@ -167,10 +167,10 @@ class FacetLobe:
 
     @property
     def samplers(self) -> Sequence[Sampler]:
-        """The facets."""
+        """The microfacets."""
         return (Facets(self.weight, self.slope),)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         half = Half.of(light, view)
         low = dr.minimum(light.z, view.z)
@@ -183,7 +183,7 @@ class FacetLobe:
 
 
 @dataclass(frozen=True)
-class Sum:
+class SumTerm:
     """The sum of terms, sampled by the samplers of all."""
 
     terms: tuple[Any, ...]
@@ -193,33 +193,33 @@ class Sum:
         """Those of all terms."""
         return tuple(sampler for term in self.terms for sampler in term.samplers)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         total: Colour = mi.Color3f(0.0)
         for term in self.terms:
-            total += term.value(light, view)
+            total += term.eval(light, view)
         return total
 
 
-def draw(samplers: Sequence[Sampler], view: Vector, choice: Real, u: Square) -> Vector:
-    """Return directions drawn from a mixture; ``choice`` even in [0, 1) chooses the sampler."""
+def sample(samplers: Sequence[Sampler], view: Vector, choice: Real, u: Square) -> Vector:
+    """Return directions sampled from a mixture; ``choice``, uniform in [0, 1), selects the sampler."""
     shares = _shares(samplers, view)
-    light = samplers[-1].draw(view, u)
+    light = samplers[-1].sample(view, u)
     above = mi.Float(0.0)
     bounds = []
     for share in shares[:-1]:
         above = above + share
         bounds.append(above)
     for sampler, bound in zip(reversed(samplers[:-1]), reversed(bounds), strict=True):
-        light = dr.select(choice < bound, sampler.draw(view, u), light)
+        light = dr.select(choice < bound, sampler.sample(view, u), light)
     return light
 
 
-def density(samplers: Sequence[Sampler], light: Vector, view: Vector) -> Real:
-    """Return the density of :func:`draw` per solid angle, for directions above the horizon."""
+def pdf(samplers: Sequence[Sampler], light: Vector, view: Vector) -> Real:
+    """Return the density of :func:`sample` per solid angle, for directions above the horizon."""
     total = mi.Float(0.0)
     for share, sampler in zip(_shares(samplers, view), samplers, strict=True):
-        total = total + share * sampler.density(light, view)
+        total = total + share * sampler.pdf(light, view)
     return total
 
 
@@ -228,7 +228,7 @@ def _shares(samplers: Sequence[Sampler], view: Vector) -> list[Real]:
     total = raw[0]
     for share in raw[1:]:
         total = total + share
-    # What is black may be sampled in any way: all by the first.
+    # A black term may be sampled in any way: all by the first.
     total = dr.maximum(total, 1e-20)
     return [share / total for share in raw]
 

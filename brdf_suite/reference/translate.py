@@ -9,13 +9,13 @@ import numpy as np
 
 from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.reference.aspecular import Aspecular, Several
-from brdf_suite.reference.coated import SeenThrough, UnderCoat
+from brdf_suite.reference.coated import SeenThroughTerm, UnderCoat
 from brdf_suite.reference.factored import FactoredTerm
 from brdf_suite.reference.fitted_samplers import fitted_samplers
-from brdf_suite.reference.lobe_weights import LobeWeights
+from brdf_suite.reference.lobe_weights import LobeWeightsTerm
 from brdf_suite.reference.measured import Measured
 from brdf_suite.reference.table import HalfAngleTable
-from brdf_suite.reference.terms import CoatLobe, FacetLobe, Lambertian, Sum
+from brdf_suite.reference.terms import CoatLobeTerm, FacetLobe, LambertianTerm, SumTerm
 from brdf_suite.reflectance import coat_lobe
 from brdf_suite.reflectance.aspecular_base import AspecularBase
 from brdf_suite.reflectance.factored import Factored
@@ -67,7 +67,7 @@ def divide(reflectance: Reflectance) -> Divided:
     """Return the twins of base and coat, as the layers of the lobe fit (:func:`~.layers.layered`) are divided."""
     if isinstance(reflectance, PaintReflectance):
         coat = reflectance.coat
-        return Divided(_exact(reflectance.base), CoatLobe(coat.ior, coat.roughness), coat.ior)
+        return Divided(_exact(reflectance.base), CoatLobeTerm(coat.ior, coat.roughness), coat.ior)
     if isinstance(reflectance, CookTorrance):
         wide, sharp, ior = divided(reflectance)
         return Divided(_cook_torrance(wide), _cook_torrance(sharp) if sharp.paint.lobes else None, ior)
@@ -76,8 +76,8 @@ def divide(reflectance: Reflectance) -> Divided:
         under = UnderCoat(reflectance, inner.base)
         above: Any = under.coat
         if inner.coat is not None:
-            above = Sum((under.coat, SeenThrough(UnderCoat(reflectance, inner.coat))))
-        return Divided(SeenThrough(under), above, reflectance.ior, inner.notices)
+            above = SumTerm((under.coat, SeenThroughTerm(UnderCoat(reflectance, inner.coat))))
+        return Divided(SeenThroughTerm(under), above, reflectance.ior, inner.notices)
     whole = translate(reflectance)
     return Divided(whole.term, None, 1.0, whole.notices)
 
@@ -85,13 +85,13 @@ def divide(reflectance: Reflectance) -> Divided:
 def _exact(reflectance: object) -> Any | None:
     if isinstance(reflectance, PaintReflectance):
         coat = reflectance.coat
-        return Sum((_exact(reflectance.base), CoatLobe(coat.ior, coat.roughness)))
+        return SumTerm((_exact(reflectance.base), CoatLobeTerm(coat.ior, coat.roughness)))
     if isinstance(reflectance, AspecularBase):
         return Aspecular.of(reflectance)
     if isinstance(reflectance, SeveralLights):
         return Several.of(reflectance)
     if isinstance(reflectance, coat_lobe.CoatLobe):
-        return CoatLobe(reflectance.ior, reflectance.roughness)
+        return CoatLobeTerm(reflectance.ior, reflectance.roughness)
     if isinstance(reflectance, CookTorrance):
         return _cook_torrance(reflectance)
     if isinstance(reflectance, Coated):
@@ -106,17 +106,17 @@ def _exact(reflectance: object) -> Any | None:
     if isinstance(reflectance, CosineLobes):
         return _cosine_lobes(reflectance)
     if isinstance(reflectance, CoreLambertian):
-        return Lambertian(_triple(reflectance.albedo))
+        return LambertianTerm(_triple(reflectance.albedo))
     return None
 
 
-def _cosine_lobes(model: CosineLobes) -> LobeWeights:
+def _cosine_lobes(model: CosineLobes) -> LobeWeightsTerm:
     kd, exponents, kdd, kg = (np.asarray(v, float) for v in (model.kd, model.exponents, model.kdd, model.kg))
     # The sum as it stands: no gains that follow the angle.
-    return LobeWeights(exponents, kd, kdd, kg, "none", 0.0, 1.0, raised=False)
+    return LobeWeightsTerm(exponents, kd, kdd, kg, "none", 0.0, 1.0, raised=False)
 
 
-def _cook_torrance(model: CookTorrance) -> Sum:
+def _cook_torrance(model: CookTorrance) -> SumTerm:
     paint = model.paint
     full = 1.0 if paint.d_norm == "full" else 0.25
     lobes = []
@@ -134,7 +134,7 @@ def _cook_torrance(model: CookTorrance) -> Sum:
         )
     # The widest facets leave gaps towards grazing that a few even directions fill.
     least = 0.05 * (_dot(paint.kd) + sum(lobe.weight for lobe in lobes))
-    return Sum((Lambertian(_triple(paint.kd), max(_dot(paint.kd), least, 1e-6)), *lobes))
+    return SumTerm((LambertianTerm(_triple(paint.kd), max(_dot(paint.kd), least, 1e-6)), *lobes))
 
 
 def _dot(colour: Any) -> float:

@@ -155,15 +155,13 @@ def test_the_refined_light_stands_where_it_does(rig: Rig, refinement: Refinement
 
 
 def test_each_number_says_how_far_it_was_observed(refinement: Refinement) -> None:
-    masked = {row.name: row for row in refinement.parameters}
-    assert masked["turntable's zero"].observed > 0.9
-    assert masked["light's height"].observed > 0.9
+    rows = {row.name: row for row in refinement.parameters}
+    assert rows["turntable's zero"].observed > 0.9
+    assert rows["light's height"].observed > 0.9
     # Parallax between points of the sphere is all that determines the distance.
-    assert masked["light's distance"].observed < 0.5
-    assert all(
-        0.0 <= row.observed <= 1.0 and row.sigma <= row.stated_sigma * 1.0001 for row in masked.values()
-    )
-    assert all(row.why for row in masked.values())
+    assert rows["light's distance"].observed < 0.5
+    assert all(0.0 <= row.observed <= 1.0 and row.sigma <= row.stated_sigma * 1.0001 for row in rows.values())
+    assert all(row.why for row in rows.values())
 
 
 def test_a_refinement_comes_back_from_json_exactly(refinement: Refinement) -> None:

@@ -136,13 +136,13 @@ def test_in_a_white_furnace_a_paint_with_flakes_has_the_albedo_of_the_smooth_one
 
     from brdf_suite.reference import terms
     from brdf_suite.reference.flakes import FlakeLayer
-    from brdf_suite.reference.placed import PlacedPaint
+    from brdf_suite.reference.placed import LayeredPaintBsdf
     from brdf_suite.reference.translate import divide
     from brdf_suite.reflectance.albedo import directional_albedo
 
     model = build_paint(load_shipped_paint("coarse_silver"))
     parts = divide(model)
-    paint = PlacedPaint(parts.base, parts.coat, flakes=FlakeLayer(FLAKES, parts.ior, 2.0))
+    paint = LayeredPaintBsdf(parts.base, parts.coat, flakes=FlakeLayer(FLAKES, parts.ior, 2.0))
     rng = np.random.default_rng(7)
     places = placed(*pixels(rng, 300_000, 0.02, 2.0))
     up = mi.Frame3f(mi.Normal3f(0.0, 0.0, 1.0))
@@ -152,17 +152,17 @@ def test_in_a_white_furnace_a_paint_with_flakes_has_the_albedo_of_the_smooth_one
     count = 300_000
     view = spherical(0.6, 1.0)
     views = vectors(np.broadcast_to(view, (count, 3)))
-    standing = paint.at(place, views)
+    local = paint.at(place, views)
     choice = mi.Float(rng.random(count).astype(np.float32))
-    light = terms.draw(
-        standing.samplers, views, choice, mi.Point2f(rng.random((2, count)).astype(np.float32))
-    )
-    pdf = np.array(terms.density(standing.samplers, light, views), float)
-    value = np.array(standing.reflected(light, views), float).T
+    light = terms.sample(local.samplers, views, choice, mi.Point2f(rng.random((2, count)).astype(np.float32)))
+    pdf = np.array(terms.pdf(local.samplers, light, views), float)
+    value = np.array(local.reflected(light, views), float).T
     sound = (np.array(light.z) > 0.0) & (pdf > 0.0)
     weights = np.where(sound[:, None], value / np.maximum(pdf, 1e-30)[:, None], 0.0)
     assert value.min() >= 0.0
-    smooth = np.array(PlacedPaint(parts.base, parts.coat).at(place, views).reflected(light, views), float).T
+    smooth = np.array(
+        LayeredPaintBsdf(parts.base, parts.coat).at(place, views).reflected(light, views), float
+    ).T
     assert np.median(np.abs(value / np.maximum(smooth, 1e-9) - 1.0)[sound]) > 0.02
     error = weights.std(axis=0) / math.sqrt(count)
     wanted = directional_albedo(model, view)
@@ -175,13 +175,13 @@ def leaning_paint(variant):
     """Copper with a steep relief, at 100,000 samples of one place that leans by some 20°."""
     import mitsuba as mi
 
-    from brdf_suite.reference.placed import PlacedPaint
+    from brdf_suite.reference.placed import LayeredPaintBsdf
     from brdf_suite.reference.relief import Slopes
     from brdf_suite.reference.translate import divide
 
     parts = divide(build_paint(load_shipped_paint("copper")))
     slopes = np.full((4, 4, 2), (0.3, -0.2), np.float32)
-    paint = PlacedPaint(parts.base, parts.coat, shape=Slopes.of(slopes, (1.0, 1.0), 1.0))
+    paint = LayeredPaintBsdf(parts.base, parts.coat, shape=Slopes.of(slopes, (1.0, 1.0), 1.0))
     place = SimpleNamespace(
         uv=mi.Point2f(0.1, 0.2), along_u=mi.Vector3f(1.0, 0.0, 0.0), along_v=mi.Vector3f(0.0, 1.0, 0.0)
     )
@@ -198,13 +198,13 @@ def test_a_leaning_surface_is_drawn_as_its_density_says(leaning_paint, chi_squar
     count = 100_000
     rng = np.random.default_rng(5)
     view = spherical(np.full(count, math.radians(theta_deg)), math.pi)
-    standing = paint.at(place, vectors(view))
+    local = paint.at(place, vectors(view))
     choice, u = mi.Float(rng.random(count).astype(np.float32)), rng.random((2, count)).astype(np.float32)
-    drawn = np.array(terms.draw(standing.samplers, vectors(view), choice, mi.Point2f(u)), float).T
+    drawn = np.array(terms.sample(local.samplers, vectors(view), choice, mi.Point2f(u)), float).T
 
     def density(light: np.ndarray) -> np.ndarray:
         views = vectors(np.broadcast_to(view[0], light.shape))
-        return np.array(terms.density(paint.at(place, views).samplers, vectors(light), views), float)
+        return np.array(terms.pdf(paint.at(place, views).samplers, vectors(light), views), float)
 
     # The coat's lobe leans, so the panels of the test need not follow it: it is about the mirror of the leaning normal.
     broad = drawn[np.linalg.norm(drawn - coat_direction(view[0]), axis=1) > 0.05]
@@ -247,13 +247,11 @@ def test_what_leans_reflects_all_that_it_would(leaning_paint) -> None:
     rng = np.random.default_rng(6)
     view = spherical(0.5, 2.0)
     views = vectors(np.broadcast_to(view, (count, 3)))
-    standing = paint.at(place, views)
+    local = paint.at(place, views)
     choice = mi.Float(rng.random(count).astype(np.float32))
-    light = terms.draw(
-        standing.samplers, views, choice, mi.Point2f(rng.random((2, count)).astype(np.float32))
-    )
-    pdf = np.array(terms.density(standing.samplers, light, views), float)
-    value = np.array(standing.reflected(light, views), float).T
+    light = terms.sample(local.samplers, views, choice, mi.Point2f(rng.random((2, count)).astype(np.float32)))
+    pdf = np.array(terms.pdf(local.samplers, light, views), float)
+    value = np.array(local.reflected(light, views), float).T
     weights = np.where(
         (np.array(light.z) > 0.0)[:, None] & (pdf > 0)[:, None], value / np.maximum(pdf, 1e-30)[:, None], 0
     )

@@ -62,10 +62,10 @@ def terms_of(variant: Variant) -> Any:
 
 def lobe_weights() -> Any:
     from brdf_suite.pipeline.any_fit import fit_any
-    from brdf_suite.reference.lobe_weights import LobeWeights
+    from brdf_suite.reference.lobe_weights import LobeWeightsTerm
 
     w = fit_any("copper", errors=False).weights
-    return LobeWeights(w.exponents, w.kd, w.kdd, w.kg, "dielectric", w.theta_fit_rad, w.ior)
+    return LobeWeightsTerm(w.exponents, w.kd, w.kdd, w.kg, "dielectric", w.theta_fit_rad, w.ior)
 
 
 @pytest.mark.parametrize("mirror", [False, True])
@@ -79,8 +79,8 @@ def test_the_two_parts_of_a_sum_of_lobes_are_the_whole(terms_of, mirror: bool) -
         term = lobe_weights() if name == "fitted lobes" else terms_of(name)
         cut = split(term, mirror=mirror)
         narrow[name] = len(cut.narrow)
-        whole = rows(term.value(light, view), len(wi))
-        found = rows(cut.broad.value(light, view), len(wi)) + rows(cut.narrow_value(light, view), len(wi))
+        whole = rows(term.eval(light, view), len(wi))
+        found = rows(cut.broad.eval(light, view), len(wi)) + rows(cut.narrow_value(light, view), len(wi))
         np.testing.assert_allclose(found, whole, rtol=2e-5, atol=1e-6, err_msg=name)
     assert narrow["designed"] == 1
     assert narrow["designed_base"] == narrow["lambertian"] == 0
@@ -101,8 +101,8 @@ def test_the_two_parts_of_a_table_are_the_whole_and_the_broad_one_has_no_peak(
     cut = split(term, tables=how)
     wi, wo = made.pairs(4000)
     light, view = vectors(wi), vectors(wo)
-    whole = rows(term.value(light, view), len(wi))
-    found = rows(cut.broad.value(light, view), len(wi)) + rows(cut.narrow_value(light, view), len(wi))
+    whole = rows(term.eval(light, view), len(wi))
+    found = rows(cut.broad.eval(light, view), len(wi)) + rows(cut.narrow_value(light, view), len(wi))
     np.testing.assert_allclose(found, whole, rtol=2e-5, atol=1e-6)
     assert len(cut.narrow) == (2 if how == "clamp" else 1)
     assert [lobe.is_sunlit for lobe in cut.narrow] == ([False, True] if how == "clamp" else [False])
@@ -146,11 +146,11 @@ def test_directions_are_drawn_as_the_density_says(chi_square, which: str, theta_
     lobe, count = narrow_lobe(which), 100_000
     rng = np.random.default_rng(3)
     view = spherical(np.full(count, math.radians(theta_deg)), math.pi)
-    drawn = rows(lobe.draw(vectors(view), mi.Point2f(rng.random((2, count)).astype(np.float32))), count)
+    drawn = rows(lobe.sample(vectors(view), mi.Point2f(rng.random((2, count)).astype(np.float32))), count)
 
     def density(light: np.ndarray) -> np.ndarray:
         views = np.broadcast_to(view[0], light.shape)
-        return rows(lobe.density(vectors(light), vectors(views)), len(light))[:, 0]
+        return rows(lobe.pdf(vectors(light), vectors(views)), len(light))[:, 0]
 
     assert chi_square(drawn, density, math.radians(theta_deg)) > 1e-4
 
@@ -160,7 +160,7 @@ def test_the_cosine_lobe_is_that_of_the_paper() -> None:
     import mitsuba as mi
 
     from brdf_suite.reference.directions import Half
-    from brdf_suite.reference.raytraced.lobes import cosine_lobe_density, cosine_lobe_mirrored, exponent_of
+    from brdf_suite.reference.raytraced.lobes import cosine_lobe_mirrored, cosine_lobe_pdf, exponent_of
     from brdf_suite.reference.terms import FacetLobe
 
     m = 0.013
@@ -172,9 +172,7 @@ def test_the_cosine_lobe_is_that_of_the_paper() -> None:
     tilt = 0.5 * np.arctan2(np.array(light.x), np.array(light.z))
     np.testing.assert_allclose(tilt, np.arccos(r.astype(float) ** (1.0 / (n + 1.0))), rtol=2e-3)
     lobe = FacetLobe((1.0, 1.0, 1.0), m, 0.25, None, 1.0)
-    weight = np.array(
-        (lobe.value(light, up) * light.z / cosine_lobe_density(Half.of(light, up), mi.Float(n))).x
-    )
+    weight = np.array((lobe.eval(light, up) * light.z / cosine_lobe_pdf(Half.of(light, up), mi.Float(n))).x)
     middle = weight[np.argmax(r)]
     assert weight.max() <= 1.001 * middle
     assert weight.min() > 0.0
@@ -190,7 +188,7 @@ def test_a_mirrored_lobe_has_the_albedo_of_the_sampled_one(variant: Variant) -> 
     mirrored = split(translate(model).term, mirror=True)
     for theta in (0.2, 0.9, 1.35):
         view = vectors(spherical(np.array([theta]), np.array([0.3])))
-        light, weight, _ = mirrored.draw(view, mi.Float(0.3), mi.Point2f(0.1, 0.7))
+        light, weight, _ = mirrored.sample(view, mi.Float(0.3), mi.Point2f(0.1, 0.7))
         np.testing.assert_allclose(np.array(light).T, np.array(view).T * [-1.0, -1.0, 1.0], atol=1e-7)
         wanted = directional_albedo(model, spherical(theta, 0.3))
         np.testing.assert_allclose(np.array(weight).T[0], wanted, rtol=0.02)
@@ -198,8 +196,8 @@ def test_a_mirrored_lobe_has_the_albedo_of_the_sampled_one(variant: Variant) -> 
 
 def test_what_reflects_more_than_falls_on_it_is_found(terms_of) -> None:
     from brdf_suite.reference.raytraced.energy import TOLERANCE, largest_albedo
-    from brdf_suite.reference.terms import Lambertian
+    from brdf_suite.reference.terms import LambertianTerm
 
-    assert largest_albedo(Lambertian((0.3, 1.2, 0.5))) == pytest.approx(1.2, rel=0.01)
-    assert largest_albedo(Lambertian((1.0, 1.0, 1.0))) <= 1.0 + TOLERANCE
+    assert largest_albedo(LambertianTerm((0.3, 1.2, 0.5))) == pytest.approx(1.2, rel=0.01)
+    assert largest_albedo(LambertianTerm((1.0, 1.0, 1.0))) <= 1.0 + TOLERANCE
     assert largest_albedo(terms_of("designed")) < 1.0

@@ -62,7 +62,7 @@ def test_values_are_those_of_the_core_to_single_precision(twins, name: str) -> N
     wi, wo = made.pairs(20_000)
     rounded = model.eval(wi.astype(np.float32).astype(float), wo.astype(np.float32).astype(float))
     wanted = model.eval(wi, wo)
-    found = rows(term.value(vectors(wi), vectors(wo)), len(wi))
+    found = rows(term.eval(vectors(wi), vectors(wo)), len(wi))
     error = np.abs(found - wanted) - 2.0 * np.abs(rounded - wanted)
     least = 1e-3 + 1e-7 * wanted.max()  # 1/sr: a reflectance factor of .003 is nearly black
     assert (error / (wanted + least)).max() < TOLERANCE
@@ -81,11 +81,11 @@ def test_directions_are_drawn_as_the_density_says(twins, chi_square, name: str, 
     # From the -x side, so that the mirror direction is on the +x side, where the test's panels are narrow.
     view = spherical(np.full(count, math.radians(theta_deg)), math.pi)
     choice, u = mi.Float(rng.random(count).astype(np.float32)), rng.random((2, count)).astype(np.float32)
-    drawn = rows(terms.draw(term.samplers, vectors(view), choice, mi.Point2f(u)), count)
+    drawn = rows(terms.sample(term.samplers, vectors(view), choice, mi.Point2f(u)), count)
 
     def density(light: np.ndarray) -> np.ndarray:
         views = np.broadcast_to(view[0], light.shape)
-        return rows(terms.density(term.samplers, vectors(light), vectors(views)), len(light))[:, 0]
+        return rows(terms.pdf(term.samplers, vectors(light), vectors(views)), len(light))[:, 0]
 
     assert chi_square(drawn, density, math.radians(theta_deg)) > 1e-4
 
@@ -105,10 +105,12 @@ def test_in_a_white_furnace_the_albedo_comes_back(twins, name: str) -> None:
     for theta in (0.3, 1.1):
         view = vectors(np.broadcast_to(spherical(theta, 0.4), (count, 3)))
         choice = mi.Float(rng.random(count).astype(np.float32))
-        light = terms.draw(term.samplers, view, choice, mi.Point2f(rng.random((2, count)).astype(np.float32)))
-        pdf = rows(terms.density(term.samplers, light, view), count)
+        light = terms.sample(
+            term.samplers, view, choice, mi.Point2f(rng.random((2, count)).astype(np.float32))
+        )
+        pdf = rows(terms.pdf(term.samplers, light, view), count)
         above = np.array(light.z) > 0.0
-        value = rows(term.value(light, view), count) * np.array(light.z)[:, None]
+        value = rows(term.eval(light, view), count) * np.array(light.z)[:, None]
         weights = np.where(above[:, None] & (pdf > 0.0), value / np.maximum(pdf, 1e-30), 0.0)
         wanted = directional_albedo(model, spherical(theta, 0.4))
         error = weights.std(axis=0) / math.sqrt(count)
@@ -122,7 +124,7 @@ def test_what_has_no_formula_here_is_a_table_and_says_so(variant: Variant) -> No
     translated = translate(model)
     assert translated.notices == (TABULATED,)
     wi, wo = made.pairs(4000)
-    found = rows(translated.term.value(vectors(wi), vectors(wo)), len(wi))
+    found = rows(translated.term.eval(vectors(wi), vectors(wo)), len(wi))
     wanted = IsotropicTable.from_reflectance(model).eval(wi, wo)
     assert np.abs(found - wanted).max() < 1e-4 * wanted.max()
     assert np.abs(wanted - model.eval(wi, wo)).mean() < 0.1 * wanted.mean()
@@ -130,11 +132,11 @@ def test_what_has_no_formula_here_is_a_table_and_says_so(variant: Variant) -> No
 
 def test_the_lobes_of_a_fit_are_those_of_the_core(variant: Variant) -> None:
     from brdf_suite.pipeline.any_fit import fit_any
-    from brdf_suite.reference.lobe_weights import LobeWeights
+    from brdf_suite.reference.lobe_weights import LobeWeightsTerm
     from brdf_suite.reflectance.lobe_sum import lobe_sums
 
     weights = fit_any("copper", errors=False).weights
-    term = LobeWeights(
+    term = LobeWeightsTerm(
         weights.exponents,
         weights.kd,
         weights.kdd,
@@ -146,7 +148,7 @@ def test_the_lobes_of_a_fit_are_those_of_the_core(variant: Variant) -> None:
     )
     wi, wo = made.pairs(20_000)
     wanted = lobe_sums(wi, wo, weights.exponents, weights.kd, weights.kdd, weights.kg).brdf()
-    found = rows(term.value(vectors(wi), vectors(wo)), len(wi))
+    found = rows(term.eval(vectors(wi), vectors(wo)), len(wi))
     assert np.max(np.abs(found - wanted) / (wanted + 1e-7 * wanted.max())) < 1e-3  # √E times the rounding
 
 
@@ -160,7 +162,7 @@ def test_a_material_of_a_file_is_that_of_the_core(variant: Variant, shared_data:
     assert translated.notices == ()
     wi, wo = made.pairs(20_000)
     wanted = model.eval(wi, wo)
-    found = rows(translated.term.value(vectors(wi), vectors(wo)), len(wi))
+    found = rows(translated.term.eval(vectors(wi), vectors(wo)), len(wi))
     error = np.abs(found - wanted) / (wanted + 1e-3)
     assert np.quantile(error, 0.99) < TOLERANCE
     assert error.max() < 0.02  # beside the edge of a cell, where single precision takes the next one

@@ -52,7 +52,7 @@ def cosine_lobe_mirrored(view: Vector, u: Square, exponent: Real) -> Vector:
     return dr.fma(2.0 * dr.dot(view, half), half, -view)
 
 
-def cosine_lobe_density(half: Half, exponent: Real) -> Real:
+def cosine_lobe_pdf(half: Half, exponent: Real) -> Real:
     """Return the density of :func:`cosine_lobe_mirrored` per solid angle."""
     power = dr.exp(-0.5 * exponent * log_one_plus(half.tan2_h))
     return (exponent + 1.0) * (0.5 / math.pi) * power / (4.0 * half.cos_d)
@@ -93,17 +93,17 @@ class FacetGlint:
         share = d.number(self.share)
         return share if self.ior is None else share * d.fresnel(view.z, self.ior)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return self.term.value(light, view)
+        return self.term.eval(light, view)
 
-    def draw(self, view: Vector, u: Square) -> Vector:
+    def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
         return cosine_lobe_mirrored(view, u, d.number(exponent_of(self.slope)))
 
-    def density(self, light: Vector, view: Vector) -> Real:
-        """Return the density of :meth:`draw` per solid angle."""
-        return cosine_lobe_density(Half.of(light, view), d.number(exponent_of(self.slope)))
+    def pdf(self, light: Vector, view: Vector) -> Real:
+        """Return the density of :meth:`sample` per solid angle."""
+        return cosine_lobe_pdf(Half.of(light, view), d.number(exponent_of(self.slope)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,16 +123,16 @@ class MirrorLobe:
         """Return the share of a mixture, to a common factor."""
         return d.number(self.share)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return self.term.value(light, view)
+        return self.term.eval(light, view)
 
-    def draw(self, view: Vector, u: Square) -> Vector:
+    def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
         return d.lobe_about_mirror(view, u, self.exponent)
 
-    def density(self, light: Vector, view: Vector) -> Real:
-        """Return the density of :meth:`draw` per solid angle."""
+    def pdf(self, light: Vector, view: Vector) -> Real:
+        """Return the density of :meth:`sample` per solid angle."""
         away = d.one_minus_mirror_cosine(light, view)
         return d.number((self.exponent + 1.0) / (2.0 * math.pi)) * d.mirror_lobe(away, self.exponent)
 
@@ -148,14 +148,14 @@ class WideFacets:
 
     term: FacetLobe
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return self.term.value(light, view)
+        return self.term.eval(light, view)
 
     def lit(self, light: Vector, view: Vector, spread: Real) -> Colour:
         """Return the mean f_r for a light whose directions have ``spread``, radians along an axis."""
         half = Half.of(light, view)
         wide = d.number(self.term.slope**2) + 0.5 * dr.square(spread)
         # With facets of all slopes alike, all of the lobe is left but their distribution.
-        even = replace(self.term, slope=_EVEN).value(light, view)
+        even = replace(self.term, slope=_EVEN).eval(light, view)
         return even * (dr.exp(-half.tan2_h / wide) * _EVEN**2 / wide)

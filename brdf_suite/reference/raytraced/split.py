@@ -14,7 +14,7 @@ import numpy as np
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.coated import UnderCoat
 from brdf_suite.reference.directions import Colour, Real, Square, Vector
-from brdf_suite.reference.lobe_weights import LobeWeights
+from brdf_suite.reference.lobe_weights import LobeWeightsTerm
 from brdf_suite.reference.measured import Measured
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.lobes import (
@@ -27,7 +27,7 @@ from brdf_suite.reference.raytraced.lobes import (
 from brdf_suite.reference.raytraced.numbers import in_cube
 from brdf_suite.reference.raytraced.table_split import TableSplit, split_by_values
 from brdf_suite.reference.table import HalfAngleTable
-from brdf_suite.reference.terms import CoatLobe, FacetLobe, Sum
+from brdf_suite.reference.terms import CoatLobeTerm, FacetLobe, SumTerm
 
 _MIRROR_NODES, _MIRROR_SAMPLES = 64, 1024
 
@@ -48,10 +48,10 @@ class Split:
         """Return f_r of the narrow lobes, or of those that suns light, 1/sr."""
         total: Colour = mi.Color3f(0.0)
         for lobe in self.sunlit if sunlit else self.narrow:
-            total += lobe.value(light, view)
+            total += lobe.eval(light, view)
         return total
 
-    def draw(self, view: Vector, choice: Real, u: Square) -> tuple[Vector, Colour, Real]:
+    def sample(self, view: Vector, choice: Real, u: Square) -> tuple[Vector, Colour, Real]:
         """Return directions to the light, f_r cosθ over the density, and 1 where the ray finds suns as well, else 0.
 
         One lobe is drawn for each, chosen by its share. The weight is 0 where the direction lies below the horizon.
@@ -67,10 +67,10 @@ class Split:
         left = mi.Bool(True)
         for index, (lobe, share) in enumerate(zip(self.narrow, shares, strict=True)):
             chosen = left & (rest < share) if index + 1 < len(self.narrow) else left
-            drawn = lobe.draw(view, u)
+            drawn = lobe.sample(view, u)
             above = (drawn.z > 0.0) & (view.z > 0.0)
-            pdf = lobe.density(drawn, view) * share / total
-            value = lobe.value(drawn, view) * (drawn.z / pdf)
+            pdf = lobe.pdf(drawn, view) * share / total
+            value = lobe.eval(drawn, view) * (drawn.z / pdf)
             light = dr.select(chosen, drawn, light)
             weight = dr.select(chosen, dr.select(above & (pdf > 0.0), value, 0.0), weight)
             if lobe.is_sunlit:
@@ -94,7 +94,7 @@ class Mirrored:
         cosine = (mi.Float(lane // _MIRROR_SAMPLES) + 0.5) / _MIRROR_NODES
         view = mi.Vector3f(dr.sqrt(dr.maximum(1.0 - cosine * cosine, 0.0)), 0.0, cosine)
         choice, u = in_cube(lane % _MIRROR_SAMPLES, mi.UInt32(0))
-        _, weight, _ = split.draw(view, choice, u)
+        _, weight, _ = split.sample(view, choice, u)
         means = np.array(weight).reshape(3, _MIRROR_NODES, _MIRROR_SAMPLES).mean(axis=2)
         table = mi.Float(np.ascontiguousarray(means.T, np.float32).ravel())
         dr.eval(table)
@@ -119,7 +119,7 @@ class Mirrored:
         """Return f_r of the narrow lobes, or of those that suns light, 1/sr."""
         return mi.Color3f(0.0) if sunlit else self.split.narrow_value(light, view)
 
-    def draw(self, view: Vector, _choice: Real, _u: Square) -> tuple[Vector, Colour, Real]:
+    def sample(self, view: Vector, _choice: Real, _u: Square) -> tuple[Vector, Colour, Real]:
         """Return the mirror direction, the lobes' albedo for the view, and 1: the ray finds suns as well."""
         place = dr.clip(view.z * _MIRROR_NODES - 0.5, 0.0, _MIRROR_NODES - 1.0)
         low = dr.minimum(mi.UInt32(place), _MIRROR_NODES - 2)
@@ -133,18 +133,18 @@ class Broad:
 
     parts: tuple[Any, ...]
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         total: Colour = mi.Color3f(0.0)
         for part in self.parts:
-            total += part.value(light, view)
+            total += part.eval(light, view)
         return total
 
     def lit(self, light: Vector, view: Vector, spread: Real) -> Colour:
         """Return f_r for a light whose directions have ``spread``, radians along an axis."""
         total: Colour = mi.Color3f(0.0)
         for part in self.parts:
-            total += part.lit(light, view, spread) if hasattr(part, "lit") else part.value(light, view)
+            total += part.lit(light, view, spread) if hasattr(part, "lit") else part.eval(light, view)
         return total
 
 
@@ -155,32 +155,32 @@ class ThroughCoat:
     coated: UnderCoat
     part: Any
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return self.part.value(light, view) * self.coated.factor(light, view)
+        return self.part.eval(light, view) * self.coated.factor(light, view)
 
     def lit(self, light: Vector, view: Vector, spread: Real) -> Colour:
         """Return f_r for a light whose directions have ``spread``, radians along an axis."""
         part = (
-            self.part.lit(light, view, spread) if hasattr(self.part, "lit") else self.part.value(light, view)
+            self.part.lit(light, view, spread) if hasattr(self.part, "lit") else self.part.eval(light, view)
         )
         return part * self.coated.factor(light, view)
 
 
 @dataclass(frozen=True, eq=False)
-class PartOfWeights(LobeWeights):
+class PartOfWeights(LobeWeightsTerm):
     """Some lobes of fitted weights, with the gains that all of them have together."""
 
-    whole: LobeWeights | None = None
+    whole: LobeWeightsTerm | None = None
 
     @classmethod
-    def of(cls, whole: LobeWeights, kd: Any, kept: Any) -> PartOfWeights:
+    def of(cls, whole: LobeWeightsTerm, kd: Any, kept: Any) -> PartOfWeights:
         """Return the part with the diffuse weights ``kd`` and the lobes that are ``kept`` (m, 1)."""
         known = {f.name: getattr(whole, f.name) for f in fields(whole) if f.init}
         return cls(**{**known, "kd": kd, "kdd": whole.kdd * kept, "kg": whole.kg * kept}, whole=whole)
 
     def _gains(self, cosine: Real) -> tuple[Real, Colour]:
-        return LobeWeights._gains(self.whole or self, cosine)
+        return LobeWeightsTerm._gains(self.whole or self, cosine)
 
 
 def split(term: Any, *, mirror: bool = False, tables: TableSplit = "clamp") -> Split | Mirrored:
@@ -193,10 +193,10 @@ def split(term: Any, *, mirror: bool = False, tables: TableSplit = "clamp") -> S
 
 def _parts(term: Any, largest: float, tables: TableSplit, mirror: bool) -> tuple[list[Any], list[Any]]:
     """The broad terms and the narrow lobes of a term."""
-    if isinstance(term, Sum):
+    if isinstance(term, SumTerm):
         pieces = [_parts(one, largest, tables, mirror) for one in term.terms]
         return [b for broad, _ in pieces for b in broad], [n for _, narrow in pieces for n in narrow]
-    if isinstance(term, CoatLobe):
+    if isinstance(term, CoatLobeTerm):
         if term.roughness > largest:
             return [term], []
         return [], [FacetGlint(term, term.roughness, 1.0, term.ior)]
@@ -211,7 +211,7 @@ def _parts(term: Any, largest: float, tables: TableSplit, mirror: bool) -> tuple
         lobes = [_with_term(lobe, ThroughCoat(term, lobe.term)) for lobe in narrow]
         coat_broad, coat_narrow = _parts(term.coat, largest, tables, mirror)
         return [*seen, *coat_broad], [*lobes, *coat_narrow]
-    if isinstance(term, LobeWeights):
+    if isinstance(term, LobeWeightsTerm):
         return _of_lobe_weights(term, largest)
     if isinstance(term, (HalfAngleTable, Measured)):
         return split_by_values(term, tables, mirror=mirror)
@@ -222,7 +222,7 @@ def _with_term(lobe: Any, term: Any) -> Any:
     return replace(lobe, term=term)
 
 
-def _of_lobe_weights(term: LobeWeights, largest: float) -> tuple[list[Any], list[Any]]:
+def _of_lobe_weights(term: LobeWeightsTerm, largest: float) -> tuple[list[Any], list[Any]]:
     """Lobes about the mirror direction are four times as steep there as their facets are about the normal."""
     steepest = 2.0 / largest**2 / 4.0
     sharp = term.exponents > steepest

@@ -28,8 +28,8 @@ from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.lobes import (
     LARGEST_SLOPE,
     LEAST_SUNLIT_SLOPE,
-    cosine_lobe_density,
     cosine_lobe_mirrored,
+    cosine_lobe_pdf,
     exponent_of,
 )
 from brdf_suite.reference.raytraced.numbers import own
@@ -67,7 +67,7 @@ class OverDifference:
         dr.eval(table)
         return cls(table)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return the values at pairs of directions, linear in between."""
         place = dr.clip(Half.of(light, view).cos_d, 0.0, 1.0) * (_HEIGHTS - 1.0)
         low = dr.minimum(mi.UInt32(place), _HEIGHTS - 2)
@@ -82,9 +82,9 @@ class AtMost:
     term: Any
     cap: OverDifference | FittedPeak
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return dr.minimum(self.term.value(light, view), self.cap.value(light, view))
+        return dr.minimum(self.term.eval(light, view), self.cap.eval(light, view))
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,9 +94,9 @@ class Above:
     term: Any
     cap: OverDifference | FittedPeak
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return dr.maximum(self.term.value(light, view) - self.cap.value(light, view), 0.0)
+        return dr.maximum(self.term.eval(light, view) - self.cap.eval(light, view), 0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,10 +107,10 @@ class Between:
     low: OverDifference
     high: OverDifference
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        value, low = self.term.value(light, view), self.low.value(light, view)
-        return dr.minimum(value, self.high.value(light, view)) - dr.minimum(value, low)
+        value, low = self.term.eval(light, view), self.low.eval(light, view)
+        return dr.minimum(value, self.high.eval(light, view)) - dr.minimum(value, low)
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,10 +120,10 @@ class FittedPeak:
     heights: OverDifference
     slope: float
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
         bell = dr.exp(-Half.of(light, view).tan2_h * d.number(1.0 / self.slope**2))
-        return self.heights.value(light, view) * bell
+        return self.heights.eval(light, view) * bell
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,11 +143,11 @@ class FacetMixture:
         """Return the share of a mixture with other narrow lobes."""
         return d.number(self.share)
 
-    def value(self, light: Vector, view: Vector) -> Colour:
+    def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        return self.term.value(light, view)
+        return self.term.eval(light, view)
 
-    def draw(self, view: Vector, u: Square) -> Vector:
+    def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
         low = mi.Float(0.0)
         exponent, inside = mi.Float(1.0), u.x
@@ -160,11 +160,11 @@ class FacetMixture:
         # A number of 24 bits, less those that chose the lobe, is enough for a direction.
         return cosine_lobe_mirrored(view, mi.Point2f(dr.clip(inside, 0.0, 0.9999999), u.y), exponent)
 
-    def density(self, light: Vector, view: Vector) -> Real:
-        """Return the density of :meth:`draw` per solid angle."""
+    def pdf(self, light: Vector, view: Vector) -> Real:
+        """Return the density of :meth:`sample` per solid angle."""
         half, total = Half.of(light, view), mi.Float(0.0)
         for share, slope in self.lobes:
-            total += d.number(share) * cosine_lobe_density(half, d.number(exponent_of(slope)))
+            total += d.number(share) * cosine_lobe_pdf(half, d.number(exponent_of(slope)))
         return total
 
 
@@ -254,4 +254,4 @@ def values_of(term: Any, light: Floats, view: Floats) -> Floats:
     """Return f_r (n, 3) of a term for lights (n, 3) and views (n, 3), or one (3,), as numbers."""
     views = np.broadcast_to(view, light.shape)
     at, to = (mi.Vector3f(*(own(row, mi.Float) for row in x.T.astype(np.float32))) for x in (light, views))
-    return np.asarray(np.array(term.value(at, to), np.float64).T)
+    return np.asarray(np.array(term.eval(at, to), np.float64).T)

@@ -367,11 +367,11 @@ def _drawn(
     stage: Stage, material: Any, view: Vector, choice: Real, u: Any, active: Any
 ) -> tuple[Vector, Colour, Real]:
     def of(split: Any) -> Any:
-        def draw(view: Vector, choice: Real, u: Any, _active: Any) -> tuple[Vector, Colour, Real]:
-            drawn: tuple[Vector, Colour, Real] = split.draw(view, choice, u)
+        def sample(view: Vector, choice: Real, u: Any, _active: Any) -> tuple[Vector, Colour, Real]:
+            drawn: tuple[Vector, Colour, Real] = split.sample(view, choice, u)
             return drawn
 
-        return draw
+        return sample
 
     draws = [of(split) for split in stage.materials]
     if len(draws) == 1:
