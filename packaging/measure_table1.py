@@ -23,7 +23,7 @@ from brdf_suite.reflectance.aperture import POINT, WIDE, Aperture
 from brdf_suite.reflectance.build import build_reflectance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.spectrophotometer import Report, measure
+from brdf_suite.reflectance.spectrophotometer import InstrumentReport, measure
 
 HEAD = """\
 # The measured paints of Table 1
@@ -88,7 +88,7 @@ def table(head: Sequence[str], rows: Iterator[Sequence[str]]) -> str:
     return "\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows)]) + "\n"
 
 
-def _colours(reports: Mapping[str, Report]) -> str:
+def _colours(reports: Mapping[str, InstrumentReport]) -> str:
     first = next(iter(reports.values()))
     head = ["paint", *(f"{r.geometry.aspecular_deg:g}°" for r in first.readings)]
     rows = (
@@ -98,8 +98,8 @@ def _colours(reports: Mapping[str, Report]) -> str:
     return table(head, rows)
 
 
-def _figures(reports: Mapping[str, Report]) -> str:
-    def row(name: str, report: Report) -> list[str]:
+def _figures(reports: Mapping[str, InstrumentReport]) -> str:
+    def row(name: str, report: InstrumentReport) -> list[str]:
         flop, path = report.flop, report.travel
         assert flop is not None
         assert path is not None
@@ -128,7 +128,7 @@ def _both_norms(paints: Mapping[str, CookTorrancePaint]) -> str:
     return table(head, (row(paint, norm) for paint in paints.values() for norm in _NORMS))
 
 
-def _reports(aperture: Aperture) -> dict[str, Report]:
+def _reports(aperture: Aperture) -> dict[str, InstrumentReport]:
     return {
         paint.name: measure(build_reflectance(paint), geometry_set(_ANGLES), aperture)
         for paint in TABLE_1.values()

@@ -19,7 +19,7 @@ from matplotlib.axes import Axes
 
 from brdf_suite.acquisition.refinement import Refinement, refine
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
-from brdf_suite.acquisition.sphere_outline import Outline
+from brdf_suite.acquisition.sphere_outline import SphereOutline
 from brdf_suite.pipeline.acquiring import Acquisition
 from brdf_suite.pipeline.acquiring_simulated import SimulatorSource
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
@@ -60,7 +60,7 @@ def main(folder: Path) -> None:
     print(f"{refinement.before_deg:.3f} → {refinement.rms_deg:.4f}°, {len(refinement.positions)} of them")
 
 
-def draw_outline(axes: Axes, union: np.ndarray, outline: Outline) -> None:
+def draw_outline(axes: Axes, union: np.ndarray, outline: SphereOutline) -> None:
     """Draw the sum of photographs with the edge's points and their residuals, magnified."""
     top = float(np.quantile(union, 0.995))
     axes.imshow(np.cbrt(np.clip(union / top, 0.0, 1.0)), cmap="gray")

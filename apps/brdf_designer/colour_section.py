@@ -26,7 +26,7 @@ from brdf_designer.desk_state import AngleColour, Colours
 from brdf_designer.display import Flags, Rgb, component_tracks
 from brdf_designer.fields import COMPONENTS, LCH_COMPONENTS
 from brdf_designer.patches import OUTSIDE_TIP, paint_corner, place_word
-from brdf_suite.appearance.flop_moves import GREY_CHROMA
+from brdf_suite.appearance.flop_edits import GREY_CHROMA
 from brdf_suite.appearance.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.documents.paint import PARAMETERS, Lab
 

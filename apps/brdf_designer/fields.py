@@ -22,13 +22,13 @@ from typing import Any
 import numpy as np
 from brdf_qt.translation import mark, tr
 
-from brdf_suite.appearance.flop_moves import (
+from brdf_suite.appearance.flop_edits import (
     GREY_CHROMA,
-    hue_turn,
-    moved_in_lch,
-    moved_together,
+    hue_difference,
+    shift_labs,
+    shift_lchs,
     with_flop_index,
-    with_travel,
+    with_flop_travel,
 )
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.appearance.gloss import HIGHEST_ROUGHNESS, LOWEST_ROUGHNESS
@@ -143,13 +143,13 @@ def _together(paint: Paint, key: Key, value: tuple[Paint, int, float, float]) ->
     delta = np.zeros(3)
     if key[1] == "lab":
         delta[component] = amount - labs[index, component]
-        moved = moved_together(labs, delta)
+        moved = shift_labs(labs, delta)
     else:
         now = lab_to_lch(labs[index])
         if now[1] < GREY_CHROMA:
             now[2] = hue
-        delta[component] = hue_turn(now[2], amount) if component == 2 else amount - now[component]
-        moved = moved_in_lch(labs, delta, hue)
+        delta[component] = hue_difference(now[2], amount) if component == 2 else amount - now[component]
+        moved = shift_lchs(labs, delta, hue)
     kept = labs[:, component] if key[1] == "lab" else None
     result = _with_labs(paint, moved)
     if kept is None:
@@ -165,7 +165,7 @@ def _flop(paint: Paint, key: Key, value: tuple[Paint, float]) -> Paint:
     if key[1] == "index":
         return _with_labs(paint, with_flop_index(angles, labs, amount))
     component = ("lightness", "chroma", "hue").index(str(key[1]))
-    return _with_labs(paint, with_travel(angles, labs, component, amount))
+    return _with_labs(paint, with_flop_travel(angles, labs, component, amount))
 
 
 def _angles(paint: Paint, key: Key, value: Any) -> Paint:

@@ -10,7 +10,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPalette, QPen
 
 from brdf_designer.flop_panel import HANDLES, Handle
-from brdf_suite.appearance.flop_moves import Ends, FlopNow, flop_ends, flop_now
+from brdf_suite.appearance.flop_edits import FlopEnds, FlopValues, flop_ends, measure_flop
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import ValueRangeError
 
@@ -84,7 +84,7 @@ GRIPS = (
 class FlopOfPaint:
     """The flop of a paint as the grips move it, and the angles, degrees, of near end, face and far end."""
 
-    now: FlopNow
+    now: FlopValues
     near_deg: float
     face_deg: float
     far_deg: float
@@ -111,8 +111,8 @@ def flop_of(paint: Paint) -> FlopOfPaint | None:
     """Return the flop of a paint; ``None`` where its readings have no face between two ends."""
     angles = [m.aspecular_deg for m in paint.measurements]
     try:
-        ends: Ends = flop_ends(angles)
-        now = flop_now(angles, [m.lab for m in paint.measurements])
+        ends: FlopEnds = flop_ends(angles)
+        now = measure_flop(angles, [m.lab for m in paint.measurements])
     except ValueRangeError:
         return None
     return FlopOfPaint(now, angles[ends.near], angles[ends.face], angles[ends.far])

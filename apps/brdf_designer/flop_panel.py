@@ -16,7 +16,13 @@ from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
 from brdf_designer.desk_state import Colours
 from brdf_designer.display import lab_to_codes
-from brdf_suite.appearance.flop_moves import FlopNow, flop_ends, flop_now, with_flop_index, with_travel
+from brdf_suite.appearance.flop_edits import (
+    FlopValues,
+    flop_ends,
+    measure_flop,
+    with_flop_index,
+    with_flop_travel,
+)
 from brdf_suite.errors import ValueRangeError
 
 _QUIET_MS = 40
@@ -25,7 +31,7 @@ _TRACK_SAMPLES = 17
 
 @dataclass(frozen=True)
 class Handle:
-    """One handle: its name in :class:`FlopNow`, label, unit, reach, step, decimals, an explanation."""
+    """One handle: its name in :class:`FlopValues`, label, unit, reach, step, decimals, an explanation."""
 
     key: str
     label: str
@@ -156,9 +162,9 @@ class FlopPanel(QWidget):
         labs = np.array([item.lab for item in colours.paint.measurements])
         self._readings = None
         try:
-            now, ends = flop_now(angles, labs), flop_ends(angles)
+            now, ends = measure_flop(angles, labs), flop_ends(angles)
         except ValueRangeError as error:
-            self._show(FlopNow(math.nan, math.nan, math.nan, math.nan))
+            self._show(FlopValues(math.nan, math.nan, math.nan, math.nan))
             self.note.setText(tr("No flop: {reason}.").format(reason=error.reason))
             return
         self._readings = (angles, labs)
@@ -175,7 +181,7 @@ class FlopPanel(QWidget):
         super().showEvent(event)
         self._tracks.start()
 
-    def _show(self, now: FlopNow) -> None:
+    def _show(self, now: FlopValues) -> None:
         for key, value in zip(
             ("index", "lightness", "chroma", "hue"),
             (now.index, now.lightness, now.chroma, now.hue_deg),
@@ -206,4 +212,4 @@ class FlopPanel(QWidget):
 def _moved(angles: list[float], labs: np.ndarray, what: str, amount: float) -> np.ndarray:
     if what == "index":
         return with_flop_index(angles, labs, amount)
-    return with_travel(angles, labs, ("lightness", "chroma", "hue").index(what), amount)
+    return with_flop_travel(angles, labs, ("lightness", "chroma", "hue").index(what), amount)

@@ -17,7 +17,7 @@ from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QPalette
 from PySide6.QtWidgets import QGraphicsItem, QVBoxLayout, QWidget
 
 from brdf_designer.desk_state import AngleColour, Curves
-from brdf_suite.appearance.flop_moves import unwrapped_hues
+from brdf_suite.appearance.flop_edits import unwrap_hues
 from brdf_suite.appearance.spaces import lab_to_lch
 from brdf_suite.geometry.directions import Floats
 
@@ -152,7 +152,7 @@ class QuantityPlot(QWidget):
     def _of(self, lab: Any) -> Floats:
         """The quantity of L*a*b* (n, 3); hues run on over 360, NaN for a grey."""
         if self._quantity.component == 2:
-            return unwrapped_hues(lab)
+            return unwrap_hues(lab)
         lch: Floats = lab_to_lch(lab)[:, self._quantity.component]
         return lch
 

@@ -12,7 +12,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.exposure import automatic_ev, exposed
 from brdf_suite.pipeline.picture import PAINT_MATERIAL, SECOND_MATERIAL, SceneRenderer
 from brdf_suite.pipeline.surface_images import SurfaceImages
-from brdf_suite.realtime.comparison import ComparedPicture, Comparison
+from brdf_suite.realtime.comparison import ComparedPicture, ComparisonRenderer
 from brdf_suite.realtime.context import Context
 from brdf_suite.realtime.gpu_objects import Counters
 from brdf_suite.realtime.probe import PixelProbe
@@ -62,11 +62,11 @@ class StageDrawer:
         self._images: SurfaceImages | None = None
         self._fit: object = None
         self._second: Prop[Any] | None = None
-        self._comparison: Comparison | None = None
+        self._comparison: ComparisonRenderer | None = None
         self._probe: PixelProbe | None = None
         self._traced: TracedLight | None = None
         self._traced_picture: TracedPicture | None = None
-        self._with_own: Comparison | None = None
+        self._with_own: ComparisonRenderer | None = None
 
     @property
     def counters(self) -> Counters:
@@ -138,7 +138,7 @@ class StageDrawer:
         if wanted is self._second:
             return False
         if self._comparison is None:
-            self._comparison = Comparison(self._renderer.renderer, SECOND_MATERIALS)
+            self._comparison = ComparisonRenderer(self._renderer.renderer, SECOND_MATERIALS)
         picture = wanted.value if wanted is not None and isinstance(wanted.value, ComparedPicture) else None
         self._second = wanted
         try:
@@ -150,14 +150,14 @@ class StageDrawer:
             self._refused("compare", error)
         return picture is not None
 
-    def _compared(self) -> Comparison | None:
+    def _compared(self) -> ComparisonRenderer | None:
         """Return what draws two pictures, where there are two."""
         if self._second is not None:
             return self._comparison
         if self._stage.compared is None:
             return None
         if self._with_own is None:
-            self._with_own = Comparison(self._renderer.renderer, {})
+            self._with_own = ComparisonRenderer(self._renderer.renderer, {})
         return self._with_own
 
     def _bring_traced(self) -> bool:

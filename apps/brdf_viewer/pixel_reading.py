@@ -11,7 +11,7 @@ from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.documents.view import View
 from brdf_suite.pipeline.picture import PAINT_MATERIAL, SECOND_MATERIAL
 from brdf_suite.realtime.comparison import ComparedPicture, divider_px, sides
-from brdf_suite.realtime.probe import PixelProbe, Probe, SurfacePoint
+from brdf_suite.realtime.probe import PixelProbe, RadianceProbe, SurfacePoint
 from brdf_suite.realtime.traced_light import TracedLight
 from brdf_viewer.dominant_light import DominantLight
 from brdf_viewer.stage import RealTimePicture
@@ -110,7 +110,9 @@ def read_pixel(
     return CursorReading(tuple(readings), delta_e, light)
 
 
-def _first(probe: PixelProbe, traced: TracedLight | None, view: View, size: Size, pixel: Pixel) -> Probe:
+def _first(
+    probe: PixelProbe, traced: TracedLight | None, view: View, size: Size, pixel: Pixel
+) -> RadianceProbe:
     found = probe.at(view, size, pixel)
     if traced is None or traced.size != size:
         return found
@@ -118,7 +120,7 @@ def _first(probe: PixelProbe, traced: TracedLight | None, view: View, size: Size
     return replace(found, radiance=(red, green, blue), coverage=coverage)
 
 
-def _of_paint(which: str, found: Probe, view: View) -> PixelReading:
+def _of_paint(which: str, found: RadianceProbe, view: View) -> PixelReading:
     exposed = np.asarray(found.radiance) * 2.0**view.exposure_ev
     return PixelReading(which, _triple(working_to_lab(exposed)), found.radiance, found.point)
 

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.session_finding import Finding, Severity
+from brdf_suite.acquisition.session_finding import SessionFinding, Severity
 
 _MOST_PIXELS = 20_000
 _FULL = 0.998
@@ -35,7 +35,7 @@ def check_exposures(
     folder: str | os.PathLike[str] = ".",
     position: int | None = None,
     exposures: Sequence[int] | None = None,
-) -> tuple[Finding, ...]:
+) -> tuple[SessionFinding, ...]:
     """Return what is wrong with the order and the exposure of photographs of one scene.
 
     Parameters
@@ -48,13 +48,15 @@ def check_exposures(
         Their indices in the session, where some are left out; default: 0, 1, …
     """
     index = list(range(len(names))) if exposures is None else list(exposures)
-    found: list[Finding] = []
+    found: list[SessionFinding] = []
 
     def add(k: int, severity: Severity, reason: str) -> None:
         at = index[k]
         place = f"positions[{position}].photographs[{at}]" if position is not None else ""
         path = str(Path(folder) / names[k])
-        found.append(Finding(severity, path, reason, place, position, at if severity == "exposure" else None))
+        found.append(
+            SessionFinding(severity, path, reason, place, position, at if severity == "exposure" else None)
+        )
 
     means, errors, full = _statistics(codes, bit_depth)
     everywhere = full >= _EVERYWHERE

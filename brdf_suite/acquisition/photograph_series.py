@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from brdf_suite.acquisition.exposure_order import check_exposures
 from brdf_suite.acquisition.photographs import Photograph, read_photograph
 from brdf_suite.acquisition.session import Session
-from brdf_suite.acquisition.session_finding import Finding
+from brdf_suite.acquisition.session_finding import SessionFinding
 from brdf_suite.errors import FileError
 
 _Path = str | os.PathLike[str]
@@ -24,7 +24,7 @@ MASK_FILE = "mask.png"
 
 
 @dataclass(frozen=True, eq=False)
-class Series:
+class PhotographSeries:
     """Photographs of one thing at several exposures, shortest first.
 
     Attributes
@@ -41,10 +41,12 @@ class Series:
     exposures_s: tuple[float, ...]
     names: tuple[str, ...]
     exposures: tuple[int, ...]
-    findings: tuple[Finding, ...] = ()
+    findings: tuple[SessionFinding, ...] = ()
 
 
-def read_position(folder: _Path, session: Session, position: int, leave_out: Collection[int] = ()) -> Series:
+def read_position(
+    folder: _Path, session: Session, position: int, leave_out: Collection[int] = ()
+) -> PhotographSeries:
     """Read the photographs of a position but for the exposures in ``leave_out``.
 
     What is missing, cut off, of another size, saturated everywhere, or brighter than a longer exposure is left out and
@@ -80,13 +82,13 @@ def read_position(folder: _Path, session: Session, position: int, leave_out: Col
     return _without(series, found) if found else series
 
 
-def _without(series: Series, found: tuple[Finding, ...]) -> Series:
+def _without(series: PhotographSeries, found: tuple[SessionFinding, ...]) -> PhotographSeries:
     """Return the series less the exposures that have findings."""
     dropped = {finding.exposure for finding in found}
     kept = [i for i, exposure in enumerate(series.exposures) if exposure not in dropped]
     if not kept:
         raise found[0].error()
-    return Series(
+    return PhotographSeries(
         series.codes[kept],
         tuple(series.exposures_s[i] for i in kept),
         tuple(series.names[i] for i in kept),
@@ -95,14 +97,14 @@ def _without(series: Series, found: tuple[Finding, ...]) -> Series:
     )
 
 
-def read_dark(folder: _Path, session: Session) -> Series | None:
+def read_dark(folder: _Path, session: Session) -> PhotographSeries | None:
     """Read the dark frames, or return None where the session names none; errors as :func:`read_position`."""
     if not session.dark:
         return None
     return read_series(folder, session.dark, session.exposures_s, session.camera.bit_depth, place="dark")
 
 
-def read_white(folder: _Path, session: Session) -> Series | None:
+def read_white(folder: _Path, session: Session) -> PhotographSeries | None:
     """Read the white reference, or return None where the session has none; errors as :func:`read_position`."""
     white = session.white
     if white is None:
@@ -111,7 +113,7 @@ def read_white(folder: _Path, session: Session) -> Series | None:
     return read_series(folder, white.photographs, times, session.camera.bit_depth, place="white.photographs")
 
 
-def read_flat_field(folder: _Path, session: Session) -> Series | None:
+def read_flat_field(folder: _Path, session: Session) -> PhotographSeries | None:
     """Read the flat field, or return None where the session has none; errors as :func:`read_position`."""
     flat = session.flat_field
     if flat is None:
@@ -131,11 +133,11 @@ def read_series(
     place: str = "",
     position: int | None = None,
     leave_out: Collection[int] = (),
-) -> Series:
+) -> PhotographSeries:
     """Read files of a folder, one for each time; errors and findings as :func:`read_position`."""
     stack: NDArray[Any] | None = None
     kept: list[int] = []
-    findings: list[Finding] = []
+    findings: list[SessionFinding] = []
     wanted = [k for k in range(len(names)) if k not in leave_out]
     for k in wanted:
         path = Path(folder) / names[k]
@@ -149,7 +151,7 @@ def read_series(
                 raise FileError(path, f"is {size}, and the photographs before it are {other}")
         except FileError as error:
             where = f"{place}[{k}]" if place else ""
-            findings.append(Finding("exposure", error.path, error.reason, where, position, k))
+            findings.append(SessionFinding("exposure", error.path, error.reason, where, position, k))
             continue
         stack[len(kept)] = codes
         kept.append(k)
@@ -157,7 +159,7 @@ def read_series(
         if findings:
             raise findings[0].error()
         raise FileError(folder, "names no photograph that could be read", place or None)
-    return Series(
+    return PhotographSeries(
         stack[: len(kept)],
         tuple(float(exposures_s[k]) for k in kept),
         tuple(names[k] for k in kept),

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.acquisition.photographs import read_photograph
 from brdf_suite.acquisition.session import Session
-from brdf_suite.acquisition.session_finding import Finding
+from brdf_suite.acquisition.session_finding import SessionFinding
 from brdf_suite.errors import FileError
 from brdf_suite.progress import Progress, report
 
@@ -51,7 +51,7 @@ class PositionOrder:
             self._columns[position] = column
         return column is not None
 
-    def findings(self) -> tuple[Finding, ...]:
+    def findings(self) -> tuple[SessionFinding, ...]:
         """Return the positions that are out of order; each is left out."""
         angles = {k: self._session.positions[k].angle_deg for k in self._columns}
         order = sorted((k for k in angles if abs(angles[k]) <= _MOST_DEG), key=lambda k: angles[k])
@@ -86,10 +86,10 @@ class PositionOrder:
             return f"beyond that of {angles[-1]:g}°"
         return f"between those of {angles[place - 1]:g}° and {angles[place]:g}°"
 
-    def _finding(self, severity: Any, position: int, reason: str) -> Finding:
+    def _finding(self, severity: Any, position: int, reason: str) -> SessionFinding:
         path = str(self._folder / self._session.positions[position].photographs[0])
         where = f"positions[{position}]"
-        return Finding(severity, path, reason, where, position if severity == "position" else None)
+        return SessionFinding(severity, path, reason, where, position if severity == "position" else None)
 
 
 def check_positions(
@@ -97,7 +97,7 @@ def check_positions(
     session: Session,
     leave_out: Collection[tuple[int, int]] = (),
     progress: Progress | None = None,
-) -> tuple[Finding, ...]:
+) -> tuple[SessionFinding, ...]:
     """Return which positions of a folder are out of order.
 
     Of each position only the shortest exposures are unpacked, until one shows a highlight; those in ``leave_out``,

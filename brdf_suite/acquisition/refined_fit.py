@@ -18,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.refined_parameters import PARAMETERS, apply
-from brdf_suite.acquisition.sphere_geometry import Geometry
+from brdf_suite.acquisition.sphere_geometry import RigGeometry
 from brdf_suite.acquisition.sphere_highlight import Highlight
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.progress import Progress, report
@@ -37,14 +37,14 @@ Valid = npt.NDArray[np.bool_]
 class HighlightSeries:
     """The highlights as arrays, and the rig as stated."""
 
-    start: Geometry
+    start: RigGeometry
     positions: npt.NDArray[np.intp]
     angles: Floats
     seen: Floats
     sigma: Floats
 
     @classmethod
-    def of(cls, start: Geometry, highlights: Sequence[Highlight]) -> HighlightSeries:
+    def of(cls, start: RigGeometry, highlights: Sequence[Highlight]) -> HighlightSeries:
         """Return the highlights in order of their positions."""
         rows = sorted(highlights, key=lambda row: row.position)
         positions = np.array([row.position for row in rows], np.intp)

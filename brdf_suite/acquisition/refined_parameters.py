@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from brdf_suite.acquisition.sphere_geometry import Geometry, triple, unit
-from brdf_suite.acquisition.sphere_outline import Outline
+from brdf_suite.acquisition.sphere_geometry import RigGeometry, triple, unit
+from brdf_suite.acquisition.sphere_outline import SphereOutline
 from brdf_suite.geometry.directions import Floats
 
 # What a stated number is trusted to, where nothing better is known: a careful hand with a ruler.
@@ -61,15 +61,15 @@ class Refined:
 
 
 @dataclass(frozen=True)
-class Parameter:
+class RefinedParameter:
     """A number of the fit: its name, and how to read it off a geometry."""
 
     name: str
     unit: str
-    of: Callable[[Geometry], float]
+    of: Callable[[RigGeometry], float]
     why: str
 
-    def refined(self, before: Geometry, after: Geometry, prior: float, posterior: float) -> Refined:
+    def refined(self, before: RigGeometry, after: RigGeometry, prior: float, posterior: float) -> Refined:
         """Return the number before and after, with standard deviations in its own unit."""
         return Refined(
             self.name,
@@ -83,68 +83,68 @@ class Parameter:
         )
 
 
-PARAMETERS: tuple[Parameter, ...] = (
-    Parameter(
+PARAMETERS: tuple[RefinedParameter, ...] = (
+    RefinedParameter(
         "sphere's centre, to the right",
         "m",
         lambda g: g.centre_m[0],
         "Determined by the outline. A highlight moves with the sphere at any angle of the light, but also with the "
         "turntable's zero; only their difference over the half turn distinguishes them.",
     ),
-    Parameter(
+    RefinedParameter(
         "sphere's centre, downward",
         "m",
         lambda g: g.centre_m[1],
         "Determined by the outline. The highlights add little, as the light's height moves them alike.",
     ),
-    Parameter(
+    RefinedParameter(
         "sphere's centre, away from the camera",
         "m",
         lambda g: g.centre_m[2],
         "Determined by the size of the outline, from the sphere's radius. Highlights far from the middle of the sphere "
         "determine the size as well.",
     ),
-    Parameter(
+    RefinedParameter(
         "turntable's zero",
         "°",
         lambda g: g.angle_offset_deg,
         "Moves every highlight along the sphere, by half the angle; the best observed of all.",
     ),
-    Parameter(
+    RefinedParameter(
         "light's height",
         "m",
         lambda g: g.light_height_m,
         "Raises every highlight alike; well observed as an angle, in metres as well as the light's distance is known.",
     ),
-    Parameter(
+    RefinedParameter(
         "light's distance",
         "m",
         lambda g: g.light_distance_m,
         "Hardly observed: with it all directions to the light stay the same but for the parallax between points of "
         "the sphere, of the order of radius over distance. It enters the irradiance, which is measured at the axis.",
     ),
-    Parameter(
+    RefinedParameter(
         "turntable's tilt to the camera",
         "°",
         lambda g: math.degrees(math.asin(float(np.clip(unit(g.up)[2], -1.0, 1.0)))),
         "Raises the highlights in front and lowers those behind, as the cosine of the angle; the light's height does "
         "it alike at all angles.",
     ),
-    Parameter(
+    RefinedParameter(
         "turntable's tilt to the right",
         "°",
         lambda g: math.degrees(math.asin(float(np.clip(unit(g.up)[0], -1.0, 1.0)))),
         "Lowers the highlights at 90° against those in front and behind; without positions beyond 90° it looks like "
         "the light's height.",
     ),
-    Parameter(
+    RefinedParameter(
         "sphere off the axis, to the right",
         "m",
         lambda g: g.axis_offset_m[0],
         "Turns the light by the offset over its distance in front and behind and not at 90°: weakly observed, and weak "
         "in its effect.",
     ),
-    Parameter(
+    RefinedParameter(
         "sphere off the axis, to the camera",
         "m",
         lambda g: g.axis_offset_m[1],
@@ -153,7 +153,7 @@ PARAMETERS: tuple[Parameter, ...] = (
 )
 
 
-def priors(geometry: Geometry, outline: Outline | None) -> Floats:
+def priors(geometry: RigGeometry, outline: SphereOutline | None) -> Floats:
     """Return the covariance (10, 10) of the stated numbers: metres² and degrees²."""
     across = _CENTRE_PX * geometry.centre_m[2] / geometry.lens.fx
     length = math.hypot(_LENGTH_M, _LENGTH * geometry.light_distance_m)
@@ -178,7 +178,7 @@ def priors(geometry: Geometry, outline: Outline | None) -> Floats:
     return covariance
 
 
-def apply(geometry: Geometry, x: Floats) -> Geometry:
+def apply(geometry: RigGeometry, x: Floats) -> RigGeometry:
     """Return the geometry with numbers changed by ``x`` (10,): metres, and degrees of angles."""
     up = unit(geometry.up)
     tilted = up + np.array((math.radians(x[7]), 0.0, math.radians(x[6])))

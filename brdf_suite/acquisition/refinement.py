@@ -24,9 +24,9 @@ import numpy.typing as npt
 from brdf_suite.acquisition.refined_fit import HighlightSeries, fit_rig, outliers_of, stray
 from brdf_suite.acquisition.refined_movement import Movement, find_movements
 from brdf_suite.acquisition.refined_parameters import PARAMETERS, Refined, apply, priors
-from brdf_suite.acquisition.sphere_geometry import Geometry, unit
+from brdf_suite.acquisition.sphere_geometry import RigGeometry, unit
 from brdf_suite.acquisition.sphere_highlight import Highlight
-from brdf_suite.acquisition.sphere_outline import Outline
+from brdf_suite.acquisition.sphere_outline import SphereOutline
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.progress import Progress, report, subrange
@@ -67,7 +67,7 @@ class Refinement:
         Where the sphere has moved between two positions.
     """
 
-    geometry: Geometry
+    geometry: RigGeometry
     parameters: tuple[Refined, ...]
     positions: npt.NDArray[np.intp]
     pixels: Floats
@@ -120,7 +120,7 @@ class Refinement:
     def from_json(cls, value: Mapping[str, Any]) -> Refinement:
         """Return the refinement that :meth:`to_json` gave as plain values."""
         return cls(
-            geometry=Geometry.from_json(value["geometry"]),
+            geometry=RigGeometry.from_json(value["geometry"]),
             parameters=tuple(Refined.from_json(row) for row in value["parameters"]),
             positions=np.array(value["positions"], np.intp),
             pixels=np.array(value["pixels"], float).reshape(-1, 2),
@@ -136,8 +136,8 @@ class Refinement:
 
 
 def refine(
-    geometry: Geometry,
-    outline: Outline | None,
+    geometry: RigGeometry,
+    outline: SphereOutline | None,
     highlights: Sequence[Highlight],
     progress: Progress | None = None,
 ) -> Refinement:
@@ -216,8 +216,8 @@ def refine(
 
 
 def calibrate_geometry(
-    outline: Outline,
-    find: Callable[[Geometry], Sequence[Highlight]],
+    outline: SphereOutline,
+    find: Callable[[RigGeometry], Sequence[Highlight]],
     progress: Progress | None = None,
 ) -> Refinement:
     """Return the rig refined from an outline: highlights are found, the rig is fitted, and both once more.
@@ -255,7 +255,7 @@ def _longest(positions: npt.NDArray[np.intp], movements: Sequence[Movement]) -> 
     return longest
 
 
-def _degrees(geometry: Geometry, angles: Floats, seen: Floats) -> Floats:
+def _degrees(geometry: RigGeometry, angles: Floats, seen: Floats) -> Floats:
     """Return the angle (n,) in degrees between the light and where the highlight's pixel mirrors the camera to."""
     rays, points, normals = _met(geometry, seen)
     mirrored = rays - 2.0 * np.einsum("ni,ni->n", rays, normals)[:, None] * normals
@@ -266,7 +266,7 @@ def _degrees(geometry: Geometry, angles: Floats, seen: Floats) -> Floats:
     return angle
 
 
-def _degrees_per_pixel(geometry: Geometry, seen: Floats) -> Floats:
+def _degrees_per_pixel(geometry: RigGeometry, seen: Floats) -> Floats:
     """Return by how many degrees (n,) the mirrored direction turns for a pixel towards the outline."""
     rays, _, normals = _met(geometry, seen)
     cosine = np.maximum(-np.einsum("ni,ni->n", rays, normals), _LEAST_COSINE)
@@ -274,7 +274,7 @@ def _degrees_per_pixel(geometry: Geometry, seen: Floats) -> Floats:
     return turn
 
 
-def _met(geometry: Geometry, pixels: Floats) -> tuple[Floats, Floats, Floats]:
+def _met(geometry: RigGeometry, pixels: Floats) -> tuple[Floats, Floats, Floats]:
     """Return the rays of pixels (n, 2), the points where they meet the sphere, and its normals there, (n, 3) each."""
     rays = geometry.lens.rays(pixels)
     along = rays @ geometry.centre

@@ -30,7 +30,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.sphere_geometry import Geometry, unit
+from brdf_suite.acquisition.sphere_geometry import RigGeometry, unit
 from brdf_suite.errors import ValueRangeError
 
 Singles = npt.NDArray[np.float32]
@@ -79,7 +79,7 @@ class PositionSamples:
         return len(self.value)
 
 
-class Sampler:
+class SphereSampler:
     """Reads samples position by position.
 
     Parameters
@@ -103,7 +103,7 @@ class Sampler:
 
     def __init__(
         self,
-        geometry: Geometry,
+        geometry: RigGeometry,
         mask: Valid | None = None,
         grazing_deg: float = GRAZING_DEG,
         *,

@@ -18,9 +18,9 @@ from dataclasses import dataclass, replace
 from brdf_suite.acquisition.session_camera import (
     RESPONSES,
     Board,
-    Camera,
     Intrinsics,
     ResponseKind,
+    SessionCamera,
 )
 from brdf_suite.acquisition.session_values import (
     PARAMETERS,
@@ -45,13 +45,13 @@ __all__ = [
     "RESPONSES",
     "SESSION_FILE",
     "Board",
-    "Camera",
     "FlatField",
     "Intrinsics",
     "Light",
     "Position",
     "ResponseKind",
     "Session",
+    "SessionCamera",
     "Sphere",
     "WhiteReference",
 ]
@@ -226,7 +226,7 @@ class Session:
     """
 
     name: str
-    camera: Camera
+    camera: SessionCamera
     sphere: Sphere
     light: Light
     exposures_s: tuple[float, ...]

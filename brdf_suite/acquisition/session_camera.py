@@ -65,7 +65,7 @@ class Board:
 
 
 @dataclass(frozen=True)
-class Camera:
+class SessionCamera:
     """Where the camera stands and what its codes mean.
 
     Attributes

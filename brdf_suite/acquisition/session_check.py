@@ -17,7 +17,7 @@ from brdf_suite.acquisition.photograph_series import MASK_FILE
 from brdf_suite.acquisition.photographs import PhotographFacts, photograph_facts
 from brdf_suite.acquisition.position_order import check_positions
 from brdf_suite.acquisition.session import Session
-from brdf_suite.acquisition.session_finding import Finding, Severity
+from brdf_suite.acquisition.session_finding import SessionFinding, Severity
 from brdf_suite.errors import FileError
 from brdf_suite.progress import Progress, report, subrange
 
@@ -39,12 +39,12 @@ class _Seen:
     """What the files were, as far as they were read."""
 
     facts: dict[str, tuple[str, PhotographFacts]] = field(default_factory=dict)
-    findings: list[Finding] = field(default_factory=list)
+    findings: list[SessionFinding] = field(default_factory=list)
 
 
 def check_session(
     folder: _Path, session: Session, progress: Progress | None = None, *, pictures: bool = True
-) -> tuple[Finding, ...]:
+) -> tuple[SessionFinding, ...]:
     """Return what is wrong with the files of a session; nothing is raised but :class:`Cancelled`.
 
     A position without any usable photograph is reported, and a folder without any position is fatal. ``pictures``:
@@ -63,7 +63,9 @@ def check_session(
         except FileError as error:
             position, exposure = _indices(place)
             severity = _severity_of_loss(place)
-            seen.findings.append(Finding(severity, error.path, error.reason, place, position, exposure))
+            seen.findings.append(
+                SessionFinding(severity, error.path, error.reason, place, position, exposure)
+            )
     _sizes(folder, seen)
     _depths(folder, session, seen)
     _floats(folder, seen)
@@ -102,7 +104,7 @@ def _severity_of_loss(place: str) -> Severity:
 def _add(seen: _Seen, folder: _Path, severity: Severity, place: str, reason: str) -> None:
     position, exposure = _indices(place)
     path = str(Path(folder) / seen.facts[place][0])
-    seen.findings.append(Finding(severity, path, reason, place, position, exposure))
+    seen.findings.append(SessionFinding(severity, path, reason, place, position, exposure))
 
 
 def _sizes(folder: _Path, seen: _Seen) -> None:
@@ -171,7 +173,7 @@ def _calibrations(folder: _Path, session: Session, seen: _Seen) -> None:
             f"{own[0].reason}; none of the {len(files)} photographs of {name} can be used: "
             f"bring them, or take {name} out of session.json"
         )
-        seen.findings.append(Finding("fatal", own[0].path, reason, own[0].place))
+        seen.findings.append(SessionFinding("fatal", own[0].path, reason, own[0].place))
     white = next((facts for place, facts in seen.facts.items() if place.startswith("white.")), None)
     if session.white is not None and white is not None:
         left, top, width, height = session.white.region
@@ -181,7 +183,7 @@ def _calibrations(folder: _Path, session: Session, seen: _Seen) -> None:
                 f"has {facts.width} × {facts.height} pixels, and the region {left}, {top}, {width}, {height} "
                 "(left, top, width, height) goes beyond them"
             )
-            seen.findings.append(Finding("fatal", str(Path(folder) / file), reason, "white.region"))
+            seen.findings.append(SessionFinding("fatal", str(Path(folder) / file), reason, "white.region"))
 
 
 def _times(folder: _Path, session: Session, seen: _Seen) -> None:
@@ -253,7 +255,7 @@ def _what_is_left(folder: _Path, session: Session, seen: _Seen) -> None:
         path = str(Path(folder) / position.photographs[0])
         reason = f"{reasons[i, 0]}; none of the {count} photographs at {position.angle_deg:g}° can be used"
         seen.findings = [f for f in seen.findings if (f.severity, f.position) != ("exposure", i)]
-        seen.findings.append(Finding("position", path, reason, f"positions[{i}]", i))
+        seen.findings.append(SessionFinding("position", path, reason, f"positions[{i}]", i))
     if len(lost) == len(session.positions):
         reason = "none of its photographs can be used; see the files named before"
-        seen.findings.append(Finding("fatal", str(Path(folder)), reason))
+        seen.findings.append(SessionFinding("fatal", str(Path(folder)), reason))

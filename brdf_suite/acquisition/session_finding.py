@@ -11,7 +11,7 @@ Severity = Literal["fatal", "position", "exposure", "warning"]
 
 
 @dataclass(frozen=True)
-class Finding:
+class SessionFinding:
     """One thing found in a folder.
 
     Attributes
@@ -45,12 +45,12 @@ class Finding:
         return {name: value for name, value in vars(self).items() if value not in (None, "")}
 
 
-def positions_lost(findings: tuple[Finding, ...]) -> frozenset[int]:
+def positions_lost(findings: tuple[SessionFinding, ...]) -> frozenset[int]:
     """Return the indices of the positions that are left out."""
     return frozenset(f.position for f in findings if f.severity == "position" and f.position is not None)
 
 
-def exposures_lost(findings: tuple[Finding, ...], position: int) -> frozenset[int]:
+def exposures_lost(findings: tuple[SessionFinding, ...], position: int) -> frozenset[int]:
     """Return the indices of the exposures that are left out of a position."""
     return frozenset(
         f.exposure
@@ -59,7 +59,7 @@ def exposures_lost(findings: tuple[Finding, ...], position: int) -> frozenset[in
     )
 
 
-def raise_fatal(findings: tuple[Finding, ...]) -> None:
+def raise_fatal(findings: tuple[SessionFinding, ...]) -> None:
     """Raise the first fatal finding as :class:`FileError`."""
     for finding in findings:
         if finding.severity == "fatal":

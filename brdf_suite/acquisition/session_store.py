@@ -12,12 +12,12 @@ from brdf_suite.acquisition.session import (
     FORMAT,
     SESSION_FILE,
     Board,
-    Camera,
     FlatField,
     Intrinsics,
     Light,
     Position,
     Session,
+    SessionCamera,
     Sphere,
     WhiteReference,
 )
@@ -106,12 +106,12 @@ def session_from_json(value: object, path: _Path = "the message") -> Session:
     return fill(reader, Session, taken=taken)
 
 
-def _camera(reader: FieldReader) -> Camera:
+def _camera(reader: FieldReader) -> SessionCamera:
     parts = {
         "intrinsics": _optional(reader, "intrinsics", Intrinsics, ("fx", "fy", "cx", "cy")),
         "board": _optional(reader, "board", Board, ("columns", "rows", "square_m", "photographs")),
     }
-    return fill(reader, Camera, required=("distance_m", "bit_depth"), taken={**parts})
+    return fill(reader, SessionCamera, required=("distance_m", "bit_depth"), taken={**parts})
 
 
 def _optional(

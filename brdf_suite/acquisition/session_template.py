@@ -17,11 +17,11 @@ from brdf_suite.acquisition.photographs import ENDINGS, PhotographFacts, photogr
 from brdf_suite.acquisition.session import (
     SESSION_FILE,
     Board,
-    Camera,
     FlatField,
     Light,
     Position,
     Session,
+    SessionCamera,
     Sphere,
     WhiteReference,
 )
@@ -104,7 +104,7 @@ def _session(draft: _Draft) -> Session:
     facts = photograph_facts(first[0])
     return Session(
         draft.folder.resolve().name or "session",
-        Camera(
+        SessionCamera(
             2.0,
             0.0,
             _bits(draft, facts, first[-1]),
@@ -262,7 +262,7 @@ def _example(draft: _Draft) -> Session:
 
     return Session(
         draft.folder.resolve().name or "session",
-        Camera(2.0, 0.0, 12),
+        SessionCamera(2.0, 0.0, 12),
         Sphere(0.05),
         Light(0.7),
         exposures,

@@ -21,7 +21,7 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.sphere_geometry import Geometry, unit
+from brdf_suite.acquisition.sphere_geometry import RigGeometry, unit
 from brdf_suite.acquisition.sphere_union import Union
 from brdf_suite.geometry.directions import Floats
 
@@ -62,7 +62,7 @@ def circle(count: int) -> Floats:
     return np.linspace(half, 2.0 * math.pi - half, count)
 
 
-def lit_share(geometry: Geometry, union: Union, azimuths: Floats) -> Floats:
+def lit_share(geometry: RigGeometry, union: Union, azimuths: Floats) -> Floats:
     """Return the largest cosine (n,) of the light at the outline's azimuths (n,) over the union's positions."""
     normals = _outline_normals(geometry, azimuths)
     points = geometry.centre + geometry.radius_m * normals
@@ -72,7 +72,7 @@ def lit_share(geometry: Geometry, union: Union, azimuths: Floats) -> Floats:
     return largest
 
 
-def find_edge(union: Union, geometry: Geometry, mask: npt.NDArray[np.bool_] | None = None) -> Edge:
+def find_edge(union: Union, geometry: RigGeometry, mask: npt.NDArray[np.bool_] | None = None) -> Edge:
     """Return points of the outline near that of ``geometry``, one for each sector in which it can be seen."""
     radius = math.tan(geometry.outline_angle) * geometry.lens.fx
     count = int(np.clip(2.0 * math.pi * radius / _ARC, 48, 240))
@@ -99,14 +99,14 @@ def _blur(sectors: list[tuple[int, Floats, Floats]]) -> float:
     return _BLURS[int(np.argmin(misfits))]
 
 
-def _outline_normals(geometry: Geometry, azimuths: Floats) -> Floats:
+def _outline_normals(geometry: RigGeometry, azimuths: Floats) -> Floats:
     """Return the sphere's normals (n, 3) where the outline is."""
     rays = geometry.lens.rays(geometry.outline(azimuths))
     distance = math.sqrt(float(geometry.centre @ geometry.centre) - geometry.radius_m**2)
     return unit(distance * rays - geometry.centre)
 
 
-def _inward(geometry: Geometry, azimuths: Floats) -> Floats:
+def _inward(geometry: RigGeometry, azimuths: Floats) -> Floats:
     """Return directions (n, 2) in the picture across the outline, inward, length 1."""
     step = 1e-3
     along = geometry.outline(azimuths + step) - geometry.outline(azimuths - step)
@@ -115,7 +115,7 @@ def _inward(geometry: Geometry, azimuths: Floats) -> Floats:
 
 
 def _sectors(
-    union: Union, geometry: Geometry, mask: npt.NDArray[np.bool_] | None, count: int
+    union: Union, geometry: RigGeometry, mask: npt.NDArray[np.bool_] | None, count: int
 ) -> list[tuple[Floats, Floats]]:
     """Return (distance to the outline inward, radiance) of the pixels of each sector."""
     picture = union.picture

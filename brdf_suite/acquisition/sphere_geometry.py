@@ -40,7 +40,7 @@ def unit(vectors: npt.ArrayLike) -> Floats:
 
 
 @dataclass(frozen=True)
-class Geometry:
+class RigGeometry:
     """A rig as it is known so far: first as the session states it, then as the photographs determine it.
 
     Attributes
@@ -168,7 +168,7 @@ class Geometry:
         across = np.cos(azimuths)[..., None] * right + np.sin(azimuths)[..., None] * down
         return self.lens.pixels(math.cos(self.outline_angle) * axis + math.sin(self.outline_angle) * across)
 
-    def with_centre(self, centre: npt.ArrayLike) -> Geometry:
+    def with_centre(self, centre: npt.ArrayLike) -> RigGeometry:
         """Return the geometry with the sphere's centre elsewhere; the turntable goes with it."""
         return replace(self, centre_m=triple(centre))
 
@@ -193,7 +193,7 @@ class Geometry:
         }
 
     @classmethod
-    def from_json(cls, value: Mapping[str, Any]) -> Geometry:
+    def from_json(cls, value: Mapping[str, Any]) -> RigGeometry:
         """Return the geometry that :meth:`to_json` gave as plain values."""
         return cls(
             lens=Lens(**value["lens"]),

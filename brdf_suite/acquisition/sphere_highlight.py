@@ -22,7 +22,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.sphere_geometry import Geometry, unit
+from brdf_suite.acquisition.sphere_geometry import RigGeometry, unit
 from brdf_suite.geometry.directions import Floats
 
 _WINDOW = 0.22  # half, in radii of the sphere
@@ -67,7 +67,7 @@ class Highlight:
 
 def find_highlight(
     radiance: npt.NDArray[np.floating],
-    geometry: Geometry,
+    geometry: RigGeometry,
     k: int,
     valid: Valid | None = None,
     clipped: Valid | None = None,
@@ -146,7 +146,7 @@ class _Window:
         middle: Floats,
         half: float,
         value: npt.NDArray[np.floating],
-        geometry: Geometry,
+        geometry: RigGeometry,
         light: Floats,
         valid: Valid | None,
         clipped: Valid | None,

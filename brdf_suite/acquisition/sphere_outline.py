@@ -18,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.sphere_edge import LEAST_LIT, Edge, circle, find_edge, lit_share
-from brdf_suite.acquisition.sphere_geometry import Geometry, Triple, triple, unit
+from brdf_suite.acquisition.sphere_geometry import RigGeometry, Triple, triple, unit
 from brdf_suite.acquisition.sphere_union import Union
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.geometry.directions import Floats
@@ -39,7 +39,7 @@ Valid = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
-class Outline:
+class SphereOutline:
     """A sphere as its outline shows it.
 
     Attributes
@@ -69,7 +69,7 @@ class Outline:
     covariance: Floats
     rms_px: float
     blur_px: float
-    geometry: Geometry
+    geometry: RigGeometry
 
     @property
     def distance_m(self) -> float:
@@ -78,8 +78,8 @@ class Outline:
 
 
 def find_outline(
-    union: Union, geometry: Geometry, mask: Valid | None = None, progress: Progress | None = None
-) -> Outline:
+    union: Union, geometry: RigGeometry, mask: Valid | None = None, progress: Progress | None = None
+) -> SphereOutline:
     """Return the sphere's outline in a sum of photographs.
 
     Parameters
@@ -115,7 +115,7 @@ def find_outline(
 _EIGHT = np.arange(8) * (math.pi / 4.0)
 
 
-def _require(edge: Edge, geometry: Geometry) -> None:
+def _require(edge: Edge, geometry: RigGeometry) -> None:
     """Refuse an edge from which no sphere can be determined."""
     if len(edge.pixels) < _LEAST_POINTS:
         raise AcquisitionError(
@@ -132,7 +132,7 @@ def _require(edge: Edge, geometry: Geometry) -> None:
         )
 
 
-def _coarse(union: Union, geometry: Geometry, mask: Valid | None) -> Geometry:
+def _coarse(union: Union, geometry: RigGeometry, mask: Valid | None) -> RigGeometry:
     """Return the geometry with the outline that most pixels between bright and dark lie on."""
     points = _border(union, mask)
     rays = geometry.lens.rays(points)
@@ -199,7 +199,7 @@ def _border(union: Union, mask: Valid | None) -> Floats:
     return np.concatenate(points) if points and top > 0.0 else np.empty((0, 2))
 
 
-def _placed(geometry: Geometry, axis: Floats, rho: float) -> Geometry:
+def _placed(geometry: RigGeometry, axis: Floats, rho: float) -> RigGeometry:
     """Return the geometry with the sphere along ``axis``, as large as ρ says, or else as far as is stated."""
     if geometry.lens_known:
         return geometry.with_centre(axis * (geometry.radius_m / math.sin(rho)))
@@ -210,10 +210,10 @@ def _placed(geometry: Geometry, axis: Floats, rho: float) -> Geometry:
     return replace(geometry, lens=lens, centre_m=triple(lens.rays(pixel) * distance))
 
 
-def _fit(edge: Edge, geometry: Geometry) -> Outline:
+def _fit(edge: Edge, geometry: RigGeometry) -> SphereOutline:
     """Return the sphere whose outline runs through the points of an edge."""
 
-    def moved(x: Floats) -> Geometry:
+    def moved(x: Floats) -> RigGeometry:
         """The sphere's centre seen at pixel x[:2], its outline x[2] pixels around it."""
         return _placed(geometry, geometry.lens.rays(x[:2]), math.atan(x[2] / geometry.lens.fx))
 
@@ -239,7 +239,7 @@ def _fit(edge: Edge, geometry: Geometry) -> Outline:
     found = moved(x)
     off = distances(x)
     rms = math.sqrt(float(np.mean(off[used] ** 2)))
-    return Outline(
+    return SphereOutline(
         points=edge.pixels,
         used=used,
         residuals_px=off,
@@ -251,7 +251,7 @@ def _fit(edge: Edge, geometry: Geometry) -> Outline:
     )
 
 
-def outline_distances(geometry: Geometry, pixels: Floats) -> Floats:
+def outline_distances(geometry: RigGeometry, pixels: Floats) -> Floats:
     """Return the distances (n,) of pixels (n, 2) to the sphere's outline, pixels, positive inside."""
     axis = unit(geometry.centre)
     right = unit(np.cross((0.0, 1.0, 0.0), axis))
@@ -264,7 +264,7 @@ def outline_distances(geometry: Geometry, pixels: Floats) -> Floats:
     return distances
 
 
-def _covariance(geometry: Geometry, pixels: Floats, rms: float) -> Floats:
+def _covariance(geometry: RigGeometry, pixels: Floats, rms: float) -> Floats:
     """Return the covariance (3, 3) of the centre, m²."""
     step = 1e-4 * geometry.radius_m
     slopes = np.stack(

@@ -8,10 +8,10 @@ import numpy as np
 
 from brdf_suite.acquisition.lens import Lens
 from brdf_suite.acquisition.session import Session
-from brdf_suite.acquisition.sphere_geometry import Geometry, Triple, triple
+from brdf_suite.acquisition.sphere_geometry import RigGeometry, Triple, triple
 
 
-def geometry_of_session(session: Session, shape: tuple[int, int], lens: Lens | None = None) -> Geometry:
+def geometry_of_session(session: Session, shape: tuple[int, int], lens: Lens | None = None) -> RigGeometry:
     """Return the stated geometry.
 
     Parameters
@@ -41,7 +41,7 @@ def geometry_of_session(session: Session, shape: tuple[int, int], lens: Lens | N
         angle = math.asin(min(0.9, session.sphere.radius_m / float(np.linalg.norm(centre))))
         focal = 0.25 * shape[0] / math.tan(angle)
         lens = Lens(focal, focal, 0.5 * (shape[1] - 1), 0.5 * (shape[0] - 1))
-    return Geometry(
+    return RigGeometry(
         lens=lens,
         shape=(int(shape[0]), int(shape[1])),
         radius_m=session.sphere.radius_m,
@@ -60,6 +60,6 @@ def geometry_of_session(session: Session, shape: tuple[int, int], lens: Lens | N
     )
 
 
-def in_rig(geometry: Geometry, points: np.ndarray) -> Triple:
+def in_rig(geometry: RigGeometry, points: np.ndarray) -> Triple:
     """Return a point (3,) of the camera's frame in the rig's own: side, up and front of the axis, metres."""
     return triple(geometry.rig_axes @ (np.asarray(points, float) - geometry.axis_point))

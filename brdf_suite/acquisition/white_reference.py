@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.session import Session
-from brdf_suite.acquisition.sphere_geometry import Geometry, triple
+from brdf_suite.acquisition.sphere_geometry import RigGeometry, triple
 from brdf_suite.acquisition.sphere_session import in_rig
 from brdf_suite.errors import AcquisitionError
 
@@ -17,7 +17,7 @@ _LEAST_COSINE = 0.05
 
 
 def irradiance_from_white(
-    session: Session, radiance: npt.ArrayLike, geometry: Geometry | None = None
+    session: Session, radiance: npt.ArrayLike, geometry: RigGeometry | None = None
 ) -> tuple[float, float, float]:
     """Return what arrives at the turntable's axis on a surface that faces the lamp, each channel.
 
@@ -70,7 +70,7 @@ def irradiance_from_white(
     return float(red), float(green), float(blue)
 
 
-def with_refined_white(session: Session, geometry: Geometry) -> Geometry:
+def with_refined_white(session: Session, geometry: RigGeometry) -> RigGeometry:
     """Return the refined geometry with the irradiance measured on the white target in place of the stated one.
 
     ``geometry.irradiance_rgb`` is what :func:`irradiance_from_white` gave without a geometry; where the session states

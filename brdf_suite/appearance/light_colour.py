@@ -35,7 +35,7 @@ LABELS: dict[str, str] = {
 
 
 @dataclass(frozen=True, eq=False)
-class LightColour:
+class ColourUnderLight:
     """XYZ and L*a*b* (..., 3) under a light, and by which road they were found."""
 
     xyz: Floats
@@ -52,23 +52,23 @@ class LightColour:
 
 def adapted_colour(
     lab: npt.ArrayLike, illuminant: str, transform: AdaptationTransform = "CAT16"
-) -> LightColour:
+) -> ColourUnderLight:
     """Return the colour under ``illuminant`` of L*a*b* (..., 3) measured under D65 with the 10° observer."""
     xyz = lab_to_xyz(lab)
     if illuminant == "D65":
-        return LightColour(xyz, np.asarray(lab, float), illuminant, 10, "measured")
+        return ColourUnderLight(xyz, np.asarray(lab, float), illuminant, 10, "measured")
     white = white_xyz(illuminant, 10)
     adapted = adapt_xyz(xyz, WHITE_D65_10, white, transform)
-    return LightColour(adapted, xyz_to_lab(adapted, white), illuminant, 10, "adapted")
+    return ColourUnderLight(adapted, xyz_to_lab(adapted, white), illuminant, 10, "adapted")
 
 
 def recomputed_colour(
     values: npt.ArrayLike, wavelengths_nm: npt.ArrayLike, illuminant: str, observer_deg: int = 10
-) -> LightColour:
+) -> ColourUnderLight:
     """Return the colour under ``illuminant`` of reflectance spectra (..., k)."""
     xyz = spectrum_to_xyz(values, wavelengths_nm, illuminant, observer_deg)
     lab = xyz_to_lab(xyz, white_xyz(illuminant, observer_deg))
-    return LightColour(xyz, lab, illuminant, observer_deg, "recomputed")
+    return ColourUnderLight(xyz, lab, illuminant, observer_deg, "recomputed")
 
 
 def metamerism_index(

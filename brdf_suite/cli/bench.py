@@ -16,7 +16,7 @@ from pathlib import Path
 from types import ModuleType
 
 from brdf_suite.cli.machine import describe_machine, machine_summary
-from brdf_suite.cli.measurements import Bound, Result, Section, renew_section, today
+from brdf_suite.cli.measurements import Bound, ReportSection, Result, renew_section, today
 from brdf_suite.cli.output import print_json, progress_bar
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.progress import Progress
@@ -68,7 +68,9 @@ def run(options: argparse.Namespace) -> int:
             _print_table(result)
         if options.write:
             about = (modules[name].__doc__ or "").strip()
-            renew_section(_DOCS, Section(about, machine_summary(), today(), result, appendix(modules[name])))
+            renew_section(
+                _DOCS, ReportSection(about, machine_summary(), today(), result, appendix(modules[name]))
+            )
     if options.write:
         load_module(_INSERT_FIGURES).insert_into_documents(_CHECKOUT)
     return 0 if kept else 1

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from brdf_suite.cli.output import print_json
 
 if TYPE_CHECKING:
-    from brdf_suite.reflectance.checks import Report
+    from brdf_suite.reflectance.checks import CheckReport
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -47,14 +47,14 @@ def run(options: argparse.Namespace) -> int:
     return 0 if all(report.passed for report in reports) else 1
 
 
-def _all_models() -> list[Report]:
+def _all_models() -> list[CheckReport]:
     from brdf_suite.reflectance.checks import check_model
     from brdf_suite.reflectance.registry import MODELS
 
     return [check_model(entry) for entry in MODELS.values()]
 
 
-def _report(what: str) -> Report:
+def _report(what: str) -> CheckReport:
     from brdf_suite.reflectance.checks import check_model, check_reflectance
     from brdf_suite.reflectance.registry import MODELS
 
@@ -66,7 +66,7 @@ def _report(what: str) -> Report:
     return check_reflectance(item.reflectance, item.name)
 
 
-def _print(report: Report) -> None:
+def _print(report: CheckReport) -> None:
     print(f"{report.name}: {'held' if report.passed else 'NOT held'}")
     print(f"{'check':>20}  {'violation':>10}  outcome")
     for finding in report.findings:

@@ -12,7 +12,7 @@ from brdf_suite.cli.output import print_json
 
 if TYPE_CHECKING:
     from brdf_suite.pipeline.measuring import Measurable
-    from brdf_suite.reflectance.spectrophotometer import Report
+    from brdf_suite.reflectance.spectrophotometer import InstrumentReport
 
 GEOMETRY_HELP = (
     "e2194 (15, 45, 110°), five, six, e2539, or your own: LIGHT:ANGLE,ANGLE[;LIGHT:…] in degrees, as in "
@@ -78,7 +78,7 @@ def run(options: argparse.Namespace) -> int:
     from brdf_suite.reflectance.spectrophotometer import measure
 
     geometries, through = geometry_set(options.geometry), aperture(options.aperture)
-    measured: list[tuple[Measurable, Report]] = []
+    measured: list[tuple[Measurable, InstrumentReport]] = []
     for what in options.what:
         item = load_measurable(
             what, observer_deg=options.observer, solved_through=through if options.solve else None
@@ -95,7 +95,7 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _print_table(item: Measurable, report: Report, illuminant: str) -> None:
+def _print_table(item: Measurable, report: InstrumentReport, illuminant: str) -> None:
     # Two paints may share a name, as the shipped blue and that of Table 1 do.
     plain = Path(item.source).name.replace("_", " ").lower()
     named = "" if plain in ("", item.name.replace("_", " ").lower()) else f" ({item.source})"
@@ -128,7 +128,7 @@ def _print_table(item: Measurable, report: Report, illuminant: str) -> None:
         print(f"note: {notice}")
 
 
-def _print_csv(measured: list[tuple[Measurable, Report]], illuminant: str) -> None:
+def _print_csv(measured: list[tuple[Measurable, InstrumentReport]], illuminant: str) -> None:
     writer = csv.writer(sys.stdout, lineterminator="\n")
     first = measured[0][1]
     names = [_column(reading.geometry.name) for reading in first.readings]

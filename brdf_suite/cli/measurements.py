@@ -70,7 +70,7 @@ class Result:
 
 
 @dataclass(frozen=True)
-class Section:
+class ReportSection:
     """One benchmark's part of the page; ``appendix`` is Markdown with headings of the third level, or empty."""
 
     about: str
@@ -102,7 +102,7 @@ class Section:
         }
 
     @classmethod
-    def from_json(cls, name: str, kept: Mapping[str, Any]) -> Section:
+    def from_json(cls, name: str, kept: Mapping[str, Any]) -> ReportSection:
         """Return the section that :meth:`to_json` wrote."""
         rows = kept["figures"]
         bounds = {
@@ -131,7 +131,7 @@ def today() -> str:
     return datetime.datetime.now(datetime.UTC).date().isoformat()
 
 
-def renew_section(docs: Path, section: Section) -> None:
+def renew_section(docs: Path, section: ReportSection) -> None:
     """Replace, or add, one benchmark's figures in ``docs/measurements.json``, and write the page; others stay."""
     path = docs / "measurements.json"
     kept = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
@@ -144,5 +144,5 @@ def renew_section(docs: Path, section: Section) -> None:
 def page(docs: Path) -> str:
     """Return the text of ``docs/measurements.md`` for the figures in ``docs/measurements.json``."""
     kept = json.loads((docs / "measurements.json").read_text(encoding="utf-8"))
-    sections = (Section.from_json(name, section).markdown() for name, section in kept.items())
+    sections = (ReportSection.from_json(name, section).markdown() for name, section in kept.items())
     return f"{_TITLE}\n" + "\n".join(sections)

@@ -8,7 +8,7 @@ import os
 from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.documents.migrations import VERSIONS, open_envelope
 from brdf_suite.documents.reading import FieldReader, fill, read_json
-from brdf_suite.documents.studio import Backdrop, Lamp, Room, Sky, Studio
+from brdf_suite.documents.studio import Backdrop, BoothRoom, Sky, Studio, StudioLamp
 
 STUDIO_ENDING = ".brdfstudio"
 LightDocument = Studio | Sky
@@ -53,13 +53,14 @@ def light_from_json(value: object, path: _Path = "the message") -> LightDocument
         reader.fail('the kinds known to this version are "studio" and "sky"', "kind")
     name = reader.take("name")
     lamps = tuple(
-        fill(item, Lamp, required=("shape", "position_m", "size_m")) for item in reader.take_objects("lamps")
+        fill(item, StudioLamp, required=("shape", "position_m", "size_m"))
+        for item in reader.take_objects("lamps")
     )
     room, backdrop = (reader.take_or(part, None) for part in ("room", "backdrop"))
     taken = {
         "name": name,
         "lamps": lamps,
-        "room": None if room is None else fill(FieldReader(room, path, "room"), Room),
+        "room": None if room is None else fill(FieldReader(room, path, "room"), BoothRoom),
         "backdrop": None if backdrop is None else fill(FieldReader(backdrop, path, "backdrop"), Backdrop),
     }
     return fill(reader, Studio, taken=taken)

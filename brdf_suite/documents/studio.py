@@ -69,7 +69,7 @@ def _numbers(owner: object, name: str, count: int) -> None:
 
 
 @dataclass(frozen=True)
-class Room:
+class BoothRoom:
     """A closed room, its middle at x = z = 0, its floor ``eye_height_m`` below the middle of the scene."""
 
     width_m: float = 9.0
@@ -109,7 +109,7 @@ class Backdrop:
 
 
 @dataclass(frozen=True)
-class Lamp:
+class StudioLamp:
     """A lamp that shines to one side.
 
     Attributes
@@ -173,8 +173,8 @@ class Studio:
     """
 
     name: str
-    lamps: tuple[Lamp, ...]
-    room: Room | None = None
+    lamps: tuple[StudioLamp, ...]
+    room: BoothRoom | None = None
     backdrop: Backdrop | None = None
     unit: Unit = "kcd/m2"
 
@@ -183,7 +183,7 @@ class Studio:
         check_choice(self.unit, "unit", UNITS)
         if (self.room is None) == (self.backdrop is None):
             raise ValueRangeError("room", 'either "room" or "backdrop" is wanted, and only one of them')
-        if not isinstance(self.lamps, tuple) or not all(isinstance(lamp, Lamp) for lamp in self.lamps):
+        if not isinstance(self.lamps, tuple) or not all(isinstance(lamp, StudioLamp) for lamp in self.lamps):
             raise ValueRangeError("lamps", f"a list of lamps is wanted, not {describe(self.lamps)}")
         if len(self.lamps) > MOST_LAMPS:
             raise ValueRangeError("lamps", f"{len(self.lamps)} lamps are more than the {MOST_LAMPS} allowed")

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 _MARK = {"brdf_suite_mesh": 1, "uv_unit": "mm"}
 _HEADER = struct.Struct("<4sII")
@@ -172,7 +172,7 @@ def read_own_glb(
             mesh = document["meshes"][node["mesh"]]
             (primitive,) = mesh["primitives"]
             attributes = primitive["attributes"]
-            part = Part(
+            part = PartGeometry(
                 name=str(node["name"]),
                 material=document["materials"][primitive["material"]]["name"],
                 positions=_array(document, binary, attributes["POSITION"], 3),

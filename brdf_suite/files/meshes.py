@@ -21,7 +21,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.foreign_meshes import check_stl, gltf_parts, read_parts
 from brdf_suite.files.glb import is_own, read_own_glb, split_glb, write_mesh_glb
 from brdf_suite.files.made_size import within_memory
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.repair import RawPart, repair
 
 __all__ = ["MESH_ENDINGS", "read_mesh", "write_mesh_glb"]
@@ -99,7 +99,7 @@ def _repaired(path: str | os.PathLike[str], raw: list[RawPart], unit: str) -> Me
         raise FileError(path, "holds no triangles (points or lines alone cannot be drawn)")
     factor, note = _scale(raw) if unit == "file" else (METRES[unit], f"taken as {_UNIT_NAMES[unit]}")
     notes = [note] if note else []
-    parts: list[Part] = []
+    parts: list[PartGeometry] = []
     for one in raw:
         scaled = RawPart(one.name, one.material, one.positions * factor, one.triangles, one.normals, one.uvs)
         part, said = repair(scaled)

@@ -21,7 +21,7 @@ from brdf_suite.geometry.directions import aspecular_view, illumination
 FloatArray = NDArray[np.float64]
 
 
-class Evaluated(Protocol):
+class Evaluable(Protocol):
     """Anything with ``eval(wi, wo)``: f_r in 1/sr without the cosine, ``(..., 3)``."""
 
     def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
@@ -43,7 +43,7 @@ class ErrorFigures:
 
 
 def aspecular_lab(
-    reflectance: Evaluated, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
+    reflectance: Evaluable, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
 ) -> FloatArray:
     """Return the L*a*b* (D65, 10°) ``(k, 3)`` that an instrument reads at aspecular angles, in degrees."""
     wi = illumination(illumination_deg)
@@ -52,7 +52,7 @@ def aspecular_lab(
 
 
 def aspecular_delta_e(
-    target: Evaluated, fit: Evaluated, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
+    target: Evaluable, fit: Evaluable, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
 ) -> FloatArray:
     """Return ΔE00 ``(k,)`` between target and fit at aspecular angles, in degrees."""
     return delta_e_2000(
@@ -62,7 +62,7 @@ def aspecular_delta_e(
 
 
 def error_figures(
-    target: Evaluated, fit: Evaluated, wi: FloatArray, wo: FloatArray, solid_angle: FloatArray
+    target: Evaluable, fit: Evaluable, wi: FloatArray, wo: FloatArray, solid_angle: FloatArray
 ) -> ErrorFigures:
     """Return the errors over directions ``wi``, ``wo`` ``(k, 3)``, weights ``solid_angle`` ``(k,)`` in sr.
 
@@ -82,7 +82,7 @@ def error_figures(
     )
 
 
-def directional_reflectance(reflectance: Evaluated, samples: CoatSamples | None = None) -> FloatArray:
+def directional_reflectance(reflectance: Evaluable, samples: CoatSamples | None = None) -> FloatArray:
     """Return ``(3,)`` what a coat reflects of a constant environment, seen at 45° (``∫ f_r·(N·L) dω``).
 
     The integral is over rings around the mirror direction, within 90° of it: meant for a coat, and finer than

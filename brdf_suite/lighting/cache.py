@@ -7,7 +7,7 @@ program at the same work, a kill at any moment), the caller gets the maps; failu
   largest face size.
 - An entry is written under a temporary name, synced and renamed, and carries a checksum that is checked on
   reading (:mod:`.map_file`, :mod:`.cache_folder`).
-- Programs that want the same entry take turns through a lock (:mod:`.cache_turn`). A damaged entry is removed
+- Programs that need the same entry are serialized by a lock (:mod:`.cache_lock`). A damaged entry is removed
   only by who holds it, so that no process removes what another has just rebuilt.
 - Above the size limit the entries unused for longest are removed.
 """
@@ -24,7 +24,7 @@ from pathlib import Path
 
 from brdf_suite.lighting import cache_folder
 from brdf_suite.lighting.cache_folder import ENDING, CacheCheck, CacheEntry
-from brdf_suite.lighting.cache_turn import take_turn
+from brdf_suite.lighting.cache_lock import exclusive_entry
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.map_file import FORMAT_VERSION, DamagedMapFileError, encode_maps, read_map_file
 from brdf_suite.lighting.prefilter import ALGORITHM_VERSION, LobeMaps, Ready, background_size, prefilter
@@ -106,7 +106,7 @@ class MapCache:
         key = cache_key(environment, exponents)
         found = self._load(key, damaged_goes=False)
         if found is None:
-            waiting = take_turn(
+            waiting = exclusive_entry(
                 self.folder,
                 key,
                 timeout_s=self.lock_timeout_s,

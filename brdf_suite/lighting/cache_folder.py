@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from brdf_suite.lighting.cache_turn import if_free, shard
+from brdf_suite.lighting.cache_lock import shard, try_entry
 from brdf_suite.lighting.map_file import FORMAT_VERSION, DamagedMapFileError, read_map_file
 from brdf_suite.progress import Progress, report
 
@@ -136,7 +136,7 @@ def remove_unfinished(folder: Path, held_key: str | None = None) -> int:
         if old or (held_key is not None and shard(key) == shard(held_key)):
             count += remove(path)
         else:
-            with if_free(folder, key) as free:
+            with try_entry(folder, key) as free:
                 count += free and remove(path)
     return count
 

@@ -39,11 +39,11 @@ if TYPE_CHECKING:
     from brdf_suite.acquisition.refinement import Refinement
     from brdf_suite.acquisition.response import Response
     from brdf_suite.acquisition.response_fit import ResponseFit
-    from brdf_suite.acquisition.samples import PositionSamples, Sampler
-    from brdf_suite.acquisition.session_finding import Finding
-    from brdf_suite.acquisition.sphere_geometry import Geometry
+    from brdf_suite.acquisition.samples import PositionSamples, SphereSampler
+    from brdf_suite.acquisition.session_finding import SessionFinding
+    from brdf_suite.acquisition.sphere_geometry import RigGeometry
     from brdf_suite.acquisition.sphere_highlight import Highlight
-    from brdf_suite.acquisition.sphere_outline import Outline
+    from brdf_suite.acquisition.sphere_outline import SphereOutline
 
 Partial = Callable[[int, int, Callable[[], IsotropicTable]], None]
 
@@ -77,10 +77,10 @@ class Acquisition:
         self.response_fit: ResponseFit | None = None
         self.intrinsics: CameraCalibration | None = None
         self.union: npt.NDArray[np.float32] | None = None
-        self.outline: Outline | None = None
+        self.outline: SphereOutline | None = None
         self.highlights: tuple[Highlight, ...] = ()
         self.refinement: Refinement | None = None
-        self.geometry: Geometry | None = None
+        self.geometry: RigGeometry | None = None
         self.left_out: Mapping[int, str] = {}
         self.notices: tuple[str, ...] = ()
         self.clock = StepClock()
@@ -121,7 +121,7 @@ class Acquisition:
             raise ValueRangeError("positions", "none is asked for")
         return tuple(sorted(set(chosen)))
 
-    def check(self, progress: Progress | None = None) -> tuple[Finding, ...]:
+    def check(self, progress: Progress | None = None) -> tuple[SessionFinding, ...]:
         """Return what is wrong with the files, without decoding them (:mod:`~brdf_suite.acquisition.session_check`)."""
         return self.source.findings(progress)
 
@@ -191,7 +191,7 @@ class Acquisition:
         self._figures["lens_rms_px"] = self.intrinsics.rms_px
         return self.intrinsics
 
-    def calibrate_geometry(self, progress: Progress | None = None) -> Geometry:
+    def calibrate_geometry(self, progress: Progress | None = None) -> RigGeometry:
         """Find the sphere by its outline, and correct it and the light by the highlights.
 
         Raises
@@ -208,7 +208,7 @@ class Acquisition:
             self.notice(sentence)
         return self.geometry
 
-    def set_geometry(self, geometry: Geometry) -> None:
+    def set_geometry(self, geometry: RigGeometry) -> None:
         """Take a geometry that was corrected by hand."""
         self.geometry = geometry
 
@@ -244,13 +244,15 @@ class Acquisition:
         report(progress, 0.7, "merging")
         return self.merged_stack(stack, k)
 
-    def sampler(self) -> Sampler:
+    def sampler(self) -> SphereSampler:
         """Return what turns radiance into readings, for the geometry and the mask that hold now."""
-        from brdf_suite.acquisition.samples import Sampler
+        from brdf_suite.acquisition.samples import SphereSampler
 
-        return Sampler(self.calibration.geometry, self.mask(None), self.options.grazing_deg)
+        return SphereSampler(self.calibration.geometry, self.mask(None), self.options.grazing_deg)
 
-    def samples(self, k: int, sampler: Sampler | None = None, stack: Stack | None = None) -> PositionSamples:
+    def samples(
+        self, k: int, sampler: SphereSampler | None = None, stack: Stack | None = None
+    ) -> PositionSamples:
         """Return the readings of position ``k``.
 
         Raises
@@ -261,7 +263,7 @@ class Acquisition:
         return self.checked_samples(k, sampler or self.sampler(), stack or self.stack(k))[0]
 
     def checked_samples(
-        self, k: int, sampler: Sampler, stack: Stack
+        self, k: int, sampler: SphereSampler, stack: Stack
     ) -> tuple[PositionSamples, tuple[str, ...]]:
         """Return the readings of photographs that were read, and what was found wrong with these.
 

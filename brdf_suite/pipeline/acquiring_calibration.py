@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from brdf_suite.acquisition.intrinsics import CameraCalibration
     from brdf_suite.acquisition.merge import Merged
     from brdf_suite.acquisition.response import Response
-    from brdf_suite.acquisition.sphere_geometry import Geometry
+    from brdf_suite.acquisition.sphere_geometry import RigGeometry
     from brdf_suite.pipeline.acquiring_source import Bools, SeriesKind, Stack
 
 
@@ -28,7 +28,7 @@ class Calibration:
 
     response: Response | None
     intrinsics: CameraCalibration | None
-    geometry: Geometry
+    geometry: RigGeometry
     figures: Mapping[str, Any]
     left_out: Mapping[int, str] = field(default_factory=dict)
     notices: tuple[str, ...] = ()
@@ -48,7 +48,7 @@ class Calibration:
     def from_json(cls, values: Mapping[str, Any]) -> Calibration:
         """Return what :meth:`to_json` gave."""
         from brdf_suite.acquisition.response import Response
-        from brdf_suite.acquisition.sphere_geometry import Geometry
+        from brdf_suite.acquisition.sphere_geometry import RigGeometry
 
         response, intrinsics = values["response"], None
         if values["intrinsics"] is not None:
@@ -58,7 +58,7 @@ class Calibration:
         return cls(
             None if response is None else Response.from_json(response),
             intrinsics,
-            Geometry.from_json(values["geometry"]),
+            RigGeometry.from_json(values["geometry"]),
             dict(values["figures"]),
             {int(k): str(reason) for k, reason in values["left_out"]},
             tuple(values["notices"]),

@@ -15,9 +15,9 @@ from brdf_suite.progress import Progress, report, subrange
 if TYPE_CHECKING:
     from brdf_suite.acquisition.merge import Merged
     from brdf_suite.acquisition.refinement import Refinement
-    from brdf_suite.acquisition.sphere_geometry import Geometry
+    from brdf_suite.acquisition.sphere_geometry import RigGeometry
     from brdf_suite.acquisition.sphere_highlight import Highlight
-    from brdf_suite.acquisition.sphere_outline import Outline
+    from brdf_suite.acquisition.sphere_outline import SphereOutline
     from brdf_suite.acquisition.sphere_union import Union
     from brdf_suite.pipeline.acquiring import Acquisition
 
@@ -35,10 +35,10 @@ class FoundGeometry:
     """What the geometry was found on, and how well it explains that; see :class:`~.acquiring.Acquisition`."""
 
     union: npt.NDArray[np.float32]
-    outline: Outline
+    outline: SphereOutline
     highlights: tuple[Highlight, ...]
     refinement: Refinement | None
-    geometry: Geometry
+    geometry: RigGeometry
     figures: Mapping[str, Any]
     notices: tuple[str, ...]
     left_out: Mapping[int, str] = field(default_factory=dict)
@@ -64,7 +64,7 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
     geometry = replace(geometry, irradiance_rgb=irradiance)
     highlights: list[Highlight] = []
 
-    def find(tried: Geometry, among: tuple[int, ...] = shiny) -> list[Highlight]:
+    def find(tried: RigGeometry, among: tuple[int, ...] = shiny) -> list[Highlight]:
         highlights.clear()
         for k in among:
             merged = kept.get(k)
@@ -131,11 +131,11 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
 def _where_it_stood(
     road: Acquisition,
     refinement: Refinement,
-    geometry: Geometry,
+    geometry: RigGeometry,
     shiny: tuple[int, ...],
-    find: Callable[[Geometry, tuple[int, ...]], list[Highlight]],
+    find: Callable[[RigGeometry, tuple[int, ...]], list[Highlight]],
     progress: Progress | None,
-) -> tuple[Union, Outline, Refinement]:
+) -> tuple[Union, SphereOutline, Refinement]:
     """Return what the longest part without movement tells alone: a sum over two places has a blurred outline."""
     from brdf_suite.acquisition.refinement import calibrate_geometry
     from brdf_suite.acquisition.sphere_outline import find_outline

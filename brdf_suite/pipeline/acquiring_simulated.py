@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from brdf_suite.acquisition.session import Session
-from brdf_suite.acquisition.session_finding import Finding
+from brdf_suite.acquisition.session_finding import SessionFinding
 from brdf_suite.acquisition.simulator import Simulator
 from brdf_suite.pipeline.acquiring_source import Bools, Codes, SeriesKind, Stack
 from brdf_suite.progress import Progress
@@ -62,7 +62,7 @@ class SimulatorSource:
         )
         return hashlib.sha256(told.encode()).hexdigest()
 
-    def findings(self, progress: Progress | None) -> tuple[Finding, ...]:
+    def findings(self, progress: Progress | None) -> tuple[SessionFinding, ...]:
         """Return nothing: no file can be wrong."""
         del progress
         return ()

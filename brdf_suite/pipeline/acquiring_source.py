@@ -18,8 +18,8 @@ from brdf_suite.errors import FileError
 from brdf_suite.progress import Progress
 
 if TYPE_CHECKING:
-    from brdf_suite.acquisition.photograph_series import Series
-    from brdf_suite.acquisition.session_finding import Finding
+    from brdf_suite.acquisition.photograph_series import PhotographSeries
+    from brdf_suite.acquisition.session_finding import SessionFinding
 
 Codes = npt.NDArray[Any]
 Bools = npt.NDArray[np.bool_]
@@ -88,7 +88,7 @@ class PhotographSource(Protocol):
         """Return a hash of what position ``k`` holds; of None: the session and all that belongs to no position."""
         ...
 
-    def findings(self, progress: Progress | None) -> tuple[Finding, ...]:
+    def findings(self, progress: Progress | None) -> tuple[SessionFinding, ...]:
         """Return what is wrong with the files, without decoding them."""
         ...
 
@@ -101,7 +101,7 @@ class FolderSource:
     session: Session
 
     @cached_property
-    def _checked(self) -> tuple[Finding, ...]:
+    def _checked(self) -> tuple[SessionFinding, ...]:
         return self.findings(None)
 
     def position(self, k: int) -> Stack:
@@ -173,7 +173,7 @@ class FolderSource:
                 found.update(b"missing")
         return found.hexdigest()
 
-    def findings(self, progress: Progress | None) -> tuple[Finding, ...]:
+    def findings(self, progress: Progress | None) -> tuple[SessionFinding, ...]:
         """Check the folder."""
         from brdf_suite.acquisition.session_check import check_session
 
@@ -183,7 +183,7 @@ class FolderSource:
         return found
 
 
-def _stack(found: Series, told: list[Finding]) -> Stack:
+def _stack(found: PhotographSeries, told: list[SessionFinding]) -> Stack:
     findings = tuple(f"{one.path}: {one.reason}" for one in (*told, *found.findings))
     return Stack(found.codes, np.asarray(found.exposures_s, float), found.names, findings)
 

@@ -30,7 +30,7 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 if TYPE_CHECKING:
-    from brdf_suite.acquisition.samples import PositionSamples, Sampler
+    from brdf_suite.acquisition.samples import PositionSamples, SphereSampler
     from brdf_suite.pipeline.acquiring import Acquisition, Partial
 
 ALGORITHM = 1
@@ -150,7 +150,7 @@ class _Reconstruction:
 
     def run(self, progress: Progress | None, partial: Partial | None) -> Acquired:
         positions = self.road.positions
-        sampler: Sampler | None = None
+        sampler: SphereSampler | None = None
         # The next position is read while this one is reckoned: both take about as long.
         with ThreadPoolExecutor(1, "photographs") as pool:
             ahead: Future[Stack] | None = None
@@ -222,7 +222,7 @@ class _Reconstruction:
             record.values["findings"],
         )
 
-    def _add_new(self, k: int, stack: Stack, sampler: Sampler) -> None:
+    def _add_new(self, k: int, stack: Stack, sampler: SphereSampler) -> None:
         found, findings = self.road.checked_samples(k, sampler, stack)
         with self.road.clock.step("table"):
             position = {

@@ -34,7 +34,7 @@ from brdf_suite.fitting.homomorphic.radial import as_radial, asymmetries
 from brdf_suite.fitting.homomorphic.samples import (
     DEFAULT_PAIRS,
     DEFAULT_SEED,
-    Samples,
+    FactorizationSamples,
     samples_near_peak,
     samples_of,
 )
@@ -214,7 +214,10 @@ def factor_reflectance(
 
 
 def _alone(
-    samples: Samples, factors: tuple[Factor, ...], chosen: FactoringOptions, progress: Progress | None
+    samples: FactorizationSamples,
+    factors: tuple[Factor, ...],
+    chosen: FactoringOptions,
+    progress: Progress | None,
 ) -> tuple[Factorized, WithPeak]:
     found = factorize(
         samples.wi,
@@ -231,7 +234,7 @@ def _alone(
 
 
 def _apart(
-    samples: Samples,
+    samples: FactorizationSamples,
     factors: tuple[Factor, ...],
     form: PeakForm,
     chosen: FactoringOptions,
@@ -251,19 +254,19 @@ def _apart(
     return found, whole
 
 
-def _bias(samples: Samples, chosen: FactoringOptions) -> float:
+def _bias(samples: FactorizationSamples, chosen: FactoringOptions) -> float:
     if chosen.bias is not None:
         return chosen.bias
     return BIAS if samples.even else PEAK_BIAS
 
 
-def _smoothness(samples: Samples, chosen: FactoringOptions) -> float:
+def _smoothness(samples: FactorizationSamples, chosen: FactoringOptions) -> float:
     if chosen.smooth is not None:
         return chosen.smooth
     return MODEL_SMOOTHNESS if samples.even else MEASURED_SMOOTHNESS
 
 
-def _mean(whole: WithPeak, samples: Samples, choice: MeanChoice) -> tuple[WithPeak, Floats]:
+def _mean(whole: WithPeak, samples: FactorizationSamples, choice: MeanChoice) -> tuple[WithPeak, Floats]:
     """Correct α for the mean, and tell by what."""
     if choice == "off":
         return whole, np.ones(3)
@@ -278,7 +281,7 @@ def _mean(whole: WithPeak, samples: Samples, choice: MeanChoice) -> tuple[WithPe
     return better, correction
 
 
-def _distances(one: WithPeak, samples: Samples) -> tuple[float, float]:
+def _distances(one: WithPeak, samples: FactorizationSamples) -> tuple[float, float]:
     """Return the RMS error, times √(cosθi cosθo), and the median relative error of the luminance.
 
     Where few samples hold most of the light, as in a peak, the first alone would brighten or darken all the rest.
@@ -293,7 +296,7 @@ def _distances(one: WithPeak, samples: Samples) -> tuple[float, float]:
 
 
 def _value(
-    whole: WithPeak, samples: Samples, found: Factorized, chosen: FactoringOptions, name: str
+    whole: WithPeak, samples: FactorizationSamples, found: Factorized, chosen: FactoringOptions, name: str
 ) -> tuple[Factored, dict[str, Floats]]:
     """Return the textures: each map of the product over its largest value, and α with what that takes (equation 20)."""
     maps, alpha = _normalized(whole.product)

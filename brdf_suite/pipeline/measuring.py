@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
-from brdf_suite.appearance.light_colour import LightColour
+from brdf_suite.appearance.light_colour import ColourUnderLight
 from brdf_suite.appearance.spaces import in_display_gamut
 from brdf_suite.appearance.tolerance import DIFFERENCES, Tolerances, Verdict, difference_named, judge
 from brdf_suite.appearance.words import Named, named_differences, named_flop, sentence
@@ -24,7 +24,7 @@ from brdf_suite.pipeline.scene import find_any_paint
 from brdf_suite.reflectance.aperture import POINT, Aperture
 from brdf_suite.reflectance.build import build_reflectance
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.spectrophotometer import Reading, Report, measure
+from brdf_suite.reflectance.spectrophotometer import InstrumentReport, Reading, measure
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 from brdf_suite.reflectance.through_aperture import build_through
 from brdf_suite.reflectance.under_light import has_spectra, metamerism, readings_under
@@ -60,7 +60,7 @@ class Measurable:
     observer_deg: int = 10
     source: str = ""
 
-    def under(self, report: Report, illuminant: str) -> tuple[LightColour, ...]:
+    def under(self, report: InstrumentReport, illuminant: str) -> tuple[ColourUnderLight, ...]:
         """Return the report's readings under another light, each labelled with how it was found."""
         return readings_under(self.reflectance, report, illuminant, self.observer_deg)
 
@@ -118,7 +118,9 @@ def _told(value: MeasuredReflectance, observer_deg: int) -> tuple[str, ...]:
     return tuple(told)
 
 
-def measurement_json(item: Measurable, report: Report, illuminant: str = "D65") -> dict[str, object]:
+def measurement_json(
+    item: Measurable, report: InstrumentReport, illuminant: str = "D65"
+) -> dict[str, object]:
     """Return a report as plain values: degrees, gloss units, L*a*b* of D65 and 10° unless said otherwise."""
     flop, path = report.flop, report.travel
     answer: dict[str, object] = {
@@ -190,8 +192,8 @@ class Comparison:
     everything else. ``metamerism`` is ΔE*ab per geometry and test light, where both know their spectra.
     """
 
-    first: Report
-    second: Report
+    first: InstrumentReport
+    second: InstrumentReport
     differences: Mapping[str, tuple[float, ...]]
     figures: ErrorFigures
     away: ErrorFigures

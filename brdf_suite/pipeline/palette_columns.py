@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colorimetry import working_to_lab
 from brdf_suite.appearance.flat_colours import flat_labs
-from brdf_suite.appearance.flop_moves import GREY_CHROMA
+from brdf_suite.appearance.flop_edits import GREY_CHROMA
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry

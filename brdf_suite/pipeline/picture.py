@@ -16,9 +16,9 @@ from brdf_suite.pipeline.factored_maps import maps_of
 from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit
 from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.scene import PreparedEnvironment
-from brdf_suite.pipeline.surface_images import SurfaceImages, peel_tile
+from brdf_suite.pipeline.surface_images import SurfaceImages, orange_peel_tile
 from brdf_suite.realtime.camera import Bounds
-from brdf_suite.realtime.captured import Swatch
+from brdf_suite.realtime.captured import CapturedPaint
 from brdf_suite.realtime.context import Context, create_context, release_context
 from brdf_suite.realtime.factored_values import FactoredMaps
 from brdf_suite.realtime.gpu_objects import Counters
@@ -54,7 +54,7 @@ class SceneRenderer:
 
     def __init__(self, context: Context, angles: PaintAngles | None = None) -> None:
         self._renderer = Renderer(context)
-        self._renderer.relief.make_peel = peel_tile
+        self._renderer.relief.make_peel = orange_peel_tile
         self._maps: tuple[object, FactoredMaps | None] | None = None
         self._angles = angles or PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S)
 
@@ -93,10 +93,10 @@ class SceneRenderer:
             self._maps = (fit.reflectance, maps_of(fit.reflectance))
         return self._maps[1]
 
-    def swatch(self, fit: PaintFit | AnyFit) -> Swatch:
+    def swatch(self, fit: PaintFit | AnyFit) -> CapturedPaint:
         """Return this paint as a captured form takes it (:meth:`Renderer.capture`), with the same weights."""
         weights = material_weights(fit.weights, self._angles.of(fit), self._angles.by_view(fit))
-        return Swatch(weights, fit.flakes)
+        return CapturedPaint(weights, fit.flakes)
 
     def set_environment(self, prepared: PreparedEnvironment) -> None:
         """Show this environment; its maps must have been made for the exponents of the paint's fit."""

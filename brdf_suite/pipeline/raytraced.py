@@ -44,9 +44,9 @@ if TYPE_CHECKING:
     from brdf_suite.reference.raytraced.camera import Pinhole
     from brdf_suite.reference.raytraced.frames import Film
     from brdf_suite.reference.raytraced.picture import Sums
-    from brdf_suite.reference.raytraced.sky import Sky
+    from brdf_suite.reference.raytraced.sky import TracedSky
     from brdf_suite.reference.raytraced.table_split import TableSplit
-    from brdf_suite.reference.raytraced.tracer import Stage
+    from brdf_suite.reference.raytraced.tracer import TracerScene
 
 __all__ = ["DEFAULT_PRESET", "PRESETS", "Quality", "RaytracedImage", "RaytracedScene", "RaytracedSession"]
 
@@ -69,7 +69,7 @@ class RaytracedScene:
     quality: Quality
     key: str
     camera: Pinhole
-    sky: Sky
+    sky: TracedSky
 
     @cached_property
     def behind(self) -> NDArray[np.float32]:
@@ -290,9 +290,9 @@ class RaytracedSession:
         *_, image = self.passes()
         return image
 
-    def _stage(self, turn: int) -> Stage:
+    def _stage(self, turn: int) -> TracerScene:
         from brdf_suite.reference import directions as d
-        from brdf_suite.reference.raytraced.tracer import Stage
+        from brdf_suite.reference.raytraced.tracer import TracerScene
 
         wanted = self._wanted
         assert wanted is not None
@@ -300,7 +300,7 @@ class RaytracedSession:
         names = materials_of(mesh)
         splits, _ = self._parts.splits(wanted, mesh)
         sky, _ = self._parts.light(wanted)
-        return Stage(
+        return TracerScene(
             self._parts.surface(mesh),
             splits,
             sky,

@@ -24,9 +24,9 @@ from brdf_suite.surface.mesh import Mesh
 
 if TYPE_CHECKING:
     from brdf_suite.reference.raytraced.camera import Pinhole
-    from brdf_suite.reference.raytraced.flakes import Sparkle
+    from brdf_suite.reference.raytraced.flakes import SparkleField
     from brdf_suite.reference.raytraced.light_set import LightSet, Strata
-    from brdf_suite.reference.raytraced.sky import Sky
+    from brdf_suite.reference.raytraced.sky import TracedSky
     from brdf_suite.reference.raytraced.table_split import TableSplit
     from brdf_suite.reference.raytraced.tracer import LightArrays
 
@@ -108,36 +108,36 @@ class Parts:
         )
         return [cut if name == PAINT else others[name] for name in names], told
 
-    def light(self, wanted: Wanted) -> tuple[Sky, NDArray[np.float32]]:
+    def light(self, wanted: Wanted) -> tuple[TracedSky, NDArray[np.float32]]:
         """Return the environment as rays find it, turned, and its radiance (h, w, 3) in the view's light colour."""
-        from brdf_suite.reference.raytraced.sky import Sky
+        from brdf_suite.reference.raytraced.sky import TracedSky
 
         environment, view = wanted.environment, wanted.view
         colour = view.light_colour
         made_of = (Same(environment), colour, wanted.quality.lights)
 
-        def make() -> tuple[Sky, NDArray[np.float32]]:
+        def make() -> tuple[TracedSky, NDArray[np.float32]]:
             tint = environment_matrix(colour)
             radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
-            return Sky.of(radiance, self._strata(wanted).without_suns(radiance)), radiance
+            return TracedSky.of(radiance, self._strata(wanted).without_suns(radiance)), radiance
 
         sky, radiance = self.keep("sky", made_of, make)
         turned = self.keep("turned", (*made_of, view.rotation_deg), lambda: sky.turned(view.rotation_deg))
         return turned, radiance
 
-    def backdrop(self, wanted: Wanted) -> Sky:
+    def backdrop(self, wanted: Wanted) -> TracedSky:
         """Return the sky that is seen behind the object: the light's, or blurred where the view has it so."""
         from brdf_suite.reference.backdrop import blurred
-        from brdf_suite.reference.raytraced.sky import Sky
+        from brdf_suite.reference.raytraced.sky import TracedSky
 
         view = wanted.view
         sky, radiance = self.light(wanted)
         if view.background != "blurred":
             return sky
 
-        def make() -> Sky:
+        def make() -> TracedSky:
             around = direction(ring_angles(_BLURRED_ROWS)[:, None], column_angles(2 * _BLURRED_ROWS)[None])
-            return Sky.of(blurred(radiance, BLUR_EXPONENT)(around))
+            return TracedSky.of(blurred(radiance, BLUR_EXPONENT)(around))
 
         soft = self.keep("blurred", (Same(wanted.environment), view.light_colour), make)
         return soft.turned(view.rotation_deg)
@@ -217,9 +217,9 @@ def term_of(paint: TracedPaint, view: View) -> tuple[Any, tuple[str, ...]]:
     return translated.term, notices
 
 
-def sparkle_of(paint: TracedPaint, view: View) -> Sparkle | None:
+def sparkle_of(paint: TracedPaint, view: View) -> SparkleField | None:
     """Return the flakes that are seen one by one; None where there are none, or the view shows none."""
-    from brdf_suite.reference.raytraced.flakes import Sparkle
+    from brdf_suite.reference.raytraced.flakes import SparkleField
 
     flakes = paint.flakes
     if flakes is None or view.sparkle.mode == "off" or flakes.density_per_mm2 <= 0.0:
@@ -228,4 +228,4 @@ def sparkle_of(paint: TracedPaint, view: View) -> Sparkle | None:
         ior = paint.reflectance.ior if paint.reflectance.coat == "dielectric" else 1.0
     else:
         ior = float(getattr(paint.reflectance, "ior", 1.0))
-    return Sparkle(flakes, ior, view.sparkle.strength)
+    return SparkleField(flakes, ior, view.sparkle.strength)

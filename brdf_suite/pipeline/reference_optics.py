@@ -10,7 +10,7 @@ import numpy as np
 
 from brdf_suite.documents.view import View
 from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
-from brdf_suite.pipeline.surface_images import ImageRequest, peel_tile
+from brdf_suite.pipeline.surface_images import ImageRequest, orange_peel_tile
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.relief_textures import mask_coordinates
 from brdf_suite.realtime.relief_values import MaskImage, SlopeMap
@@ -19,7 +19,7 @@ from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
     from brdf_suite.reference.placed import LayeredPaintBsdf
-    from brdf_suite.reference.relief import OrangePeel, Slopes
+    from brdf_suite.reference.relief import OrangePeelSlopes, Slopes
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,14 +154,14 @@ def _shape(dress: Dress, view: View) -> Slopes | None:
     return Slopes.of(dress.normal_map.slopes, tiles, view.relief.normal_strength)
 
 
-def _peel(paint: TracedPaint, view: View) -> OrangePeel | None:
-    from brdf_suite.reference.relief import OrangePeel
+def _peel(paint: TracedPaint, view: View) -> OrangePeelSlopes | None:
+    from brdf_suite.reference.relief import OrangePeelSlopes
 
     slope_deg, length_mm = _peel_of(paint, view)
     if slope_deg <= 0.0:
         return None
-    tile = peel_tile()
-    return OrangePeel.of(tile.slopes, 1.0 / (tile.waves * length_mm), math.tan(math.radians(slope_deg)))
+    tile = orange_peel_tile()
+    return OrangePeelSlopes.of(tile.slopes, 1.0 / (tile.waves * length_mm), math.tan(math.radians(slope_deg)))
 
 
 def _peel_of(paint: TracedPaint, view: View) -> tuple[float, float]:

@@ -47,7 +47,7 @@ from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.surface.mesh import Mesh
 
 if TYPE_CHECKING:
-    from brdf_suite.reference.ground import Ground
+    from brdf_suite.reference.ground import GroundGrid
     from brdf_suite.reference.passes import Estimate
     from brdf_suite.reference.scene import Eye, TracedScene
     from brdf_suite.reference.variant import Variant
@@ -89,7 +89,7 @@ class ReferenceScene:
     notices: tuple[str, ...]
     eye: Eye
     light: NDArray[np.float32]
-    ground: Ground | None = None
+    ground: GroundGrid | None = None
 
     @cached_property
     def behind(self) -> Pixels:
@@ -202,7 +202,7 @@ def build_reference(
     place, which takes no building and no compiling, and must not be used after. ``variant`` is the one that was
     started, where it may be the scalar one. Errors as :func:`prepare_reference`.
     """
-    from brdf_suite.reference.ground import Ground
+    from brdf_suite.reference.ground import GroundGrid
     from brdf_suite.reference.scene import Eye, SurfacePart, build_scene
     from brdf_suite.reference.variant import start
 
@@ -224,7 +224,7 @@ def build_reference(
     radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
     ground = None
     if view.surface_look.ground and not variant.is_scalar:
-        ground = Ground.under(np.array(bounds.minimum), np.array(bounds.maximum))
+        ground = GroundGrid.under(np.array(bounds.minimum), np.array(bounds.maximum))
     if kept is None or ground is not None:
         parts = [SurfacePart(p.material, p.positions, p.normals, p.triangles, p.uvs) for p in mesh.parts]
         traced = build_scene(parts, terms, radiance, eye, view, size, ground=ground)

@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.chained import Group, chained_weights
+from brdf_suite.fitting.lobes.chained import ColumnGroup, chained_weights
 from brdf_suite.fitting.lobes.checks import checked_targets
 from brdf_suite.realtime.ladder import BROADEST_SHARP
 from brdf_suite.realtime.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
@@ -85,7 +85,7 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
         np.array(squares),
         np.array(products),
         np.array(targets),
-        (Group(broad, MOST_BROAD), Group(sharp, MOST_SHARP)),
+        (ColumnGroup(broad, MOST_BROAD), ColumnGroup(sharp, MOST_SHARP)),
     )
     for weights, (of_columns, mean) in zip(found, means, strict=True):
         weights *= mean / np.maximum(of_columns @ weights, 1e-300)

@@ -19,11 +19,11 @@ from functools import cache
 import numpy as np
 
 from brdf_suite.appearance.colorimetry import LUMINANCE
-from brdf_suite.appearance.countable_flakes import FLAKE_WAVINESS
+from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
-from brdf_suite.realtime.flake_share import countable_lobe
+from brdf_suite.realtime.flake_share import visible_flake_lobe
 from brdf_suite.reflectance.flakes.spots import Spots, spots
 from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_place
 from brdf_suite.reflectance.lobe_sum import lobe_sums
@@ -84,12 +84,12 @@ def _spots(angle_deg: float, share: float, ior: float, flakes: Flakes) -> Spots:
 
 
 def _shares(weights: LobeWeights, flakes: Flakes) -> Floats:
-    """What countable flakes send of all light, by luminance, at each of the angles."""
+    """What visible flakes reflect of all light, by luminance, at each of the angles."""
     wi, wo = _directions()
     sums = lobe_sums(wi, wo, weights.exponents, weights.kd, weights.kdd, weights.kg)
     gamma = np.radians(ANGLES_DEG)
     base = sums.base - weights.kd
-    single = countable_lobe(flakes, gamma, base, weights.theta_fit_rad, weights.ior)
+    single = visible_flake_lobe(flakes, gamma, base, weights.theta_fit_rad, weights.ior)
     whole = np.maximum(sums.brdf() @ LUMINANCE, 1e-12)
     return np.asarray(np.minimum(single @ LUMINANCE / whole, 1.0))
 

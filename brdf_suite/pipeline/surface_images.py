@@ -80,6 +80,6 @@ def load_surface_images(request: ImageRequest, progress: Progress | None = None)
     return SurfaceImages(request, normal_map, mask, second, tangents)
 
 
-def peel_tile() -> PeelTile:
+def orange_peel_tile() -> PeelTile:
     """Return the tile that every orange peel is drawn with; some tenths of a second."""
     return PeelTile(peel_slopes(), TILE_WAVES)

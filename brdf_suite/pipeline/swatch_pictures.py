@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from brdf_suite.pipeline.any_fit import AnyFit
     from brdf_suite.pipeline.paint import PaintFit, PaintFitter
     from brdf_suite.pipeline.still import LoadedScene
-    from brdf_suite.realtime.captured import CapturedForm, Swatch
+    from brdf_suite.realtime.captured import CapturedForm, CapturedPaint
 
 Pixels: TypeAlias = NDArray[np.uint8]
 _Found: TypeAlias = Pixels | SuiteError
@@ -122,7 +122,7 @@ class SwatchPainter:
 
     def _fitted(
         self, paints: Sequence[AnyPaint], found: dict[int, _Found], fits: dict[int, PaintFit | AnyFit]
-    ) -> Iterator[Swatch]:
+    ) -> Iterator[CapturedPaint]:
         """Yield what the captured form takes as it is fitted; note the fits, and in ``found`` why there is none."""
         for place, paint in enumerate(paints):
             try:
@@ -133,7 +133,7 @@ class SwatchPainter:
             if not _waves(fits[place]):
                 yield self._swatch(fits[place])
 
-    def _swatch(self, fit: PaintFit | AnyFit) -> Swatch:
+    def _swatch(self, fit: PaintFit | AnyFit) -> CapturedPaint:
         if self._loaded is None:
             raise AssertionError("a form is captured from a scene that is loaded")
         return self._loaded.scene.swatch(fit)

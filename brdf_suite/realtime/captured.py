@@ -63,7 +63,7 @@ _MATERIAL = "swatch"
 
 
 @dataclass(frozen=True, eq=False)
-class Swatch:
+class CapturedPaint:
     """A paint of a batch: its weights, and the flakes that sparkle in it."""
 
     weights: MaterialWeights
@@ -71,7 +71,7 @@ class Swatch:
 
 
 @dataclass(frozen=True, eq=False)
-class Drawing:
+class DrawContext:
     """What of a renderer a captured form is drawn with."""
 
     objects: GpuObjects
@@ -91,7 +91,7 @@ class CapturedForm:
 
     def __init__(
         self,
-        drawing: Drawing,
+        drawing: DrawContext,
         view: View,
         size: Size,
         features: Features,
@@ -129,7 +129,7 @@ class CapturedForm:
         """How many paints are drawn at once."""
         return max(1, min(32, MOST_ROWS // max(self._rows, self.size[1])))
 
-    def draw(self, swatches: Iterable[Swatch], display: Display = SRGB) -> NDArray[np.uint8]:
+    def draw(self, swatches: Iterable[CapturedPaint], display: Display = SRGB) -> NDArray[np.uint8]:
         """Return the pictures (n, h, w, 3) of paints, top row first; ``display`` must be one of 8 bits.
 
         Paints may come one by one: a driver with threads of its own shades one while the next is got ready. Who gets
@@ -160,7 +160,7 @@ class CapturedForm:
             objects.release(texture)
         self._shaded = self._pictures = None
 
-    def _batch(self, swatches: Iterable[Swatch], display: Display) -> NDArray[np.uint8]:
+    def _batch(self, swatches: Iterable[CapturedPaint], display: Display) -> NDArray[np.uint8]:
         width, height = self.size
         count = 0
         context = self._drawing.objects.context
@@ -200,7 +200,7 @@ class CapturedForm:
     def _shade(
         self,
         number: int,
-        swatch: Swatch,
+        swatch: CapturedPaint,
         target: moderngl.Framebuffer,
         ready: set[tuple[LookUps, Features]],
     ) -> None:
@@ -254,7 +254,7 @@ class CapturedForm:
 
 
 def capture(
-    drawing: Drawing,
+    drawing: DrawContext,
     view: View,
     size: Size,
     features: Features,

@@ -44,7 +44,7 @@ class ComparedPicture:
     is_light: bool
 
 
-class Comparison:
+class ComparisonRenderer:
     """Draws what :class:`~brdf_suite.documents.view_settings.Compare` says, in the renderer's context.
 
     Parameters

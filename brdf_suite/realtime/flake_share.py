@@ -19,16 +19,16 @@ import math
 
 import numpy as np
 
-from brdf_suite.appearance.countable_flakes import FLAKE_REFLECTANCE, LARGEST_SHARE, covered_share
+from brdf_suite.appearance.visible_flakes import FLAKE_REFLECTANCE, LARGEST_SHARE, flake_coverage
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 
 
-def countable_lobe(
+def visible_flake_lobe(
     flakes: Flakes, gamma: Floats, base: Floats, theta: float, ior: float, strength: float = 1.0
 ) -> Floats:
-    """Return the part (n, 3) of a base's lobes ``base`` (n, 3), 1/sr, at γ (n,) radians that countable flakes send.
+    """Return the part (n, 3) of a base's lobes ``base`` (n, 3), 1/sr, at γ (n,) radians that visible flakes reflect.
 
     ``theta`` is the light's polar angle that the lobes hold for, radians, ``ior`` the coat's index; ``strength`` is a
     factor on the flakes' light, 1 being what the module derives.
@@ -37,7 +37,7 @@ def countable_lobe(
     cos2_below = 1.0 - math.sin(theta) ** 2 / n2
     through = (1.0 - float(fresnel_dielectric(math.cos(theta), ior))) ** 2
     m2 = flakes.roughness**2
-    peak = covered_share(flakes) * FLAKE_REFLECTANCE * through / (8.0 * math.pi * m2 * n2 * cos2_below)
+    peak = flake_coverage(flakes) * FLAKE_REFLECTANCE * through / (8.0 * math.pi * m2 * n2 * cos2_below)
     wanted = strength * peak * seen_tilts(gamma, theta, ior, flakes.roughness)
     share = np.minimum(wanted / np.maximum(base.max(axis=-1), 1e-12), LARGEST_SHARE)
     return np.asarray(base * share[:, None])

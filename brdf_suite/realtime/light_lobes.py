@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.paint import Flakes
-from brdf_suite.realtime.flake_share import countable_lobe
+from brdf_suite.realtime.flake_share import visible_flake_lobe
 from brdf_suite.realtime.values import MaterialWeights
 
 COLUMNS = 160
@@ -32,7 +32,7 @@ def column_angles() -> Floats:
 def light_lobes(
     weights: MaterialWeights, flakes: Flakes | None = None, strength: float = 1.0
 ) -> NDArray[np.float32]:
-    """Return the table (3, :data:`COLUMNS`, 4): base, gloss, countable flakes; KD's channels in the alphas."""
+    """Return the table (3, :data:`COLUMNS`, 4): base, gloss, visible flakes; KD's channels in the alphas."""
     gamma = column_angles()
     # 1 - cos γ = 2 sin²(γ/2) keeps its digits for narrow lobes; at 90° every lobe is 0.
     logarithm = np.log1p(-2.0 * np.sin(0.5 * gamma[:-1]) ** 2)
@@ -43,6 +43,8 @@ def light_lobes(
     table[0, :, :3] = base
     table[1, :, :3] = powers @ weights.kg
     if flakes is not None and flakes.density_per_mm2 > 0.0:
-        table[2, :, :3] = countable_lobe(flakes, gamma, base, weights.theta_fit_rad, weights.ior, strength)
+        table[2, :, :3] = visible_flake_lobe(
+            flakes, gamma, base, weights.theta_fit_rad, weights.ior, strength
+        )
     table[:, :, 3] = weights.kd[:, None]
     return table

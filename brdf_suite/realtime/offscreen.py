@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.realtime.captured import LARGEST_EDGE, CapturedForm, Drawing, capture
+from brdf_suite.realtime.captured import LARGEST_EDGE, CapturedForm, DrawContext, capture
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.display import LINEAR, SRGB, Display, Unshowable
 from brdf_suite.realtime.features import surface_features
@@ -43,7 +43,7 @@ class OffscreenPictures:
     _finish: FinishPass
     _draw_light: Callable[..., moderngl.Texture]
 
-    _drawing: Drawing
+    _drawing: DrawContext
     _drawn_parts: Callable[..., list[tuple[int, str, Features]]]
 
     def _bind(self, target: moderngl.Framebuffer, size: Size, region: Region | None = None) -> None:

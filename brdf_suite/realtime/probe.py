@@ -56,7 +56,7 @@ class SurfacePoint:
 
 
 @dataclass(frozen=True)
-class Probe:
+class RadianceProbe:
     """``radiance``: mean of the pixel's samples, linear Rec. 2020, before exposure and tone curve.
 
     ``coverage`` is the object's share of the pixel, ``point`` what is in its middle; None past the surface.
@@ -83,7 +83,7 @@ class PixelProbe:
         pixel: tuple[int, int],
         *,
         materials: Mapping[str, str] = _AS_THEY_ARE,
-    ) -> Probe:
+    ) -> RadianceProbe:
         """Return what the pixel (column, row from the top) of a picture of ``size`` shows."""
         width, height = checked_size(size)
         column = min(max(pixel[0], 0), width - 1)
@@ -94,7 +94,7 @@ class PixelProbe:
         light = tile[inside]
         places, normals = self._geometry(view, (width, height), corner)
         point = self._point(view, (width, height), places[inside], normals[inside])
-        return Probe(_triple(light[:3]), float(light[3]), point)
+        return RadianceProbe(_triple(light[:3]), float(light[3]), point)
 
     def _point(
         self, view: View, size: Size, place: NDArray[np.float32], normal: NDArray[np.float32]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.camera import CameraMatrices
-from brdf_suite.realtime.captured import Drawing
+from brdf_suite.realtime.captured import DrawContext
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.environment_textures import RAMP_UNIT
 from brdf_suite.realtime.factor_textures import FactorTextures
@@ -31,7 +31,7 @@ BALL_EDGE = 384
 class ReflectanceBalls:
     """The balls of one renderer; a picture is drawn anew where view direction, lamps or material are others."""
 
-    def __init__(self, drawing: Drawing, factors: FactorTextures) -> None:
+    def __init__(self, drawing: DrawContext, factors: FactorTextures) -> None:
         self._drawing, self._factors = drawing, factors
         self._pictures: dict[str, tuple[moderngl.Texture, moderngl.Framebuffer]] = {}
         self._drawn: dict[str, object] = {}

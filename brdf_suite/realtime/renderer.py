@@ -28,7 +28,7 @@ from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.backdrop import backdrop
 from brdf_suite.realtime.blending import blend_over
 from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
-from brdf_suite.realtime.captured import Drawing
+from brdf_suite.realtime.captured import DrawContext
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.display import SRGB, Display, Unshowable
 from brdf_suite.realtime.environment_textures import RAMP_UNIT, EnvironmentTextures
@@ -91,7 +91,7 @@ class Renderer(OffscreenPictures):
         self._ground = GroundShadow(self._objects)
         self._relief = ReliefTextures(self._objects)
         self._factors = FactorTextures(self._objects)
-        self._drawing = Drawing(
+        self._drawing = DrawContext(
             self._objects,
             self._programs,
             self._environment,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import moderngl
 
-from brdf_suite.appearance.countable_flakes import FLAKE_WAVINESS
+from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.context import graphics_errors

@@ -10,7 +10,7 @@ import numpy as np
 
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
-from brdf_suite.reference.factored_samplers import MapSampler, RingSampler, place
+from brdf_suite.reference.factored_samplers import ParabolicMapSampler, RingSampler, place
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.terms import Diffuse, Sampler
 from brdf_suite.reflectance.factor_map import MapFactor
@@ -38,7 +38,7 @@ class FactoredTerm:
         found = self.model.samplers
         samplers: list[Sampler] = [Diffuse(max(1.0 - sum(one.share for one in found), 0.0))]
         for one in found:
-            kind = MapSampler if one.density.ndim == 2 else RingSampler
+            kind = ParabolicMapSampler if one.density.ndim == 2 else RingSampler
             samplers.append(kind.of(one.share, one.density, mirrored=one.mirrored))
         object.__setattr__(self, "samplers", tuple(samplers))
 

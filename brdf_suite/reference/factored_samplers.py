@@ -82,7 +82,7 @@ class _Chances:
         return per_angle / (2.0 * length) if self.mirrored else per_angle
 
 
-class MapSampler(_Chances):
+class ParabolicMapSampler(_Chances):
     """Draws texels (n, n) of a parabolic map."""
 
     @classmethod

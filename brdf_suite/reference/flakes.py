@@ -1,4 +1,4 @@
-"""The countable flakes of a place, one by one: the twin of :mod:`brdf_suite.reflectance.flakes.glints`.
+"""The visible flakes of a place, one by one: the twin of :mod:`brdf_suite.reflectance.flakes.glints`.
 
 The same flakes, by the same hash, as the real-time picture has: a path that leaves the camera through a pixel meets
 the ones that this pixel covers. The real-time picture sees a pixel as one soft spot; here each sample sees a smaller
@@ -13,11 +13,11 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-from brdf_suite.appearance.countable_flakes import (
+from brdf_suite.appearance.visible_flakes import (
     FLAKE_REFLECTANCE,
     FLAKE_WAVINESS,
     LARGEST_SHARE,
-    covered_share,
+    flake_coverage,
 )
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference import directions as d
@@ -45,11 +45,11 @@ class FlakeLayer:
     waviness: float = FLAKE_WAVINESS
     as_texture: bool = False
 
-    def countable(self, base: Colour, light: Vector, view: Vector) -> Colour:
-        """Return the part of the base's f_r, 1/sr, that countable flakes send; see ``flakes.countable``."""
+    def visible_part(self, base: Colour, light: Vector, view: Vector) -> Colour:
+        """Return the part of the base's f_r, 1/sr, that visible flakes reflect; see ``flakes.countable``."""
         slope = slope_between(light, view, self.ior)
         m2 = self.flakes.roughness**2
-        most = self.strength * covered_share(self.flakes) * FLAKE_REFLECTANCE / (8.0 * math.pi * m2)
+        most = self.strength * flake_coverage(self.flakes) * FLAKE_REFLECTANCE / (8.0 * math.pi * m2)
         wanted = d.number(most / self.ior**2) * tilt_bell(dr.squared_norm(slope), self.flakes.roughness)
         for w in (light, view):
             below = dr.sqrt(1.0 - (w.x * w.x + w.y * w.y) * d.number(1.0 / self.ior**2))

@@ -32,7 +32,7 @@ _LIFT = 1e-4
 
 
 @dataclass(eq=False)
-class Ground:
+class GroundGrid:
     """A grid of places on the ground, and what is known of the light that arrives there.
 
     ``height`` in metres, ``low`` and ``high`` (x, z) of the grid's edges; ``arriving`` (rows along z, columns along x,
@@ -48,7 +48,7 @@ class Ground:
     passes: int = 0
 
     @classmethod
-    def under(cls, low: npt.NDArray[Any], high: npt.NDArray[Any]) -> Ground:
+    def under(cls, low: npt.NDArray[Any], high: npt.NDArray[Any]) -> GroundGrid:
         """Return the ground that touches the lowest point of an object with these corners (3,)."""
         size = np.asarray(high, float) - low
         margin = _REACH * size[1] + 0.1 * max(size[0], size[2])
@@ -122,7 +122,7 @@ class Ground:
         self.samples, self.passes = after, self.passes + 1
 
 
-def ground_mesh(ground: Ground, environment: Any) -> tuple[Any, Any]:
+def ground_mesh(ground: GroundGrid, environment: Any) -> tuple[Any, Any]:
     """Return the plane, which sends on what the light of ``environment`` sends there, and its emitter.
 
     The tracer of the ground sets the emitter's ``share`` then: the scene has to be there first.

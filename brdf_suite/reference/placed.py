@@ -18,7 +18,7 @@ from brdf_suite.reference.flakes import FlakeLayer
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.place import Place
 from brdf_suite.reference.relief import (
-    OrangePeel,
+    OrangePeelSlopes,
     Slopes,
     TiltedFrame,
     TiltedSampler,
@@ -65,7 +65,7 @@ class LayeredPaintBsdf:
     base: Any
     coat: Any | None = None
     shape: Slopes | None = None
-    peel: OrangePeel | None = None
+    peel: OrangePeelSlopes | None = None
     flakes: FlakeLayer | None = None
 
     @property
@@ -122,7 +122,7 @@ class LayeredPaintBsdf:
         to_flakes = _frame_of_flakes(place, below)
 
         def flaked(base: Colour, light: Vector, view: Vector) -> Colour:
-            part = layer.countable(base, light, view)
+            part = layer.visible_part(base, light, view)
             return base + part * (layer.ratio(place, light, view, to_flakes) - 1.0)
 
         return flaked

@@ -40,7 +40,7 @@ class Slopes:
 
 
 @dataclass(frozen=True, eq=False)
-class OrangePeel:
+class OrangePeelSlopes:
     """Orange peel: a tile of slopes of mean square 1, laid twice, the second time rotated, to avoid repetition."""
 
     texture: Any
@@ -48,7 +48,7 @@ class OrangePeel:
     slope: float
 
     @classmethod
-    def of(cls, image: npt.NDArray[Any], tiles: float, slope: float) -> OrangePeel:
+    def of(cls, image: npt.NDArray[Any], tiles: float, slope: float) -> OrangePeelSlopes:
         """Return the peel of a tile (n, n, 2), ``tiles`` per millimetre, with a root mean square ``slope``."""
         return cls(texture(image), tiles, slope)
 

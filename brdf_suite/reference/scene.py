@@ -21,7 +21,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.lighting.latlong import column_angles, direction, sample
 from brdf_suite.reference.bsdf import make_bsdf
-from brdf_suite.reference.ground import FIRST_SAMPLES, Ground, ground_mesh
+from brdf_suite.reference.ground import FIRST_SAMPLES, GroundGrid, ground_mesh
 from brdf_suite.reference.mitsuba_modules import mi
 from brdf_suite.reference.place import Viewpoint
 from brdf_suite.reference.relief import texture
@@ -107,7 +107,7 @@ def build_scene(
     size: tuple[int, int],
     *,
     depth: int = DEFAULT_DEPTH,
-    ground: Ground | None = None,
+    ground: GroundGrid | None = None,
 ) -> TracedScene:
     """Return the scene: ``parts`` with the terms, or BSDFs, of their materials, in the light of a map (h, w, 3)."""
     described: dict[str, Any] = {

@@ -39,7 +39,7 @@ Outcome = Literal["held", "violated", "known violator", "declared, not seen", "m
 
 
 @dataclass(frozen=True)
-class Finding:
+class CheckFinding:
     """One check: ``size`` of the largest violation (0: none), where it was found, and what that means.
 
     ``typical`` is the median over even pairs of directions, where that says more than the worst, else None.
@@ -61,11 +61,11 @@ class Finding:
 
 
 @dataclass(frozen=True)
-class Report:
+class CheckReport:
     """All findings about one reflectance, and its albedo (k, 3) at ``incidence_deg``."""
 
     name: str
-    findings: tuple[Finding, ...]
+    findings: tuple[CheckFinding, ...]
     incidence_deg: tuple[float, ...]
     albedo: Floats
     furnace: Floats
@@ -130,7 +130,7 @@ def check_reflectance(
     reciprocal: bool | None = None,
     energy_conserving: bool | None = None,
     incidence_deg: tuple[float, ...] = INCIDENCE_DEG,
-) -> Report:
+) -> CheckReport:
     """Return the report on a reflectance.
 
     Parameters
@@ -145,11 +145,11 @@ def check_reflectance(
     findings = []
     size, where = negativity(reflectance)
     findings.append(
-        Finding("non_negativity", size, "1/sr", where if size else "", _outcome(size > 0.0, True))
+        CheckFinding("non_negativity", size, "1/sr", where if size else "", _outcome(size > 0.0, True))
     )
     size, where, typical = reciprocity(reflectance)
     verdict = _outcome(size > RECIPROCITY_TOLERANCE, reciprocal)
-    findings.append(Finding("reciprocity", size, "relative", where, verdict, typical))
+    findings.append(CheckFinding("reciprocity", size, "relative", where, verdict, typical))
     light = illumination(np.array(incidence_deg))
     albedo, furnace = (
         _settled(integral, reflectance, light) for integral in (directional_albedo, white_furnace)
@@ -162,8 +162,8 @@ def check_reflectance(
         excess = max(float(table[row, channel]) - 1.0, 0.0)
         place = f"{fixed} at {incidence_deg[row]:g}°, {('red', 'green', 'blue')[channel]}"
         verdict = _outcome(excess > ENERGY_TOLERANCE, energy_conserving)
-        findings.append(Finding(check, excess, "of the light", place, verdict))
-    return Report(name, tuple(findings), incidence_deg, albedo, furnace)
+        findings.append(CheckFinding(check, excess, "of the light", place, verdict))
+    return CheckReport(name, tuple(findings), incidence_deg, albedo, furnace)
 
 
 def _settled(
@@ -187,7 +187,7 @@ def _settled(
     return found
 
 
-def check_model(entry: ModelEntry) -> Report:
+def check_model(entry: ModelEntry) -> CheckReport:
     """Return the report on a registered model's example, by what its entry claims."""
     return check_reflectance(
         entry.default,

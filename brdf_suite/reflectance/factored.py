@@ -217,14 +217,14 @@ class Factored:
         return float(np.clip(peak / max(peak + body, 1e-30), _LEAST_PEAK, _MOST_PEAK))
 
     @cached_property
-    def _parts(self) -> list[mixture.Part]:
+    def _parts(self) -> list[mixture.MixturePart]:
         parts = [mixture.diffuse(max(1.0 - sum(one.share for one in self.samplers), 0.0))]
         for one in self.samplers:
             if one.mirrored:
                 draw, density = partial(_draw_half, one.density), partial(_half_density, one.density)
             else:
                 draw, density = partial(_draw_light, one.density), partial(_light_density, one.density)
-            parts.append(mixture.Part(one.share, draw, density))
+            parts.append(mixture.MixturePart(one.share, draw, density))
         return parts
 
 

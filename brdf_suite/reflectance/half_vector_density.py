@@ -82,9 +82,9 @@ class HalfVectorDensity:
         """Return the density (...) of :meth:`sample`, 1/sr; 0 where either direction is below the horizon."""
         return mixture.pdf(self._parts(), wi, wo)
 
-    def _parts(self) -> tuple[mixture.Part, mixture.Part]:
+    def _parts(self) -> tuple[mixture.MixturePart, mixture.MixturePart]:
         # Made anew each time: kept, they could not be sent to another process with their table.
-        return mixture.diffuse(EVEN_SHARE), mixture.Part(1.0 - EVEN_SHARE, self._draw, self._density)
+        return mixture.diffuse(EVEN_SHARE), mixture.MixturePart(1.0 - EVEN_SHARE, self._draw, self._density)
 
     @cached_property
     def _grid(self) -> GridDensity:

@@ -16,7 +16,7 @@ from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.several_lights import SeveralLights
 
 if TYPE_CHECKING:
-    from brdf_suite.reflectance.models.mixture import Part
+    from brdf_suite.reflectance.models.mixture import MixturePart
 
 # Facet slope of a lobe about as wide as a metallic paint's flop.
 _FLOP_SLOPE = 0.3
@@ -51,7 +51,7 @@ class PaintReflectance:
         value += self.coat.eval_grey(wi, wo)[..., None]
         return value
 
-    def _parts(self) -> list[Part]:
+    def _parts(self) -> list[MixturePart]:
         # Only a path tracer asks for these; the edit path does not.
         from brdf_suite.reflectance.albedo import normal_albedo
         from brdf_suite.reflectance.models import mixture

@@ -52,7 +52,7 @@ class Reading:
 
 
 @dataclass(frozen=True)
-class Report:
+class InstrumentReport:
     """Everything that the instruments say. ``flop`` and ``travel`` are ``None`` where their angles are not read."""
 
     geometry_set: GeometrySet
@@ -78,7 +78,7 @@ def measure(
     reflectance: Reflectance,
     geometry_set: GeometrySet = GEOMETRY_SETS[DEFAULT_SET],
     aperture: Aperture = POINT,
-) -> Report:
+) -> InstrumentReport:
     """Return what the instruments read of ``reflectance``.
 
     Raises
@@ -95,7 +95,7 @@ def measure(
     for item in (flop, path):
         if item is not None and item.notice:
             notices.append(item.notice[0].upper() + item.notice[1:] + ".")
-    return Report(geometry_set, aperture, readings, gloss, flop, path, tuple(notices))
+    return InstrumentReport(geometry_set, aperture, readings, gloss, flop, path, tuple(notices))
 
 
 def _read(reflectance: Reflectance, geometry: Geometry, aperture: Aperture, notices: list[str]) -> Reading:

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.appearance.light_colour import (
-    LightColour,
+    ColourUnderLight,
     adapted_colour,
     metamerism_index,
     recomputed_colour,
@@ -19,7 +19,7 @@ from brdf_suite.appearance.spectra import DEFAULT_WAVELENGTHS_NM
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.reflectance.aperture import Aperture, reflectance_factor
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.spectrophotometer import Report
+from brdf_suite.reflectance.spectrophotometer import InstrumentReport
 
 
 @runtime_checkable
@@ -59,8 +59,8 @@ def spectrum_at(reflectance: SpectralReflectance, geometry: Geometry, aperture: 
 
 
 def readings_under(
-    reflectance: Reflectance, report: Report, illuminant: str, observer_deg: int = 10
-) -> tuple[LightColour, ...]:
+    reflectance: Reflectance, report: InstrumentReport, illuminant: str, observer_deg: int = 10
+) -> tuple[ColourUnderLight, ...]:
     """Return the colour of each of the report's readings under D65, A or F11.
 
     Each says in its ``label`` how it was found. Adapted colours are of the 10° observer, as the readings are.

@@ -27,7 +27,7 @@ _NORMAL_TOLERANCE = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
-class Part:
+class PartGeometry:
     """One part of a mesh. Arrays are converted to the types below, checked, and kept read-only.
 
     Attributes
@@ -123,7 +123,7 @@ class Mesh:
     """
 
     name: str
-    parts: tuple[Part, ...]
+    parts: tuple[PartGeometry, ...]
     notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:

@@ -13,7 +13,7 @@ Float64 = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Hit:
+class PickHit:
     """A place on a mesh.
 
     ``part`` is its number among the mesh's parts, ``distance`` (m) the way from the ray's origin, ``position`` (3,)
@@ -28,7 +28,7 @@ class Hit:
     uv: Float64
 
 
-def pick(mesh: Mesh, origin: Float64, direction: Float64) -> Hit | None:
+def pick(mesh: Mesh, origin: Float64, direction: Float64) -> PickHit | None:
     """Return the first place that the ray meets, from either side of the triangles; None where it meets nothing.
 
     All triangles of the parts whose boxes the ray crosses are tried (Möller and Trumbore 1997): a million take some
@@ -68,7 +68,7 @@ def pick(mesh: Mesh, origin: Float64, direction: Float64) -> Hit | None:
     length = float(np.linalg.norm(normal))
     normal = normal / length if length > 0.0 else np.array([0.0, 1.0, 0.0])
     uv = weights @ part.uvs[index].astype(np.float64)
-    return Hit(number, triangle, distance_m, start + distance_m * ray, normal, uv)
+    return PickHit(number, triangle, distance_m, start + distance_m * ray, normal, uv)
 
 
 def _crosses(low: Float64, high: Float64, start: Float64, ray: Float64) -> bool:

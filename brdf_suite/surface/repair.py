@@ -1,4 +1,4 @@
-"""From the arrays of a foreign file to a :class:`~brdf_suite.surface.mesh.Part` that can be drawn.
+"""From the arrays of a foreign file to a :class:`~brdf_suite.surface.mesh.PartGeometry` that can be drawn.
 
 Every change is said in a note. The steps, in order: triangles that cannot be drawn are left out (indices that
 are not there, corners that are not finite, no area); a closed body turned inside out is turned back; missing
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.surface.mesh import Part
+from brdf_suite.surface.mesh import PartGeometry
 from brdf_suite.surface.normals import corner_normals, face_normals, is_inside_out, weld
 from brdf_suite.surface.unwrap import box_uvs, uvs_in_millimetres
 
@@ -40,7 +40,7 @@ class RawPart:
     uvs: Float64 | None = None
 
 
-def repair(raw: RawPart) -> tuple[Part | None, list[str]]:
+def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
     """Return a part that can be drawn and notes on what was changed.
 
     The part is ``None`` where no triangle is left; the notes then say why.
@@ -75,7 +75,7 @@ def repair(raw: RawPart) -> tuple[Part | None, list[str]]:
         notes.append(f"{raw.name}: {why}; projected from the sides of a box, in millimetres")
         scaled, kept, triangles = box_uvs(positions, triangles)
         positions, normals = positions[kept], normals[kept]
-    part = Part(raw.name, raw.material, positions, normals, scaled, triangles)
+    part = PartGeometry(raw.name, raw.material, positions, normals, scaled, triangles)
     return part, notes
 
 

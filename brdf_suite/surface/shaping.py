@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.view_settings import SurfaceLook
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.normals import corner_normals, face_normals, weld
 from brdf_suite.surface.repair import CREASE_DEG, split_corners
 
@@ -39,7 +39,7 @@ def shaped(mesh: Mesh, look: SurfaceLook) -> Mesh:
     return Mesh(mesh.name, tuple(parts), mesh.notes)
 
 
-def _scaled(part: Part, scale: float) -> Part:
+def _scaled(part: PartGeometry, scale: float) -> PartGeometry:
     return replace(part, positions=_times(part.positions, scale), uvs=_times(part.uvs, scale))
 
 
@@ -47,7 +47,7 @@ def _times(values: NDArray[Any], scale: float) -> NDArray[np.float64]:
     return np.asarray(values.astype(np.float64) * scale)
 
 
-def _with_normals(part: Part, crease_deg: float) -> Part:
+def _with_normals(part: PartGeometry, crease_deg: float) -> PartGeometry:
     positions, triangles = part.positions.astype(np.float64), part.triangles.astype(np.int64)
     if crease_deg > 0.0:
         corners = corner_normals(positions, triangles, weld(positions), crease_deg)

@@ -9,9 +9,9 @@ import pytest
 
 from brdf_suite.acquisition.refinement import Refinement, calibrate_geometry, moved_sphere, refine
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
-from brdf_suite.acquisition.sphere_geometry import Geometry, unit
+from brdf_suite.acquisition.sphere_geometry import RigGeometry, unit
 from brdf_suite.acquisition.sphere_highlight import Highlight, find_highlight
-from brdf_suite.acquisition.sphere_outline import Outline, find_outline
+from brdf_suite.acquisition.sphere_outline import SphereOutline, find_outline
 from brdf_suite.acquisition.sphere_session import geometry_of_session
 from brdf_suite.acquisition.sphere_union import Union
 from brdf_suite.errors import AcquisitionError
@@ -61,7 +61,7 @@ class Rig:
         """How far the sphere moves for one pixel."""
         return self.stated.centre_m[2] / self.stated.lens.fx
 
-    def find(self, geometry: Geometry) -> list[Highlight]:
+    def find(self, geometry: RigGeometry) -> list[Highlight]:
         found = (find_highlight(picture, geometry, k) for k, picture in enumerate(self.radiance))
         return [highlight for highlight in found if highlight is not None]
 
@@ -72,16 +72,16 @@ def rig() -> Rig:
 
 
 @pytest.fixture(scope="module")
-def outline(rig: Rig) -> Outline:
+def outline(rig: Rig) -> SphereOutline:
     return find_outline(rig.union, rig.stated)
 
 
 @pytest.fixture(scope="module")
-def refinement(rig: Rig, outline: Outline) -> Refinement:
+def refinement(rig: Rig, outline: SphereOutline) -> Refinement:
     return calibrate_geometry(outline, rig.find)
 
 
-def test_the_outline_gives_the_centre_to_a_fraction_of_a_pixel(rig: Rig, outline: Outline) -> None:
+def test_the_outline_gives_the_centre_to_a_fraction_of_a_pixel(rig: Rig, outline: SphereOutline) -> None:
     off = (np.array(outline.centre_m) - rig.centre) / rig.pixel_m
     assert np.linalg.norm(off[:2]) < 0.15
     # The distance is that of the sphere's size in the picture: a tenth of a pixel of 61 in radius.
@@ -96,7 +96,7 @@ def test_an_unknown_lens_takes_its_focal_length_from_the_outline(rig: Rig) -> No
     assert outline.geometry.lens.fx == pytest.approx(rig.stated.lens.fx, rel=0.004)
 
 
-def test_arm_and_stand_in_the_picture_do_not_move_the_outline(rig: Rig, outline: Outline) -> None:
+def test_arm_and_stand_in_the_picture_do_not_move_the_outline(rig: Rig, outline: SphereOutline) -> None:
     union = Union((_SIDE, _SIDE))
     for k in rig.union.positions:
         picture = rig.radiance[k].copy()
@@ -123,7 +123,7 @@ def test_no_sphere_is_reported(rig: Rig) -> None:
         find_outline(noise, rig.stated)
 
 
-def test_highlights_are_found_to_a_tenth_of_a_pixel(rig: Rig, outline: Outline) -> None:
+def test_highlights_are_found_to_a_tenth_of_a_pixel(rig: Rig, outline: SphereOutline) -> None:
     true = replace(
         rig.stated,
         centre_m=tuple(rig.centre),
@@ -172,7 +172,7 @@ def test_a_refinement_comes_back_from_json_exactly(refinement: Refinement) -> No
     assert json.dumps(again.to_json()) == text
 
 
-def test_a_masked_or_missing_highlight_is_none(rig: Rig, outline: Outline) -> None:
+def test_a_masked_or_missing_highlight_is_none(rig: Rig, outline: SphereOutline) -> None:
     hidden = np.zeros((_SIDE, _SIDE), bool)
     assert find_highlight(rig.radiance[4], outline.geometry, 4, hidden) is None
     assert find_highlight(np.zeros((_SIDE, _SIDE, 3)), outline.geometry, 4) is None
@@ -180,7 +180,7 @@ def test_a_masked_or_missing_highlight_is_none(rig: Rig, outline: Outline) -> No
         refine(outline.geometry, outline, rig.find(outline.geometry)[:3])
 
 
-def test_a_clipped_highlight_keeps_its_place(rig: Rig, outline: Outline) -> None:
+def test_a_clipped_highlight_keeps_its_place(rig: Rig, outline: SphereOutline) -> None:
     whole = find_highlight(rig.radiance[4], outline.geometry, 4)
     clipped = np.minimum(rig.radiance[4], 0.4 * rig.radiance[4].max())
     found = find_highlight(clipped, outline.geometry, 4)
@@ -210,7 +210,7 @@ def test_a_clipped_broad_highlight_does_not_lean_from_the_outline() -> None:
     assert abs(np.mean(masked)) < 0.6 * abs(np.mean(unmasked))
 
 
-def _narrow_spot(geometry: Geometry, k: int) -> np.ndarray:
+def _narrow_spot(geometry: RigGeometry, k: int) -> np.ndarray:
     """A clear coat's peak, 0.7° wide, on an even lobe of a fiftieth of it; pixels are means over their squares."""
     parts, near = 12, 16
     column, row = np.round(geometry.highlights(_ANGLES[k])).astype(int) - near
@@ -229,7 +229,7 @@ def _narrow_spot(geometry: Geometry, k: int) -> np.ndarray:
     return picture[:_SIDE, :_SIDE]
 
 
-def test_next_to_the_outline_a_highlight_says_how_little_it_knows(rig: Rig, outline: Outline) -> None:
+def test_next_to_the_outline_a_highlight_says_how_little_it_knows(rig: Rig, outline: SphereOutline) -> None:
     geometry = replace(rig.stated, light_height_m=0.0)
     sigma = []
     for angle in (60.0, 132.0):
@@ -255,7 +255,7 @@ def test_next_to_the_outline_a_highlight_says_how_little_it_knows(rig: Rig, outl
 
 
 def test_a_highlight_in_a_wrong_place_is_named_and_left_out(
-    rig: Rig, outline: Outline, refinement: Refinement
+    rig: Rig, outline: SphereOutline, refinement: Refinement
 ) -> None:
     rows = rig.find(outline.geometry)
     x, y = rows[4].pixel

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.samples import PositionSamples, Sampler
+from brdf_suite.acquisition.samples import PositionSamples, SphereSampler
 from brdf_suite.acquisition.session import Session, WhiteReference
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
-from brdf_suite.acquisition.sphere_geometry import Geometry, triple, unit
+from brdf_suite.acquisition.sphere_geometry import RigGeometry, triple, unit
 from brdf_suite.acquisition.sphere_session import geometry_of_session, in_rig
 from brdf_suite.acquisition.white_reference import irradiance_from_white, with_refined_white
 from brdf_suite.errors import AcquisitionError, ValueRangeError
@@ -34,7 +34,7 @@ def rig() -> Simulator:
 
 
 @pytest.fixture(scope="module")
-def geometry(rig: Simulator) -> Geometry:
+def geometry(rig: Simulator) -> RigGeometry:
     return geometry_of_session(rig.session, (_SIDE, _SIDE))
 
 
@@ -44,8 +44,8 @@ def radiance(rig: Simulator) -> np.ndarray:
 
 
 @pytest.fixture(scope="module")
-def samples(geometry: Geometry, radiance: np.ndarray) -> PositionSamples:
-    return Sampler(geometry).samples(1, radiance, np.full_like(radiance, 4.0))
+def samples(geometry: RigGeometry, radiance: np.ndarray) -> PositionSamples:
+    return SphereSampler(geometry).samples(1, radiance, np.full_like(radiance, 4.0))
 
 
 def _errors(samples: PositionSamples) -> np.ndarray:
@@ -55,7 +55,7 @@ def _errors(samples: PositionSamples) -> np.ndarray:
 
 
 def test_samples_are_the_paint_with_inverse_square_profile_and_cosine(
-    samples: PositionSamples, geometry: Geometry
+    samples: PositionSamples, geometry: RigGeometry
 ) -> None:
     assert geometry.profile
     errors = _errors(samples)
@@ -64,7 +64,7 @@ def test_samples_are_the_paint_with_inverse_square_profile_and_cosine(
     # The peak is less than a pixel wide here; everywhere else every single sample is right.
     assert np.abs(errors[samples.half_angle[:, 0] > np.radians(3.0)]).max() < 0.02
     # Each part of the rig's light matters: none of them can be left out for this to hold.
-    flat = Sampler(replace(geometry, profile=())).samples(1, _simulated(profile=True).radiance(1))
+    flat = SphereSampler(replace(geometry, profile=())).samples(1, _simulated(profile=True).radiance(1))
     assert np.median(np.abs(_errors(flat))) > 5e-3
 
 
@@ -95,7 +95,7 @@ def test_variance_goes_as_the_square_of_the_scale(samples: PositionSamples, radi
 
 
 def test_pixels_near_the_peak_are_read_in_parts_that_keep_their_mean(
-    samples: PositionSamples, geometry: Geometry, radiance: np.ndarray
+    samples: PositionSamples, geometry: RigGeometry, radiance: np.ndarray
 ) -> None:
     parts = samples.weight < 1.0
     assert np.count_nonzero(parts) >= 16 * 20
@@ -104,7 +104,7 @@ def test_pixels_near_the_peak_are_read_in_parts_that_keep_their_mean(
     numbers, counts = np.unique(samples.pixel[parts], return_counts=True)
     assert set(counts.tolist()) == {16}
     # A part's radiance is its value times what it receives; their mean is the pixel's.
-    whole = Sampler(geometry, parts=1).samples(1, radiance)
+    whole = SphereSampler(geometry, parts=1).samples(1, radiance)
     assert np.all(whole.weight == 1.0)
     one = np.searchsorted(whole.pixel, numbers)
     cosine = whole.value[one] * whole.wi[one, 2:]
@@ -113,9 +113,9 @@ def test_pixels_near_the_peak_are_read_in_parts_that_keep_their_mean(
 
 
 def test_parts_are_nearer_to_a_narrow_peak_than_whole_pixels(
-    samples: PositionSamples, geometry: Geometry, radiance: np.ndarray
+    samples: PositionSamples, geometry: RigGeometry, radiance: np.ndarray
 ) -> None:
-    whole = Sampler(geometry, parts=1).samples(1, radiance)
+    whole = SphereSampler(geometry, parts=1).samples(1, radiance)
 
     def bias(found: PositionSamples) -> float:
         near = found.half_angle[:, 0] < np.radians(0.9)
@@ -126,16 +126,16 @@ def test_parts_are_nearer_to_a_narrow_peak_than_whole_pixels(
 
 
 def test_the_upper_half_alone_and_no_masked_or_clipped_pixel(
-    geometry: Geometry, radiance: np.ndarray
+    geometry: RigGeometry, radiance: np.ndarray
 ) -> None:
-    sampler = Sampler(geometry)
+    sampler = SphereSampler(geometry)
     rows = np.nonzero(sampler.used)[0]
     assert rows.max() <= geometry.lens.pixels(geometry.centre)[1]
-    assert Sampler(geometry, upper_half=False).used.sum() > 1.9 * sampler.used.sum()
+    assert SphereSampler(geometry, upper_half=False).used.sum() > 1.9 * sampler.used.sum()
     mask = np.ones((_SIDE, _SIDE), bool)
     mask[:, 90:] = False
-    assert Sampler(geometry, mask).samples(1, radiance).pixel.max() % _SIDE < 160
-    assert np.all(Sampler(geometry, mask).samples(1, radiance).pixel % _SIDE < 90)
+    assert SphereSampler(geometry, mask).samples(1, radiance).pixel.max() % _SIDE < 160
+    assert np.all(SphereSampler(geometry, mask).samples(1, radiance).pixel % _SIDE < 90)
     good = np.ones((_SIDE, _SIDE), bool)
     good[40] = False
     assert not np.any(sampler.samples(1, radiance, good=good).pixel // _SIDE == 40)
@@ -144,33 +144,33 @@ def test_the_upper_half_alone_and_no_masked_or_clipped_pixel(
     assert not np.any(sampler.samples(1, dark).pixel // _SIDE == 50)
 
 
-def test_the_grazing_limit_holds_for_light_and_camera(geometry: Geometry, radiance: np.ndarray) -> None:
-    found = Sampler(geometry, grazing_deg=60.0).samples(1, radiance)
+def test_the_grazing_limit_holds_for_light_and_camera(geometry: RigGeometry, radiance: np.ndarray) -> None:
+    found = SphereSampler(geometry, grazing_deg=60.0).samples(1, radiance)
     assert np.degrees(np.arccos(found.wi[:, 2].min())) < 60.5
     assert np.degrees(np.arccos(found.wo[:, 2].min())) < 60.5
     for limit in (0.0, 90.0):
         with pytest.raises(ValueRangeError, match="grazing_deg"):
-            Sampler(geometry, grazing_deg=limit)
+            SphereSampler(geometry, grazing_deg=limit)
 
 
 def test_the_box_alone_gives_the_same_samples(
-    geometry: Geometry, radiance: np.ndarray, samples: PositionSamples
+    geometry: RigGeometry, radiance: np.ndarray, samples: PositionSamples
 ) -> None:
-    sampler = Sampler(geometry)
+    sampler = SphereSampler(geometry)
     crop = sampler.samples(1, radiance[sampler.box], np.full_like(radiance, 4.0)[sampler.box])
     for name in ("wi", "wo", "value", "variance", "weight", "half_angle", "footprint", "pixel"):
         assert np.array_equal(getattr(crop, name), getattr(samples, name)), name
     with pytest.raises(ValueRangeError, match="radiance"):
         sampler.samples(1, radiance[:10])
     with pytest.raises(ValueRangeError, match="mask"):
-        Sampler(geometry, np.ones((3, 3), bool))
+        SphereSampler(geometry, np.ones((3, 3), bool))
 
 
-def test_lamp_and_post_hide_what_is_behind_them(geometry: Geometry, radiance: np.ndarray) -> None:
+def test_lamp_and_post_hide_what_is_behind_them(geometry: RigGeometry, radiance: np.ndarray) -> None:
     # In front of the camera, a lamp 0.35 m before the sphere hides a disc, and its post a band below it.
     hiding = replace(geometry, housing_radius_m=0.012, post_radius_m=0.003, light_height_m=0.02)
-    free = set(Sampler(replace(geometry, light_height_m=0.02)).samples(0, radiance).pixel.tolist())
-    left = set(Sampler(hiding).samples(0, radiance).pixel.tolist())
+    free = set(SphereSampler(replace(geometry, light_height_m=0.02)).samples(0, radiance).pixel.tolist())
+    left = set(SphereSampler(hiding).samples(0, radiance).pixel.tolist())
     lamp = hiding.light(0.0)
     x, y = hiding.lens.pixels(lamp)
     radius = 0.012 / lamp[2] * hiding.lens.fx
@@ -182,13 +182,13 @@ def test_lamp_and_post_hide_what_is_behind_them(geometry: Geometry, radiance: np
     assert np.count_nonzero(inside) > 0.8 * np.pi * radius**2 * 0.5
     assert np.count_nonzero(below & ~inside) > 10
     # Beyond the sphere it hides nothing.
-    assert len(Sampler(replace(hiding, angles_deg=(180.0,))).samples(0, radiance)) == len(
-        Sampler(replace(geometry, light_height_m=0.02, angles_deg=(180.0,))).samples(0, radiance)
+    assert len(SphereSampler(replace(hiding, angles_deg=(180.0,))).samples(0, radiance)) == len(
+        SphereSampler(replace(geometry, light_height_m=0.02, angles_deg=(180.0,))).samples(0, radiance)
     )
 
 
-def test_the_footprint_is_the_range_of_the_half_angle(geometry: Geometry, radiance: np.ndarray) -> None:
-    found = Sampler(geometry, parts=1).samples(1, radiance)
+def test_the_footprint_is_the_range_of_the_half_angle(geometry: RigGeometry, radiance: np.ndarray) -> None:
+    found = SphereSampler(geometry, parts=1).samples(1, radiance)
     theta = np.full((_SIDE, _SIDE), np.nan)
     theta.flat[found.pixel] = found.half_angle[:, 0]
     step = 0.5 * (
@@ -202,12 +202,12 @@ def test_the_footprint_is_the_range_of_the_half_angle(geometry: Geometry, radian
     assert 0.9 < np.median(ratio) < 1.15
 
 
-def test_nothing_seen_gives_no_samples(geometry: Geometry, radiance: np.ndarray) -> None:
+def test_nothing_seen_gives_no_samples(geometry: RigGeometry, radiance: np.ndarray) -> None:
     behind = replace(geometry, angles_deg=(180.0,), light_height_m=0.0)
-    assert len(Sampler(behind, grazing_deg=60.0).samples(0, radiance)) == 0
+    assert len(SphereSampler(behind, grazing_deg=60.0).samples(0, radiance)) == 0
     away = replace(geometry, centre_m=triple(geometry.centre + np.array((3.0, 0.0, 0.0))))
-    assert len(Sampler(away)) == 0
-    assert len(Sampler(away).samples(1, radiance)) == 0
+    assert len(SphereSampler(away)) == 0
+    assert len(SphereSampler(away).samples(1, radiance)) == 0
 
 
 def test_the_white_reference_gives_the_irradiance() -> None:
@@ -250,4 +250,4 @@ def test_a_geometry_of_a_session_stands_as_it_says() -> None:
     np.testing.assert_allclose(
         in_rig(geometry, np.zeros(3)), (0.0, 0.25, session.camera.distance_m), atol=1e-9
     )
-    assert Geometry.from_json(geometry.to_json()) == geometry
+    assert RigGeometry.from_json(geometry.to_json()) == geometry

@@ -10,12 +10,12 @@ import pytest
 
 from brdf_suite.acquisition.session import (
     Board,
-    Camera,
     FlatField,
     Intrinsics,
     Light,
     Position,
     Session,
+    SessionCamera,
     Sphere,
     WhiteReference,
 )
@@ -37,7 +37,7 @@ def _files(stem: str) -> tuple[str, ...]:
 def _session() -> Session:
     return Session(
         "Grey ball",
-        Camera(
+        SessionCamera(
             2.0,
             0.1,
             16,
@@ -68,7 +68,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
 
 
 def test_what_is_absent_is_left_out_of_the_file() -> None:
-    least = Session("x", Camera(2.0), Sphere(0.05), Light(0.7), TIMES, (Position(0.0, _files("a")),))
+    least = Session("x", SessionCamera(2.0), Sphere(0.05), Light(0.7), TIMES, (Position(0.0, _files("a")),))
     written = session_to_json(least)
     assert set(written) == {
         "format",

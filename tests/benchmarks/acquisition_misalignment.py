@@ -10,7 +10,7 @@ import numpy as np
 
 from brdf_suite.acquisition.lens import Lens
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
-from brdf_suite.acquisition.sphere_geometry import Geometry, unit
+from brdf_suite.acquisition.sphere_geometry import RigGeometry, unit
 from brdf_suite.pipeline.acquiring import Acquisition
 from brdf_suite.pipeline.acquiring_options import AcquireOptions
 from brdf_suite.pipeline.acquiring_simulated import SimulatorSource
@@ -71,7 +71,7 @@ def median_error(table: IsotropicTable, simulator: Simulator) -> float:
     return float(np.median(np.concatenate(errors)))
 
 
-def centre_and_light(geometry: Geometry, simulator: Simulator) -> tuple[float, float]:
+def centre_and_light(geometry: RigGeometry, simulator: Simulator) -> tuple[float, float]:
     """Return by how much the sphere's centre is off in the picture, pixels, and the lamp at most, degrees.
 
     The lamp's direction is told from the sphere, against that to the camera: a lens whose middle is not well known

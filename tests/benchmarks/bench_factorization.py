@@ -11,11 +11,11 @@ import numpy as np
 
 from brdf_suite.cli.bench import load_module
 from brdf_suite.fitting.homomorphic.accuracy import accuracy
-from brdf_suite.fitting.homomorphic.constraints import Layout, constraints
+from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints
 from brdf_suite.fitting.homomorphic.factorization import Factorization, normalized
 from brdf_suite.fitting.homomorphic.factorize import BIAS, factorize
 from brdf_suite.fitting.homomorphic.projected import averaged
-from brdf_suite.fitting.homomorphic.samples import Samples, samples_of
+from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, samples_of
 from brdf_suite.fitting.homomorphic.separable import separate
 from brdf_suite.fitting.homomorphic.storage import STORES, compression, stored
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, parse_factors
@@ -53,10 +53,10 @@ TABLES: dict[str, dict[str, object]] = {}
 REPEATS = 5
 
 
-def naive(samples: Samples, resolution: int) -> np.ndarray:
+def naive(samples: FactorizationSamples, resolution: int) -> np.ndarray:
     """Return the approximation by averaged projection at the samples."""
     factors = parse_factors(DEFAULT_FACTORS)
-    layout = Layout.of(factors, resolution)
+    layout = MapLayout.of(factors, resolution)
     scale = samples.values.mean(axis=0)
     wanted = np.log(samples.values / scale + BIAS)
     found = averaged(constraints(layout, samples.wi, samples.wo), layout, wanted)
@@ -108,7 +108,7 @@ def run(progress: Progress | None = None) -> dict[str, float]:
     return figures | _shading.figures(subrange(progress, 0.85, 1.0))
 
 
-def _mean(samples: Samples, resolution: int) -> dict[str, object]:
+def _mean(samples: FactorizationSamples, resolution: int) -> dict[str, object]:
     """What the correction of the mean does, on the samples themselves."""
     rows: dict[str, object] = {}
     for name, keep in (("corrected", True), ("as fitted", False)):
@@ -120,7 +120,7 @@ def _mean(samples: Samples, resolution: int) -> dict[str, object]:
     return rows
 
 
-def _singular(samples: Samples) -> dict[str, object]:
+def _singular(samples: FactorizationSamples) -> dict[str, object]:
     """The expansion of the cylinders in 1 to 16 terms, at the same samples; at 32×32 and 16×16 texels, signed."""
     rows: dict[str, object] = {}
     whole = separate(_samples.Cylinders(), 16, half_size=32, difference_size=16)
@@ -134,7 +134,7 @@ def _singular(samples: Samples) -> dict[str, object]:
     return rows
 
 
-def _textures(product: Factorization, samples: Samples) -> dict[str, object]:
+def _textures(product: Factorization, samples: FactorizationSamples) -> dict[str, object]:
     rows: dict[str, object] = {}
     for logarithmic in (False, True):
         for store in STORES:

@@ -21,7 +21,7 @@ from brdf_suite.fitting.lobes.angles import AngleFitter, AngleGrid, AngleWeights
 from brdf_suite.fitting.lobes.angles import samples as angle_samples
 from brdf_suite.fitting.lobes.angles.weights import gloss_brdf
 from brdf_suite.fitting.lobes.raised import RaisedWeights
-from brdf_suite.fitting.metrics import Evaluated, aspecular_delta_e
+from brdf_suite.fitting.metrics import Evaluable, aspecular_delta_e
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.pipeline.scene import find_any_paint
@@ -84,7 +84,7 @@ def by_incidence() -> None:
     single = LobeFitter(time_limit_s=LIMIT_S)
     several = AngleFitter(time_limit_s=LIMIT_S)
     one = {name: single.fit(paint).weights for name, paint in PAINTS.items()}
-    ways: dict[str, dict[str, Evaluated]] = {
+    ways: dict[str, dict[str, Evaluable]] = {
         "one incidence": dict(one),
         "raised, θ of the light": {name: RaisedWeights(w) for name, w in one.items()},
         "raised, θ of the view": {name: RaisedWeights(w, "view") for name, w in one.items()},

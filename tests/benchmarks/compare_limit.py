@@ -19,7 +19,7 @@ from brdf_suite.fitting.lobes import solver as solver_module
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
 from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.refine import refined
-from brdf_suite.fitting.lobes.solver import BlockSolver, Outcome
+from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 from brdf_suite.reflectance.build import build_paint
 
 FloatArray = NDArray[np.float64]
@@ -109,7 +109,7 @@ def tolerances(fitter: LobeFitter, targets: Targets) -> None:
         rows, refinements, lost[scale] = [], [], 0
         for target in sizes:
             solver.load(target)
-            if solver.run(PATIENCE_S) is not Outcome.OPTIMAL:
+            if solver.run(PATIENCE_S) is not SolverOutcome.OPTIMAL:
                 lost[scale] += 1
                 solver.forget()
             held = solver.solution()
@@ -150,7 +150,7 @@ def adverse(count: int) -> None:
     for target in targets:
         solver.load([target])
         start = time.perf_counter()
-        if solver.run(PATIENCE_S) is not Outcome.OPTIMAL:
+        if solver.run(PATIENCE_S) is not SolverOutcome.OPTIMAL:
             raise SuiteError("The solver found no optimum of a program of the benchmark.")
         whole.append(time.perf_counter() - start)
         optima.append(program.residual_l1(solver.solution().solutions[0], target))

@@ -18,7 +18,7 @@ from brdf_suite.files.measured.registry import read_measured
 from brdf_suite.fitting.cook_torrance import Settings, fit_lobes
 from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.peak import MEASURED_SMOOTHNESS, factorize_with_peak
-from brdf_suite.fitting.homomorphic.samples import Samples, samples_of
+from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, samples_of
 from brdf_suite.fitting.homomorphic.separable import separate
 from brdf_suite.fitting.lobes.undivided import fit_undivided
 from brdf_suite.geometry import warps
@@ -54,15 +54,15 @@ def shared_file(name):
     return next(iter(sorted(root.rglob(f"{name}.brdf"))), None)
 
 
-def methods(measured: ScatteredSamples) -> dict[str, Callable[[Samples], Evaluate]]:
+def methods(measured: ScatteredSamples) -> dict[str, Callable[[FactorizationSamples], Evaluate]]:
     """Return what is compared, each from samples to something that evaluates."""
 
-    def kept(samples: Samples) -> ScatteredSamples:
+    def kept(samples: FactorizationSamples) -> ScatteredSamples:
         return replace(
             measured, wi=samples.wi, wo=samples.wo, values=samples.values, spectra=None, wavelengths_nm=None
         )
 
-    def alone(factors: str) -> Callable[[Samples], Evaluate]:
+    def alone(factors: str) -> Callable[[FactorizationSamples], Evaluate]:
         settings = {"smooth": MEASURED_SMOOTHNESS, "bias": MEASURED_BIAS, "keep_mean": False}
         return lambda s: factorize(s.wi, s.wo, s.values, factors=factors, **settings).product.eval
 
@@ -114,7 +114,9 @@ def figures(progress=None):
     return found, tables
 
 
-def _row(samples: Samples, make: Callable[[Samples], Evaluate], *, folds: bool) -> dict[str, float]:
+def _row(
+    samples: FactorizationSamples, make: Callable[[FactorizationSamples], Evaluate], *, folds: bool
+) -> dict[str, float]:
     fit, held = samples.held_out(SHARE)
     row = {"held_out": relative_rms(held.values, make(fit)(held.wi, held.wo))}
     # An expansion over a grid takes half a minute a fold, and its place is plain from the draw.

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.fitting.homomorphic.samples import Samples, even_directions
+from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, even_directions
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
 
 SEED = 2001
@@ -30,8 +30,8 @@ class Cylinders:
         return np.asarray(SCALE * CYLINDERS.eval(wi, wo))
 
 
-def cylinders() -> Samples:
+def cylinders() -> FactorizationSamples:
     """Return the pairs and the model's values."""
     rng = np.random.default_rng(SEED)
     wi, wo = even_directions(PAIRS, rng), even_directions(PAIRS, rng)
-    return Samples(wi, wo, Cylinders().eval(wi, wo))
+    return FactorizationSamples(wi, wo, Cylinders().eval(wi, wo))

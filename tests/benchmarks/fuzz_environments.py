@@ -29,7 +29,7 @@ import numpy as np
 from fuzz_measured import mutate, options, told
 
 from brdf_suite.documents.light_store import STUDIO_ENDING, load_light, save_light
-from brdf_suite.documents.studio import Backdrop, Lamp, Sky, Studio
+from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp
 from brdf_suite.errors import FileError
 from brdf_suite.lighting.procedural import sky, studio
 from brdf_suite.pipeline.environments import read_environment
@@ -197,7 +197,7 @@ def _chroma_writer() -> Any:
 
 def _described(folder: Path) -> list[Path]:
     """Write a studio whose drawing takes a moment only, as text; its reader is what is fuzzed, and its drawing."""
-    lamp = Lamp("ring", (0.0, 2.0, 1.0), (1.0, 0.2), colour_temperature_k=3000.0)
+    lamp = StudioLamp("ring", (0.0, 2.0, 1.0), (1.0, 0.2), colour_temperature_k=3000.0)
     save_light(Studio("small", (lamp,), backdrop=Backdrop(0.1)), folder / "ring.brdfstudio")
     return [folder / "ring.brdfstudio"]
 

@@ -32,7 +32,7 @@ from cache_writer import ENTRIES, EXPONENTS, Writer, entry_path, environment, li
 from brdf_suite.errors import SuiteError
 from brdf_suite.lighting import cache, cache_folder
 from brdf_suite.lighting.cache import MapCache
-from brdf_suite.lighting.cache_turn import shard
+from brdf_suite.lighting.cache_lock import shard
 
 SITUATIONS = ("alone", "beside", "waited for")
 

@@ -12,7 +12,7 @@ from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.occlusion import baked_occlusion, kept_occlusion, occlusion_folder
 from brdf_suite.pipeline.swatch_store import SwatchStore
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 
 @pytest.fixture
@@ -95,7 +95,9 @@ def test_clear_removes_all(filled: MapCache, capsys: pytest.CaptureFixture[str])
 
 
 def test_baked_occlusion_is_listed_checked_and_removed_too(capsys: pytest.CaptureFixture[str]) -> None:
-    part = Part("f", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]]))
+    part = PartGeometry(
+        "f", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]])
+    )
     baked_occlusion(Mesh("facet", (part,)))
     ((path, size),) = kept_occlusion()
     reported = answer(capsys, "info")[1]["occlusion"]

@@ -11,7 +11,7 @@ import pytest
 
 from brdf_suite.cli import bench
 from brdf_suite.cli.bench import appendix, measure
-from brdf_suite.cli.measurements import Bound, Result, Section, page, renew_section
+from brdf_suite.cli.measurements import Bound, ReportSection, Result, page, renew_section
 from brdf_suite.errors import SuiteError
 
 
@@ -22,9 +22,11 @@ def module(**figures: float | None) -> SimpleNamespace:
     )
 
 
-def section(name: str, value: float, more: str = "") -> Section:
+def section(name: str, value: float, more: str = "") -> ReportSection:
     bounds = {"x": Bound("<=", 2.0, "ms", f"what x of {name} is")}
-    return Section(f"About {name}.", "a machine", "2026-11-22", Result(name, {"x": value}, bounds), more)
+    return ReportSection(
+        f"About {name}.", "a machine", "2026-11-22", Result(name, {"x": value}, bounds), more
+    )
 
 
 def test_a_section_is_replaced_and_others_stay(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from brdf_suite.appearance.flop import flop_index
-from brdf_suite.appearance.flop_moves import flop_now
+from brdf_suite.appearance.flop_edits import measure_flop
 from brdf_suite.appearance.spaces import lab_to_lch
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.errors import SuiteError
@@ -175,7 +175,7 @@ def test_the_flop_alone_is_moved_by_its_handles(host: Host) -> None:
     panel = host.editors.flop
     assert panel.isVisible()
     assert not host.editors.angles.isVisible()
-    now = flop_now([15.0, 45.0, 110.0], LABS)
+    now = measure_flop([15.0, 45.0, 110.0], LABS)
     assert panel.fields["index"].value() == pytest.approx(now.index, abs=0.06)
     assert panel.fields["hue"].value() == pytest.approx(now.hue_deg, abs=0.06)
     for what, text, name in (
@@ -187,7 +187,7 @@ def test_the_flop_alone_is_moved_by_its_handles(host: Host) -> None:
         type_in(panel.fields[what], text)
         assert host.labs()[1].tolist() == list(LABS[1]), "the face stays"
         assert host.steps()[-1] == name
-        moved = flop_now([15.0, 45.0, 110.0], host.labs())
+        moved = measure_flop([15.0, 45.0, 110.0], host.labs())
         got = {
             "index": moved.index,
             "lightness": moved.lightness,

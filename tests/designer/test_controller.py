@@ -17,7 +17,7 @@ from brdf_qt.link_messages import BadMessageError, encode
 from brdf_qt.status_line import StatusLine
 
 from brdf_suite.documents.store import paint_from_json
-from brdf_suite.fitting.lobes.solver import Outcome
+from brdf_suite.fitting.lobes.solver import SolverOutcome
 from brdf_suite.pipeline.paint import PaintFitter
 
 
@@ -172,7 +172,7 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
     hurried = PaintFitter(time_limit_s=1e-6)
     desk = Parts(hurried, dialogs)
     with hurried._fitter._solver._background.lock:
-        hurried._fitter._solver._solver.run = lambda *_: Outcome.LOST  # no paint is known that loses it
+        hurried._fitter._solver._solver.run = lambda *_: SolverOutcome.LOST  # no paint is known that loses it
         desk.controller.edit(("lab", 1, 0), 30.0)
         before = desk.view.show_fit.call_args.args[0]
         assert (before.time_limited, before.exact_follows) == (True, True)

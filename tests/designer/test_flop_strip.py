@@ -12,7 +12,7 @@ from PySide6.QtGui import QHelpEvent, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from brdf_suite.appearance.flop_moves import flop_now
+from brdf_suite.appearance.flop_edits import measure_flop
 
 
 def place(key: str, end: int) -> int:
@@ -21,7 +21,7 @@ def place(key: str, end: int) -> int:
 
 def now(designer):
     paint = designer.store.value
-    return flop_now([m.aspecular_deg for m in paint.measurements], [m.lab for m in paint.measurements])
+    return measure_flop([m.aspecular_deg for m in paint.measurements], [m.lab for m in paint.measurements])
 
 
 def steps(designer) -> list[str]:

@@ -10,17 +10,17 @@ import pytest
 
 from brdf_suite.documents.light_store import light_from_json, light_to_json, load_light, save_light
 from brdf_suite.documents.store import load_view, save_view, view_from_json
-from brdf_suite.documents.studio import Backdrop, Lamp, Room, Sky, Studio
+from brdf_suite.documents.studio import Backdrop, BoothRoom, Sky, Studio, StudioLamp
 from brdf_suite.documents.view import View
 from brdf_suite.errors import DocumentError, FileError
 
 STUDIO = Studio(
     "Mine",
     (
-        Lamp("box", (0.0, 2.0, 0.0), (1.0, 2.0), (0.0, -1.0, 0.0), colour_temperature_k=3200.0),
-        Lamp("ring", (1.0, 1.0, 1.0), (1.0, 0.1), roll_deg=5.0),
+        StudioLamp("box", (0.0, 2.0, 0.0), (1.0, 2.0), (0.0, -1.0, 0.0), colour_temperature_k=3200.0),
+        StudioLamp("ring", (1.0, 1.0, 1.0), (1.0, 0.1), roll_deg=5.0),
     ),
-    room=Room(),
+    room=BoothRoom(),
     unit="relative",
 )
 SKY = Sky("Evening", "preetham", 4.0, 12.0, -30.0, 0.1, False)

@@ -7,16 +7,16 @@ import pytest
 
 from brdf_suite.errors import FileError
 from brdf_suite.files.baked_file import read_baked, write_baked
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart, GroundLight
 
 
-def facet(name: str, count: int = 3) -> Part:
+def facet(name: str, count: int = 3) -> PartGeometry:
     rng = np.random.default_rng(count)
     positions = rng.normal(size=(count, 3))
     normals = np.tile([0.0, 1.0, 0.0], (count, 1))
     triangles = np.stack([np.arange(count - 2), np.arange(1, count - 1), np.arange(2, count)], axis=1)
-    return Part(name, "paint", positions, normals, positions[:, :2], triangles)
+    return PartGeometry(name, "paint", positions, normals, positions[:, :2], triangles)
 
 
 @pytest.fixture

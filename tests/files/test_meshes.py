@@ -18,7 +18,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.glb import split_glb
 from brdf_suite.files.material_words import material_word
 from brdf_suite.files.meshes import read_mesh, write_mesh_glb
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 
 def ball_of_triangles() -> trimesh.Trimesh:
@@ -202,7 +202,7 @@ def own_mesh(corners: int = 5) -> Mesh:
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
         triangles = rng.integers(0, corners, (2 * corners, 3))
         uvs = rng.random((corners, 2)) * 1000
-        parts.append(Part(name, material, rng.random((corners, 3)), normals, uvs, triangles))
+        parts.append(PartGeometry(name, material, rng.random((corners, 3)), normals, uvs, triangles))
     return Mesh("own", tuple(parts))
 
 

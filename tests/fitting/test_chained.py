@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import nnls
 
-from brdf_suite.fitting.lobes.chained import Group, chained_weights
+from brdf_suite.fitting.lobes.chained import ColumnGroup, chained_weights
 
 
 def system(rng: np.random.Generator, angles: int = 5, rows: int = 12, columns: int = 4):
@@ -52,11 +52,11 @@ def test_what_says_the_same_is_dropped_and_what_matters_stays() -> None:
     a = np.concatenate((a, a[..., :1] + 1e-4 * rng.random(a[..., :1].shape)), axis=-1)
     weights = np.ones((5, 4, 3))
     b = np.einsum("nrk,nkc->nrc", a[..., :4], weights)
-    found = solved(a, b, groups=[Group((0, 1, 2, 3, 4), 5)])
+    found = solved(a, b, groups=[ColumnGroup((0, 1, 2, 3, 4), 5)])
     used = found.max(axis=(0, 2)) > 0.0
     assert used[1:4].all()
     assert used[0] != used[4]
-    forced = solved(a, b, groups=[Group((0, 1, 4), 1)])
+    forced = solved(a, b, groups=[ColumnGroup((0, 1, 4), 1)])
     assert np.count_nonzero(forced.max(axis=(0, 2))[[0, 1, 4]]) == 1
     assert (forced.max(axis=(0, 2))[[2, 3]] > 0.0).all()
 

@@ -15,9 +15,9 @@ from filelock import FileLock
 
 from brdf_suite.errors import Cancelled
 from brdf_suite.lighting import cache as cache_module
-from brdf_suite.lighting import cache_turn
+from brdf_suite.lighting import cache_lock
 from brdf_suite.lighting.cache import MapCache, cache_key, default_root
-from brdf_suite.lighting.cache_turn import lock_path, take_turn
+from brdf_suite.lighting.cache_lock import exclusive_entry, lock_path
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.lighting.prefilter import LobeMaps
@@ -230,7 +230,7 @@ def test_a_holder_without_a_sign_of_life_is_not_waited_for(
     lock = lock_path(cache.folder, cache_key(environment, [3.0]))
     with FileLock(lock), caplog.at_level(logging.WARNING):
         assert cache.get_or_compute(environment, [3.0]).exponents == (3.0,)
-    assert "going on alone" in cache.notices[0]
+    assert "continuing without it" in cache.notices[0]
     assert len(cache.entries()) == 1
 
 
@@ -239,7 +239,7 @@ def test_a_holder_that_gives_signs_of_life_is_waited_for(
 ) -> None:
     """The work of the first takes longer than the second's patience with silence, on a clock of the test's own."""
     now = [100.0]
-    monkeypatch.setattr(cache_turn, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    monkeypatch.setattr(cache_lock, "time", SimpleNamespace(monotonic=lambda: now[0]))
     looked = threading.Semaphore(0)  # one for each time that the second looks and goes on waiting
     key = cache_key(environment, [3.0])
     folder = MapCache().folder
@@ -247,7 +247,7 @@ def test_a_holder_that_gives_signs_of_life_is_waited_for(
 
     def slow() -> None:
         nonlocal steps
-        with take_turn(
+        with exclusive_entry(
             folder, key, timeout_s=600.0, silence_s=600.0, progress=None, notice=pytest.fail
         ) as turn:
             watched = turn.watched(None)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.appearance.colour_temperature import lamp_colour
-from brdf_suite.documents.studio import Backdrop, Lamp, Room, Studio
+from brdf_suite.documents.studio import Backdrop, BoothRoom, Studio, StudioLamp
 from brdf_suite.errors import Cancelled
 from brdf_suite.files.images import read_environment_image
 from brdf_suite.lighting.procedural import booth, studio
@@ -22,9 +22,9 @@ from brdf_suite.resources import resource
 
 VOID = Backdrop(luminance=0.0)
 SHAPES = {
-    "box": (Lamp("box", (0.0, 0.0, 5.0), (0.8, 0.5), softness_m=1e-4), 0.4 * 0.9),
-    "strip": (Lamp("strip", (0.0, 0.0, 5.0), (0.8, 0.3), softness_m=1e-4), 0.5 * 0.3 + np.pi * 0.15**2),
-    "ring": (Lamp("ring", (0.0, 0.0, 5.0), (0.8, 0.1), softness_m=1e-4), np.pi * (0.4**2 - 0.3**2)),
+    "box": (StudioLamp("box", (0.0, 0.0, 5.0), (0.8, 0.5), softness_m=1e-4), 0.4 * 0.9),
+    "strip": (StudioLamp("strip", (0.0, 0.0, 5.0), (0.8, 0.3), softness_m=1e-4), 0.5 * 0.3 + np.pi * 0.15**2),
+    "ring": (StudioLamp("ring", (0.0, 0.0, 5.0), (0.8, 0.1), softness_m=1e-4), np.pi * (0.4**2 - 0.3**2)),
 }
 
 
@@ -61,7 +61,7 @@ def test_shapes_are_what_they_are_called() -> None:
 
 
 def test_a_lamp_turned_away_is_dark_and_lights_the_other_side() -> None:
-    away = LampSurface.of(Lamp("box", (0.0, 0.0, 3.0), (1.0, 1.0), facing=(0.0, 0.0, 1.0)))
+    away = LampSurface.of(StudioLamp("box", (0.0, 0.0, 3.0), (1.0, 1.0), facing=(0.0, 0.0, 1.0)))
     covered, bright = away.seen(np.array([[0.0, 0.0, 1.0]]))
     assert covered[0] == 1.0
     assert bright[0] == 0.0
@@ -71,8 +71,8 @@ def test_a_lamp_turned_away_is_dark_and_lights_the_other_side() -> None:
 
 
 def test_the_nearer_lamp_is_in_front_whatever_the_order() -> None:
-    near = Lamp("box", (0.0, 0.0, 2.0), (0.5, 0.5), luminance=1.0)
-    far = Lamp("box", (0.0, 0.0, 4.0), (3.0, 3.0), luminance=9.0)
+    near = StudioLamp("box", (0.0, 0.0, 2.0), (0.5, 0.5), luminance=1.0)
+    far = StudioLamp("box", (0.0, 0.0, 4.0), (3.0, 3.0), luminance=9.0)
     for lamps in ((near, far), (far, near)):
         made = studio(Studio("two", lamps, backdrop=Backdrop(0.1)), height=32, samples=1)
         middle, beside = made.radiance[16, 32] @ LUMINANCE, made.radiance[16, 30] @ LUMINANCE
@@ -80,8 +80,8 @@ def test_the_nearer_lamp_is_in_front_whatever_the_order() -> None:
 
 
 def test_colour_temperature_colours_the_lamp_and_the_walls() -> None:
-    warm = Lamp("box", (0.0, 2.5, 0.0), (2.0, 2.0), colour_temperature_k=2800.0)
-    made = studio(Studio("warm", (warm,), room=Room()), height=32, samples=1).radiance.astype(float)
+    warm = StudioLamp("box", (0.0, 2.5, 0.0), (2.0, 2.0), colour_temperature_k=2800.0)
+    made = studio(Studio("warm", (warm,), room=BoothRoom()), height=32, samples=1).radiance.astype(float)
     ratio = made / (made @ LUMINANCE)[..., None]
     np.testing.assert_allclose(ratio, np.broadcast_to(lamp_colour(2800.0), ratio.shape), rtol=1e-5)
 
@@ -101,7 +101,7 @@ def test_relative_luminances_give_the_same_picture_without_a_scale() -> None:
 
 
 def test_a_lamp_below_gives_a_picture_too() -> None:
-    below = Studio("below", (Lamp("ring", (0.0, -2.0, 0.0), (1.0, 0.2)),), backdrop=VOID)
+    below = Studio("below", (StudioLamp("ring", (0.0, -2.0, 0.0), (1.0, 0.2)),), backdrop=VOID)
     made = studio(below, height=64, samples=2).radiance
     mean = float((made @ LUMINANCE * solid_angles(64)).sum()) / (4.0 * np.pi)
     assert mean == pytest.approx(1.0, rel=1e-4)
@@ -121,7 +121,7 @@ def test_any_lamp_is_drawn_whole(
     shape: str, position: tuple[float, ...], facing: tuple[float, ...] | None, roll: float
 ) -> None:
     """Nothing of a lamp lies outside of the cone to which drawing is limited."""
-    lamp = Lamp(shape, position, (1.0, 0.4), facing, roll)  # type: ignore[arg-type] - drawn by hypothesis
+    lamp = StudioLamp(shape, position, (1.0, 0.4), facing, roll)  # type: ignore[arg-type] - drawn by hypothesis
     surface = LampSurface.of(lamp)
     toward = directions(centres(96), centres(192))
     covered, bright = surface.seen(toward)

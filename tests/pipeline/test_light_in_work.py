@@ -7,14 +7,14 @@ from pathlib import Path
 
 import numpy as np
 
-from brdf_suite.documents.studio import Backdrop, Lamp, Sky, Studio
+from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp
 from brdf_suite.pipeline.environments import DRAFT_ROWS
 from brdf_suite.pipeline.light_in_work import prepare_light
 from brdf_suite.pipeline.scene import PreparedEnvironment
 
 STUDIO = Studio(
     "two",
-    (Lamp("box", (0.0, 3.0, 1.0), (2.0, 2.0)), Lamp("ring", (3.0, 1.0, 1.0), (1.0, 0.2))),
+    (StudioLamp("box", (0.0, 3.0, 1.0), (2.0, 2.0)), StudioLamp("ring", (3.0, 1.0, 1.0), (1.0, 0.2))),
     None,
     Backdrop(),
 )

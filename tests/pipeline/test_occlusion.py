@@ -30,9 +30,11 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def facet() -> Mesh:
-    from brdf_suite.surface.mesh import Part
+    from brdf_suite.surface.mesh import PartGeometry
 
-    part = Part("f", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]]))
+    part = PartGeometry(
+        "f", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]])
+    )
     return Mesh("facet", (part,))
 
 

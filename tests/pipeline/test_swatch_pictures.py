@@ -27,7 +27,7 @@ from brdf_suite.pipeline.swatch_look import SwatchLook, swatch_key
 from brdf_suite.pipeline.swatch_pictures import SwatchPainter
 from brdf_suite.pipeline.swatch_process import serve
 from brdf_suite.pipeline.swatch_store import SwatchStore
-from brdf_suite.realtime.captured import CapturedForm, Swatch
+from brdf_suite.realtime.captured import CapturedForm, CapturedPaint
 
 SIZE = 24
 IMPOSSIBLE = replace(solid_paint("black", (0.0, 0.0, 0.0)), gloss=Gloss(150.0))
@@ -221,7 +221,7 @@ def test_a_paint_that_the_renderer_does_not_take_costs_no_other_its_picture(
 ) -> None:
     shade = CapturedForm._shade
 
-    def refusing(self: CapturedForm, number: int, swatch: Swatch, *more: object) -> None:
+    def refusing(self: CapturedForm, number: int, swatch: CapturedPaint, *more: object) -> None:
         if swatch.flakes is not None and swatch.flakes.density_per_mm2 == 77.0:
             raise GraphicsError("too many lobes")
         shade(self, number, swatch, *more)  # type: ignore[arg-type]

@@ -11,7 +11,7 @@ from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, Relief
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.realtime.captured import Swatch, unique_places
+from brdf_suite.realtime.captured import CapturedPaint, unique_places
 from brdf_suite.realtime.display import LINEAR
 from brdf_suite.realtime.light_block import DistantLights
 from brdf_suite.realtime.renderer import Renderer
@@ -30,14 +30,14 @@ def scene(renderer: Renderer, scenes) -> Renderer:
     return renderer
 
 
-def swatches(scenes) -> list[Swatch]:
+def swatches(scenes) -> list[CapturedPaint]:
     """Paints of different kinds and numbers of look-ups; the last sparkles."""
     base = scenes.weights(kd=0.3, gloss=0.05, directional=0.4)
     return [
-        Swatch(base),
-        Swatch(scenes.weights(kd=0.6)),
-        Swatch(scenes.weights(kd=0.05, gloss=0.9, coat="metal")),
-        Swatch(base, Flakes(4.0, 400.0, 0.2)),
+        CapturedPaint(base),
+        CapturedPaint(scenes.weights(kd=0.6)),
+        CapturedPaint(scenes.weights(kd=0.05, gloss=0.9, coat="metal")),
+        CapturedPaint(base, Flakes(4.0, 400.0, 0.2)),
     ]
 
 
@@ -63,7 +63,7 @@ def test_pictures_are_those_that_the_renderer_draws_one_by_one(scene: Renderer, 
 def test_a_batch_of_any_number_is_drawn(scene: Renderer, scenes) -> None:
     form = scene.capture(VIEW, (8, 8))
     kds = np.linspace(0.05, 0.9, form.most + 3)
-    pictures = form.draw([Swatch(scenes.weights(kd=float(kd))) for kd in kds])
+    pictures = form.draw([CapturedPaint(scenes.weights(kd=float(kd))) for kd in kds])
     middle = pictures[:, 2, 5].sum(axis=-1)
     assert len(pictures) == len(kds)
     assert (np.diff(middle.astype(int)) >= 0).all()
@@ -76,7 +76,7 @@ def test_a_form_without_the_paint_is_what_is_there(scene: Renderer, scenes) -> N
     scene.set_mesh([scenes.sheet("trim")])
     form = scene.capture(VIEW, SIZE)
     assert form.places == 0
-    (picture,) = form.draw([Swatch(scenes.weights(kd=0.5))])
+    (picture,) = form.draw([CapturedPaint(scenes.weights(kd=0.5))])
     assert (picture == scene.render_image(VIEW, SIZE)).all()
     form.release()
 

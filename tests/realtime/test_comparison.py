@@ -12,7 +12,7 @@ from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.appearance.difference_scale import scale_colour
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Compare
-from brdf_suite.realtime.comparison import ComparedPicture, Comparison
+from brdf_suite.realtime.comparison import ComparedPicture, ComparisonRenderer
 from brdf_suite.realtime.display import DISPLAY_P3, LINEAR
 
 SIZE = (61, 40)
@@ -35,7 +35,7 @@ class Stand:
         renderer.set_material("paint", scenes.weights(kd=0.7, gloss=0.05))
         renderer.set_material("paint_b", scenes.weights(kd=0.5, gloss=0.08))
         self.renderer = renderer
-        self.comparison = Comparison(renderer, SECOND)
+        self.comparison = ComparisonRenderer(renderer, SECOND)
         self.target = context.simple_framebuffer(SIZE, 4)
 
     def pixels(self) -> np.ndarray:

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.colorimetry import LUMINANCE
-from brdf_suite.appearance.countable_flakes import LARGEST_SHARE, covered_share
+from brdf_suite.appearance.visible_flakes import LARGEST_SHARE, flake_coverage
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp, LightColour, Sparkle
-from brdf_suite.realtime.flake_share import countable_lobe, seen_tilts
+from brdf_suite.realtime.flake_share import seen_tilts, visible_flake_lobe
 from brdf_suite.realtime.light_block import BLOCK_SIZE, DistantLights, light_block
 from brdf_suite.realtime.light_lobes import column_angles, light_lobes
 from brdf_suite.reflectance.flake_rule import squared_tilt
@@ -74,22 +74,22 @@ def test_the_table_holds_the_lobe_sums(scenes):
     assert not table[:2, -1, :3].any()
 
 
-def test_countable_flakes_send_what_they_cover_and_never_most_of_the_base():
+def test_visible_flakes_send_what_they_cover_and_never_most_of_the_base():
     gamma = np.linspace(0, np.pi / 2, 2000)
     base = np.tile([1.0, 0.8, 0.5], (2000, 1))
     flakes = Flakes(60.0, 30.0, 0.16)
-    lobe = countable_lobe(flakes, gamma, base, 0.0, 1.5)
+    lobe = visible_flake_lobe(flakes, gamma, base, 0.0, 1.5)
     # What mirrors send in all, at normal incidence: cover times reflectance times the coat twice.
     sent = np.trapezoid(lobe[:, 0] * np.cos(gamma) * np.sin(gamma), gamma) * 2 * np.pi
     through = 0.96**2
     # Light that flakes tilted beyond about 21 degrees send is held back by the coat.
     tilt = np.linspace(0, np.arcsin(1 / 1.5) / 2, 2000)
     out = np.trapezoid(tilt_bell(np.tan(tilt) ** 2, 0.16) * np.sin(tilt), tilt) / 0.16**2
-    assert sent == pytest.approx(covered_share(flakes) * 0.9 * through * out, rel=0.15)
+    assert sent == pytest.approx(flake_coverage(flakes) * 0.9 * through * out, rel=0.15)
     np.testing.assert_allclose(lobe / lobe[:, :1], base / base[:, :1], rtol=1e-9)
-    strong = countable_lobe(flakes, gamma, base, 0.0, 1.5, strength=1e6)
+    strong = visible_flake_lobe(flakes, gamma, base, 0.0, 1.5, strength=1e6)
     np.testing.assert_allclose(strong, LARGEST_SHARE * base)
-    assert covered_share(Flakes(1e5, 2000.0)) == pytest.approx(1.0)
+    assert flake_coverage(Flakes(1e5, 2000.0)) == pytest.approx(1.0)
 
 
 def test_the_tilts_seen_are_those_of_the_flake_rule_and_of_the_shader():

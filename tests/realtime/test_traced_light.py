@@ -10,7 +10,7 @@ import pytest
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Compare
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.realtime.comparison import Comparison
+from brdf_suite.realtime.comparison import ComparisonRenderer
 from brdf_suite.realtime.display import LINEAR, SRGB
 from brdf_suite.realtime.traced_light import TracedLight
 
@@ -117,7 +117,7 @@ def test_the_traced_shadow_on_the_ground_darkens_the_background_alone(stand) -> 
 
 
 def test_it_is_compared_with_what_is_drawn(stand) -> None:
-    comparison = Comparison(stand.renderer, {})
+    comparison = ComparisonRenderer(stand.renderer, {})
     comparison.traced = stand.traced
     stand.traced.set_picture(stand.light * np.array([0.5, 0.5, 0.5, 1.0], np.float32))
 

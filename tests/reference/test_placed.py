@@ -16,7 +16,7 @@ from brdf_suite.files.images import write_exr, write_png
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.scene import load_shipped_paint
 from brdf_suite.reflectance.build import build_paint
-from brdf_suite.reflectance.flakes.countable import countable_part
+from brdf_suite.reflectance.flakes.countable import visible_flake_part
 from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio
 from brdf_suite.reflectance.flakes.tilt import tilt_place
 
@@ -104,7 +104,7 @@ def test_flakes_send_their_mean_over_the_surface(variant) -> None:
         assert np.all(error < 0.05)
 
 
-def test_countable_flakes_send_as_much_as_in_the_core(variant) -> None:
+def test_visible_flakes_send_as_much_as_in_the_core(variant) -> None:
     from brdf_suite.reference.flakes import FlakeLayer
 
     rng = np.random.default_rng(3)
@@ -112,21 +112,21 @@ def test_countable_flakes_send_as_much_as_in_the_core(variant) -> None:
         spherical(np.arccos(rng.random(5000) * 0.95 + 0.05), rng.uniform(0, 2 * np.pi, 5000)) for _ in "ab"
     )
     base = rng.random((5000, 3)).astype(np.float32)
-    wanted = countable_part(FLAKES, wi, wo, base.astype(float), IOR, 2.0)
-    found = FlakeLayer(FLAKES, IOR, 2.0).countable(vectors(base, "Color3f"), vectors(wi), vectors(wo))
+    wanted = visible_flake_part(FLAKES, wi, wo, base.astype(float), IOR, 2.0)
+    found = FlakeLayer(FLAKES, IOR, 2.0).visible_part(vectors(base, "Color3f"), vectors(wi), vectors(wo))
     np.testing.assert_allclose(np.array(found).T, wanted, rtol=1e-4, atol=1e-6)
-    back = countable_part(FLAKES, wo, wi, base.astype(float), IOR, 2.0)
+    back = visible_flake_part(FLAKES, wo, wi, base.astype(float), IOR, 2.0)
     np.testing.assert_allclose(back, wanted, rtol=1e-12)
     assert (wanted <= 0.9 * base + 1e-9).all()
 
 
-def test_countable_flakes_agree_with_the_real_time_share_at_the_mirror_direction() -> None:
-    from brdf_suite.realtime.flake_share import countable_lobe
+def test_visible_flakes_agree_with_the_real_time_share_at_the_mirror_direction() -> None:
+    from brdf_suite.realtime.flake_share import visible_flake_lobe
 
     theta = math.radians(45.0)
     base = np.full((1, 3), 0.5)
-    wanted = countable_lobe(FLAKES, np.zeros(1), base, theta, IOR)
-    found = countable_part(FLAKES, spherical(theta, 0.0), spherical(theta, math.pi), base[0], IOR)
+    wanted = visible_flake_lobe(FLAKES, np.zeros(1), base, theta, IOR)
+    found = visible_flake_part(FLAKES, spherical(theta, 0.0), spherical(theta, math.pi), base[0], IOR)
     np.testing.assert_allclose(found, wanted[0], rtol=1e-9)
 
 

@@ -36,7 +36,7 @@ def test_flakes_are_those_of_the_core(variant: Variant) -> None:
     wi, wo = rng.normal(size=(2, n, 3)) * [0.3, 0.3, 0.1] + [0.0, 0.0, 1.0]
     wi, wo = (w / np.linalg.norm(w, axis=1)[:, None] for w in (wi, wo))
     spread = rng.uniform(0.0, 0.2, n)
-    sparkle = fl.Sparkle(FLAKES, 1.5)
+    sparkle = fl.SparkleField(FLAKES, 1.5)
     two = [mi.Point2f(np.ascontiguousarray(x.T, np.float32)) for x in (at, across, down)]
     seen = fl.flakes_seen(sparkle, two[0], mi.Vector2f(two[1]), mi.Vector2f(two[2]))
     light, view = (mi.Vector3f(np.ascontiguousarray(w.T, np.float32)) for w in (wi, wo))

@@ -25,7 +25,7 @@ from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (40, 32)
@@ -114,11 +114,13 @@ def test_a_ball_has_the_sum_over_the_lights_by_hand(session, sphere, model: str,
 def floor_and_lid() -> Mesh:
     """A floor of 2 m and a lid of 0.5 m half a metre above its middle."""
 
-    def square(name: str, half: float, height: float, material: str = "paint") -> Part:
+    def square(name: str, half: float, height: float, material: str = "paint") -> PartGeometry:
         corners = half * np.array([[-1, 0, -1], [-1, 0, 1], [1, 0, 1], [1, 0, -1]], float)
         corners[:, 1] = height
         up = np.tile([0.0, 1.0, 0.0], (4, 1))
-        return Part(name, material, corners, up, corners[:, [0, 2]] * 1e3, np.array([[0, 1, 2], [0, 2, 3]]))
+        return PartGeometry(
+            name, material, corners, up, corners[:, [0, 2]] * 1e3, np.array([[0, 1, 2], [0, 2, 3]])
+        )
 
     return Mesh("floor", (square("floor", 1.0, 0.0), square("lid", 0.25, 0.5)))
 
@@ -225,7 +227,9 @@ def test_a_chrome_floor_shows_the_wall_as_the_path_tracer_does(session) -> None:
     floor = replace(floor, positions=floor.positions * [0.8, 1.0, 0.5] + [0.0, 0.0, 0.6])
     corners = np.array([[-1, 0, -1], [1, 0, -1], [1, 1.5, -1], [-1, 1.5, -1]], float)
     back = np.tile([0.0, 0.0, 1.0], (4, 1))
-    wall = Part("wall", "paint", corners, back, corners[:, :2] * 1e3, np.array([[0, 1, 2], [0, 2, 3]]))
+    wall = PartGeometry(
+        "wall", "paint", corners, back, corners[:, :2] * 1e3, np.array([[0, 1, 2], [0, 2, 3]])
+    )
     mesh = Mesh("corner", (replace(floor, material="chrome"), wall))
     lamp = Lamp("directional", azimuth_deg=0.0, elevation_deg=60.0, strength=1.0)
     view = replace(PLAIN, camera=Camera(10.0, 25.0), lamps=(lamp,))

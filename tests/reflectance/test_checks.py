@@ -11,7 +11,7 @@ import pytest
 from brdf_suite.geometry.directions import illumination
 from brdf_suite.geometry.fresnel import fresnel_at
 from brdf_suite.reflectance.albedo import directional_albedo, hemispherical_albedo, white_furnace
-from brdf_suite.reflectance.checks import Report, check_reflectance
+from brdf_suite.reflectance.checks import CheckReport, check_reflectance
 from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
@@ -31,7 +31,7 @@ class Tilted:
         )
 
 
-def finding(report: Report, check: str):
+def finding(report: CheckReport, check: str):
     return next(f for f in report.findings if f.check == check)
 
 

@@ -13,7 +13,7 @@ from brdf_suite.resources import resource
 from brdf_suite.surface.car import car
 from brdf_suite.surface.car.body import body
 from brdf_suite.surface.car.proportions import FRONT_AXLE_Z, REAR_AXLE_Z, WHEEL_RADIUS
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 Floats = NDArray[np.float64]
 
@@ -23,17 +23,17 @@ def mesh() -> Mesh:
     return car()
 
 
-def part(mesh: Mesh, name: str) -> Part:
+def part(mesh: Mesh, name: str) -> PartGeometry:
     (found,) = [each for each in mesh.parts if each.name == name]
     return found
 
 
-def corners(each: Part) -> Floats:
+def corners(each: PartGeometry) -> Floats:
     """Return (k, 3, 3) corner positions."""
     return each.positions.astype(np.float64)[each.triangles]
 
 
-def facings(each: Part) -> tuple[Floats, Floats]:
+def facings(each: PartGeometry) -> tuple[Floats, Floats]:
     """Return unit face normals (k, 3) and areas (k,)."""
     a, b, c = (corners(each)[:, i] for i in range(3))
     facing = np.cross(b - a, c - a)

@@ -10,19 +10,19 @@ import pytest
 from brdf_suite.surface.forms import panel, speed_form, sphere
 from brdf_suite.surface.forms.grid import normals_of
 from brdf_suite.surface.forms.speed_form import line_elevation, speed_form_grid, speed_form_point
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.normals import is_inside_out, weld
 from brdf_suite.surface.unwrap import stretch
 
 FORMS = (speed_form, sphere, panel)
 
 
-def arrays(part: Part) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def arrays(part: PartGeometry) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     positions = part.positions.astype(np.float64)
     return positions, part.triangles.astype(np.int64), part.normals.astype(np.float64)
 
 
-def open_edges(part: Part) -> int:
+def open_edges(part: PartGeometry) -> int:
     positions, triangles, _ = arrays(part)
     places = weld(positions)[triangles]
     edges = np.sort(np.stack([places.reshape(-1), np.roll(places, -1, axis=1).reshape(-1)], axis=1), axis=1)

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import SuiteError
-from brdf_suite.surface.mesh import MATERIALS, Mesh, Part
+from brdf_suite.surface.mesh import MATERIALS, Mesh, PartGeometry
 
 
-def facet(**changes: object) -> Part:
+def facet(**changes: object) -> PartGeometry:
     values: dict[str, object] = {
         "name": "door",
         "material": "paint",
@@ -20,7 +20,7 @@ def facet(**changes: object) -> Part:
         "uvs": np.zeros((4, 2)),
         "triangles": np.array([[0, 1, 2]]),
     }
-    return Part(**(values | changes))  # type: ignore[arg-type]  # wrong values are the point
+    return PartGeometry(**(values | changes))  # type: ignore[arg-type]  # wrong values are the point
 
 
 def test_arrays_become_the_stated_types_and_cannot_be_written() -> None:

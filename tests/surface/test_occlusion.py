@@ -8,7 +8,7 @@ import pytest
 from brdf_suite.errors import Cancelled
 from brdf_suite.geometry.low_harmonics import low_harmonics
 from brdf_suite.surface.forms.sphere import sphere
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.occlusion.bake import bake
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
 from brdf_suite.surface.occlusion.floor import open_floor
@@ -17,16 +17,18 @@ from brdf_suite.surface.occlusion.rays import RayScene
 Array = np.ndarray
 
 
-def quad(name: str, corners: list[tuple[float, float, float]]) -> Part:
+def quad(name: str, corners: list[tuple[float, float, float]]) -> PartGeometry:
     """A square of two triangles, seen from the side from which its corners run counter-clockwise."""
     points = np.array(corners, float)
     normal = np.cross(points[1] - points[0], points[2] - points[0])
     normal /= np.linalg.norm(normal)
     uvs = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
-    return Part(name, "neutral", points, np.tile(normal, (4, 1)), uvs, np.array([[0, 1, 2], [0, 2, 3]]))
+    return PartGeometry(
+        name, "neutral", points, np.tile(normal, (4, 1)), uvs, np.array([[0, 1, 2], [0, 2, 3]])
+    )
 
 
-def level(name: str, height: float, half: float) -> Part:
+def level(name: str, height: float, half: float) -> PartGeometry:
     h = half
     return quad(name, [(-h, height, h), (h, height, h), (h, height, -h), (-h, height, -h)])
 
@@ -158,7 +160,7 @@ def test_light_does_not_bleed_along_triangles_that_reach_into_a_body() -> None:
     assert (found[1:] > 0.95).all()
 
 
-def _closed_box(half: float) -> Part:
+def _closed_box(half: float) -> PartGeometry:
     corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float) * half
     faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     positions, normals, triangles = [], [], []
@@ -172,7 +174,7 @@ def _closed_box(half: float) -> Part:
             [4 * number, 4 * number + 2, 4 * number + 3],
         ]
     points = np.concatenate(positions)
-    return Part("box", "paint", points, np.concatenate(normals), points[:, :2], np.array(triangles))
+    return PartGeometry("box", "paint", points, np.concatenate(normals), points[:, :2], np.array(triangles))
 
 
 def test_the_floor_under_a_ball(ball_on_a_sheet: BakedMesh, ball_alone: BakedMesh) -> None:
@@ -238,7 +240,7 @@ def test_rays_hit_what_a_search_over_all_triangles_hits() -> None:
 
 
 def test_one_triangle() -> None:
-    part = Part(
+    part = PartGeometry(
         "facet", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]])
     )
     light = bake(Mesh("facet", (part,))).parts[0].light

@@ -4,14 +4,16 @@ import numpy as np
 import pytest
 
 from brdf_suite.surface.forms.sphere import sphere
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.picking import pick
 
 
-def sheet(name: str, z: float) -> Part:
+def sheet(name: str, z: float) -> PartGeometry:
     positions = np.array([[-1, -1, z], [1, -1, z], [1, 1, z], [-1, 1, z]], float)
     normals = np.tile([0.0, 0.0, 1.0], (4, 1))
-    return Part(name, "paint", positions, normals, positions[:, :2] * 1000, np.array([[0, 1, 2], [0, 2, 3]]))
+    return PartGeometry(
+        name, "paint", positions, normals, positions[:, :2] * 1000, np.array([[0, 1, 2], [0, 2, 3]])
+    )
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ import pytest
 
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.surface.forms.sphere import sphere
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.shaping import shaped
 
 
@@ -15,7 +15,7 @@ def cube() -> Mesh:
     faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     triangles = np.array([t for a, b, c, d in faces for t in ((a, b, c), (a, c, d))])
     normals = corners / np.sqrt(3.0)
-    part = Part(
+    part = PartGeometry(
         "cube", "paint", corners + np.array([1.0, 5.0, 1.0]), normals, corners[:, :2] * 1000.0, triangles
     )
     return Mesh("cube", (part,))
@@ -71,7 +71,11 @@ def test_normals_made_anew_stay_on_their_side() -> None:
     (part,) = cube().parts
     wound_inwards = Mesh(
         "cube",
-        (Part("cube", "paint", part.positions, part.normals, part.uvs, part.triangles[:, ::-1].copy()),),
+        (
+            PartGeometry(
+                "cube", "paint", part.positions, part.normals, part.uvs, part.triangles[:, ::-1].copy()
+            ),
+        ),
     )
     found = shaped(wound_inwards, SurfaceLook(normals="smooth")).parts[0]
     outwards = np.einsum("ij,ij->i", found.normals, found.positions - np.float32([1.0, 5.0, 1.0]))

@@ -15,7 +15,7 @@ from brdf_suite.documents.light_store import save_light
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import paint_to_json, save_paint
-from brdf_suite.documents.studio import Backdrop, Lamp, Studio
+from brdf_suite.documents.studio import Backdrop, Studio, StudioLamp
 from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
 
 
@@ -79,7 +79,7 @@ class Discard:
 
 def test_a_wheel_changes_nothing_in_the_window(start, walks, tmp_path: Path) -> None:
     path = tmp_path / f"{walks.HOSTILE_FILE}.brdfstudio"
-    lamp = Lamp("box", (0.0, 2.0, 2.0), (1.0, 1.0))
+    lamp = StudioLamp("box", (0.0, 2.0, 2.0), (1.0, 1.0))
     save_light(Studio(walks.HOSTILE, (lamp,), None, Backdrop(luminance=0.2)), path)
     viewer = start(dialogs=Discard())
     viewer.controller.open_file(str(path))

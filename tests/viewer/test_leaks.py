@@ -21,7 +21,7 @@ from brdf_suite.documents.view_settings import Compare
 from brdf_suite.pipeline.paint import PaintFit, PaintFitter
 from brdf_suite.pipeline.scene import load_environment
 from brdf_suite.realtime.context import adopt_context
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 SIZE = (48, 32)
 MEGABYTE = 1 << 20
@@ -38,7 +38,7 @@ def sheet() -> Mesh:
     normals = np.tile(np.array([0, 0, 1], np.float32), (4, 1))
     triangles = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)
     uvs = np.zeros((4, 2), np.float32)
-    return Mesh("sheet", (Part("sheet", "paint", corners, normals, uvs, triangles),))
+    return Mesh("sheet", (PartGeometry("sheet", "paint", corners, normals, uvs, triangles),))
 
 
 class Desk:

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QPushButton
 from brdf_suite.documents.paint import Gloss, solid_paint
 from brdf_suite.documents.store import paint_to_json, view_from_json
 from brdf_suite.documents.view import Camera
-from brdf_suite.fitting.lobes.solver import Outcome
+from brdf_suite.fitting.lobes.solver import SolverOutcome
 from brdf_suite.pipeline.any_fit import fit_any
 from brdf_suite.pipeline.paint import PaintFitter
 
@@ -175,7 +175,7 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(viewer, qtbot) -> No
     viewer.controller.paint._fitter = hurried
     cell, section = viewer.window.status.cell("fit"), viewer.window.paint
     with hurried._fitter._solver._background.lock:
-        hurried._fitter._solver._solver.run = lambda *_: Outcome.LOST  # no paint is known that loses it
+        hurried._fitter._solver._solver.run = lambda *_: SolverOutcome.LOST  # no paint is known that loses it
         viewer.controller.paint.open("copper")
         for tip in (cell.toolTip(), section.fit.toolTip()):
             assert "follows by itself" in tip

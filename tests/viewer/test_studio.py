@@ -20,11 +20,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 from brdf_suite.documents.light_store import load_light, save_light
-from brdf_suite.documents.studio import Backdrop, Lamp, Sky, Studio
+from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp
 from brdf_suite.files.images import write_exr
 from brdf_suite.pipeline.environments import draw_light
 
-PLAIN = Studio("Plain", (Lamp("box", (0.0, 2.0, 2.0), (1.0, 1.0)),), None, Backdrop(luminance=0.2))
+PLAIN = Studio("Plain", (StudioLamp("box", (0.0, 2.0, 2.0), (1.0, 1.0)),), None, Backdrop(luminance=0.2))
 
 
 class Script:

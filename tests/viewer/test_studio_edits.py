@@ -25,7 +25,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.documents.light_store import light_from_json, light_to_json
-from brdf_suite.documents.studio import SHAPES, Lamp, Room, Sky, Studio
+from brdf_suite.documents.studio import SHAPES, BoothRoom, Sky, Studio, StudioLamp
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.lighting.procedural import BOOTH, studio
 from brdf_suite.lighting.procedural.panorama import centres, directions
@@ -61,7 +61,7 @@ def test_a_lamp_that_is_moved_faces_the_scene_as_before(azimuth: float, elevatio
     lamp = BOOTH.lamps[index]
     there = moved(lamp, point_at(azimuth, elevation, 2.0))
 
-    def inwards(item: Lamp) -> float:
+    def inwards(item: StudioLamp) -> float:
         facing, position = np.array(item.facing), np.array(item.position_m)
         return float(-facing @ position / np.linalg.norm(facing) / np.linalg.norm(position))
 
@@ -77,8 +77,8 @@ def test_a_lamp_that_is_moved_and_moved_back_is_the_same() -> None:
 
 @given(AZIMUTHS, ELEVATIONS, st.floats(0.3, 60.0))
 def test_a_lamp_stays_in_its_room(azimuth: float, elevation: float, distance: float) -> None:
-    position = held_in(Room(), point_at(azimuth, elevation, distance))
-    assert Room().holds(position)
+    position = held_in(BoothRoom(), point_at(azimuth, elevation, distance))
+    assert BoothRoom().holds(position)
     assert polar(position)[:2] == pytest.approx((azimuth, elevation))
     assert held_in(None, (60.0, 0.0, 0.0)) == (60.0, 0.0, 0.0)
     placed(BOOTH, 0, point_at(azimuth, elevation, distance))

@@ -15,17 +15,17 @@ from brdf_suite.documents.view_settings import PartMaterial, Sparkle, SurfaceLoo
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.meshes import write_mesh_glb
 from brdf_suite.progress import Progress
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 PLAIN = SurfaceLook(occlusion=False)
 
 
-def ball(name: str, x: float, material: str) -> Part:
+def ball(name: str, x: float, material: str) -> PartGeometry:
     v, u = np.meshgrid(np.linspace(0.01, np.pi - 0.01, 17), np.linspace(0, 2 * np.pi, 33), indexing="ij")
     n = np.stack([np.sin(v) * np.sin(u), np.cos(v), np.sin(v) * np.cos(u)], -1).reshape(-1, 3)
     i = (np.arange(16)[:, None] * 33 + np.arange(32)).ravel()
     triangles = np.concatenate([np.stack([i, i + 33, i + 1], -1), np.stack([i + 1, i + 33, i + 34], -1)])
-    return Part(name, material, n * 0.1 + [x, 0.1, 0.0], n, n[:, :2] * 100, triangles)
+    return PartGeometry(name, material, n * 0.1 + [x, 0.1, 0.0], n, n[:, :2] * 100, triangles)
 
 
 @pytest.fixture

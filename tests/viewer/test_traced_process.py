@@ -27,14 +27,16 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ReferenceUnavailableError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.processes import child_command
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 ENVIRONMENT = Environment("dim", np.full((8, 16, 3), 0.5, np.float32), ("a note",))
 CORNERS = np.eye(3, dtype=np.float32)
 FACET = Mesh(
     "facet",
     tuple(
-        Part(name, "paint", CORNERS, np.tile([0.0, 0.0, 1.0], (3, 1)), CORNERS[:, :2], np.array([[0, 1, 2]]))
+        PartGeometry(
+            name, "paint", CORNERS, np.tile([0.0, 0.0, 1.0], (3, 1)), CORNERS[:, :2], np.array([[0, 1, 2]])
+        )
         for name in ("hood", "door")
     ),
 )

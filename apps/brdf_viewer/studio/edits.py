@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 
 from brdf_suite.documents.light_store import LightDocument
-from brdf_suite.documents.studio import Backdrop, Lamp, Point, Room, Sky, Studio
+from brdf_suite.documents.studio import Backdrop, BoothRoom, Point, Sky, Studio, StudioLamp
 from brdf_viewer.studio.places import angle_of, held_in, moved, point_at, polar, size_at
 from brdf_viewer.studio.templates import NEW_LAMPS
 
@@ -13,7 +13,7 @@ LARGEST_DEG = 170.0
 _BESIDE_DEG = 20.0
 
 
-def with_lamp(studio: Studio, index: int, lamp: Lamp) -> Studio:
+def with_lamp(studio: Studio, index: int, lamp: StudioLamp) -> Studio:
     """Return the studio with one lamp replaced; :class:`ValueRangeError` where it cannot be so."""
     lamps = (*studio.lamps[:index], lamp, *studio.lamps[index + 1 :])
     return dataclasses.replace(studio, lamps=lamps)
@@ -45,7 +45,7 @@ def placed(studio: Studio, index: int, position: Point) -> Studio:
     return with_lamp(studio, index, moved(studio.lamps[index], held_in(studio.room, position)))
 
 
-def scaled(lamp: Lamp, factor: float) -> Lamp:
+def scaled(lamp: StudioLamp, factor: float) -> StudioLamp:
     """Return the lamp with both of its angles a factor larger, up to 170°."""
     distance = polar(lamp.position_m)[2]
     angles = (min(LARGEST_DEG, angle_of(size, distance) * factor) for size in lamp.size_m)
@@ -59,7 +59,7 @@ def with_room(studio: Studio, has_room: bool) -> Studio:
         return studio
     if not has_room:
         return dataclasses.replace(studio, room=None, backdrop=Backdrop())
-    room = Room()
+    room = BoothRoom()
     lamps = tuple(moved(lamp, held_in(room, lamp.position_m)) for lamp in studio.lamps)
     return dataclasses.replace(studio, room=room, backdrop=None, lamps=lamps)
 

@@ -8,7 +8,7 @@ from brdf_qt.form import Form
 from brdf_qt.labels import plain_tip
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from brdf_suite.documents.studio import PARAMETERS, Lamp, Point
+from brdf_suite.documents.studio import PARAMETERS, Point, StudioLamp
 from brdf_viewer.studio.fields import Edits, TemperatureField, show_choice
 from brdf_viewer.studio.places import angle_of, facing_deg, moved, point_at, polar, size_at
 
@@ -62,7 +62,7 @@ class LampForm(QWidget):
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(form)
 
-    def set_lamp(self, lamp: Lamp, unit: str) -> None:
+    def set_lamp(self, lamp: StudioLamp, unit: str) -> None:
         """Show a lamp of a studio in ``unit``, without a signal."""
         show_choice(self.shape, lamp.shape)
         azimuth, elevation, distance = polar(lamp.position_m)
@@ -93,7 +93,7 @@ class LampForm(QWidget):
         self.softness.set_value(100.0 * lamp.softness_m)
 
 
-def changed_lamp(lamp: Lamp, name: str, value: object) -> Lamp:
+def changed_lamp(lamp: StudioLamp, name: str, value: object) -> StudioLamp:
     """Return the lamp after an edit of a field of :class:`LampForm`; :class:`ValueRangeError` where it cannot be."""
     azimuth, elevation, distance = polar(lamp.position_m)
     if name in ("azimuth", "elevation", "distance"):
@@ -118,7 +118,7 @@ def changed_lamp(lamp: Lamp, name: str, value: object) -> Lamp:
     return dataclasses.replace(lamp, **{name: value})
 
 
-def _shaped(lamp: Lamp, shape: str) -> Lamp:
+def _shaped(lamp: StudioLamp, shape: str) -> StudioLamp:
     """Return the lamp in another shape, its sides brought to what that can have."""
     first, second = lamp.size_m
     if shape == "strip":

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_suite.documents.light_store import LightDocument
-from brdf_suite.documents.studio import MOST_LAMPS, Lamp, Studio
+from brdf_suite.documents.studio import MOST_LAMPS, Studio, StudioLamp
 from brdf_viewer.sections.note import note, set_note
 from brdf_viewer.studio.lamp_form import SHAPE_TITLES, LampForm
 from brdf_viewer.studio.places import polar
@@ -251,7 +251,7 @@ class StudioPanel(QScrollArea):
         return None
 
 
-def lamp_line(index: int, lamp: Lamp) -> str:
+def lamp_line(index: int, lamp: StudioLamp) -> str:
     """Return a lamp's line in the list.
 
     >>> lamp_line(0, Lamp("ring", (0.0, 2.0, 2.0), (1.0, 0.1), luminance=8.0, colour_temperature_k=3200.0))

@@ -12,7 +12,7 @@ from math import asin, atan, atan2, cos, degrees, hypot, radians, sin, sqrt, tan
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.documents.studio import Lamp, Point, Room
+from brdf_suite.documents.studio import BoothRoom, Point, StudioLamp
 from brdf_suite.lighting.procedural.lamps import LampSurface
 
 _LARGEST_ANGLE_DEG = 175.0
@@ -46,7 +46,7 @@ def size_at(angle_deg: float, distance: float) -> float:
     return 2.0 * distance * tan(radians(0.5 * min(angle_deg, _LARGEST_ANGLE_DEG)))
 
 
-def held_in(room: Room | None, position: Point) -> Point:
+def held_in(room: BoothRoom | None, position: Point) -> Point:
     """Return the position, drawn nearer along its direction where it lies outside of the room."""
     if room is None or room.holds(position):
         return position
@@ -62,7 +62,7 @@ def held_in(room: Room | None, position: Point) -> Point:
     return (position[0] * share, position[1] * share, position[2] * share)
 
 
-def moved(lamp: Lamp, position: Point) -> Lamp:
+def moved(lamp: StudioLamp, position: Point) -> StudioLamp:
     """Return the lamp at another position, its size in metres kept, turned so that it faces the same way from there."""
     facing = lamp.facing
     if facing is not None:
@@ -92,7 +92,7 @@ def rotation(start: NDArray[np.float64], end: NDArray[np.float64]) -> NDArray[np
     return np.asarray(frame(end) @ frame(start).T)
 
 
-def facing_deg(lamp: Lamp) -> tuple[float, float]:
+def facing_deg(lamp: StudioLamp) -> tuple[float, float]:
     """Return the azimuth and elevation (°) towards which a lamp shines."""
     facing = lamp.facing if lamp.facing is not None else tuple(-value for value in lamp.position_m)
     azimuth, elevation, _ = polar((facing[0], facing[1], facing[2]))
@@ -113,7 +113,7 @@ def panorama_direction(across: float, down: float) -> NDArray[np.float64]:
     return np.array([-sin(theta) * sin(phi), cos(theta), sin(theta) * cos(phi)])
 
 
-def outline(lamp: Lamp, points: int = 64) -> NDArray[np.float64]:
+def outline(lamp: StudioLamp, points: int = 64) -> NDArray[np.float64]:
     """Return directions (n, 3) around a lamp's edge as seen from the middle of the scene."""
     surface = LampSurface.of(lamp)
     if lamp.shape == "ring":
@@ -132,7 +132,7 @@ def outline(lamp: Lamp, points: int = 64) -> NDArray[np.float64]:
     return np.asarray(places / np.linalg.norm(places, axis=1, keepdims=True))
 
 
-def covers(lamp: Lamp, direction: NDArray[np.float64]) -> bool:
+def covers(lamp: StudioLamp, direction: NDArray[np.float64]) -> bool:
     """Whether a lamp is seen in a direction from the middle of the scene, its ring's hole included."""
     surface = LampSurface.of(lamp)
     along, reach = float(direction @ surface.facing), float(surface.centre @ surface.facing)

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from brdf_suite.appearance.colorimetry import WORKING_TO_SRGB, srgb_encode
 from brdf_suite.documents.light_store import LightDocument
-from brdf_suite.documents.studio import Lamp, Sky, Studio
+from brdf_suite.documents.studio import Sky, Studio, StudioLamp
 from brdf_viewer.studio.places import covers, outline, panorama_direction, panorama_place, point_at, polar
 
 _COLUMNS = 512
@@ -234,5 +234,5 @@ class StudioPreview(QWidget):
         return panorama_direction(across, down)
 
 
-def _distance(lamp: Lamp) -> float:
+def _distance(lamp: StudioLamp) -> float:
     return polar(lamp.position_m)[2]

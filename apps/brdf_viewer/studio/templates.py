@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from brdf_suite.documents.light_store import LightDocument
-from brdf_suite.documents.studio import Backdrop, Lamp, Sky, Studio
+from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp
 from brdf_suite.lighting.procedural.booth import BOOTH
 from brdf_suite.lighting.procedural.example import EXAMPLE
 
@@ -20,7 +20,9 @@ TEMPLATES: Mapping[str, tuple[str, LightDocument]] = MappingProxyType(
                 "Light tunnel",
                 backdrop=Backdrop(luminance=0.08),
                 lamps=tuple(
-                    Lamp("strip", (x, y, 0.0), (9.0, 0.25), roll_deg=90.0, luminance=8.0, softness_m=0.03)
+                    StudioLamp(
+                        "strip", (x, y, 0.0), (9.0, 0.25), roll_deg=90.0, luminance=8.0, softness_m=0.03
+                    )
                     for x, y in ((-2.6, 0.8), (-1.8, 2.2), (0.0, 2.8), (1.8, 2.2), (2.6, 0.8))
                 ),
             ),
@@ -31,7 +33,7 @@ TEMPLATES: Mapping[str, tuple[str, LightDocument]] = MappingProxyType(
             Studio(
                 "My studio",
                 backdrop=Backdrop(luminance=0.15),
-                lamps=(Lamp("box", (0.0, 3.0, 0.5), (2.5, 2.5), luminance=5.0, softness_m=0.2),),
+                lamps=(StudioLamp("box", (0.0, 3.0, 0.5), (2.5, 2.5), luminance=5.0, softness_m=0.2),),
             ),
         ),
         "sky": ("Sky with sun", Sky("My sky")),
@@ -39,11 +41,11 @@ TEMPLATES: Mapping[str, tuple[str, LightDocument]] = MappingProxyType(
 )
 """Title and document by key, in the order of the menu."""
 
-NEW_LAMPS: Mapping[str, Lamp] = MappingProxyType(
+NEW_LAMPS: Mapping[str, StudioLamp] = MappingProxyType(
     {
-        "box": Lamp("box", (1.8, 1.6, 1.8), (1.2, 1.2), softness_m=0.1),
-        "strip": Lamp("strip", (-2.0, 1.2, 1.6), (2.0, 0.25), roll_deg=90.0, luminance=8.0),
-        "ring": Lamp("ring", (0.0, 1.0, 2.8), (1.0, 0.12), luminance=8.0, softness_m=0.02),
+        "box": StudioLamp("box", (1.8, 1.6, 1.8), (1.2, 1.2), softness_m=0.1),
+        "strip": StudioLamp("strip", (-2.0, 1.2, 1.6), (2.0, 0.25), roll_deg=90.0, luminance=8.0),
+        "ring": StudioLamp("ring", (0.0, 1.0, 2.8), (1.0, 0.12), luminance=8.0, softness_m=0.02),
     }
 )
 """What is added, by its shape."""

@@ -15,7 +15,7 @@ import numpy as np
 
 from brdf_suite.errors import FileError
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 _ARRAYS = ("positions", "normals", "uvs", "triangles")
 _TOLD = "told"
@@ -51,7 +51,7 @@ def read_surface_file(path: Path) -> Mesh:
     """Return the surface that :func:`write_surface` wrote. FileError."""
     told, arrays = _read(path)
     parts = [
-        Part(name, material, *(arrays[f"{array}_{index}"] for array in _ARRAYS))
+        PartGeometry(name, material, *(arrays[f"{array}_{index}"] for array in _ARRAYS))
         for index, (name, material) in enumerate(told["parts"])
     ]
     return Mesh(told["name"], tuple(parts), tuple(told["notes"]))

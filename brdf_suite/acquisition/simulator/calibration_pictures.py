@@ -8,8 +8,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.simulator.lamp import Lamp
-from brdf_suite.acquisition.simulator.optics import Optics
+from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
+from brdf_suite.acquisition.simulator.optics import SimulatedCamera
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
 
 Floats = NDArray[np.float64]
@@ -27,7 +27,7 @@ _MOST_TILT_DEG = 38.0
 _SUBPIXELS = 5
 
 
-def tile_picture(optics: Optics, settings: SimulatorSettings, lamp: Lamp) -> Floats:
+def tile_picture(optics: SimulatedCamera, settings: SimulatorSettings, lamp: SimulatedLamp) -> Floats:
     """Return the radiance (h, w, 3), over the lamp's strength, of a matt tile at the origin that faces +z."""
     half = _TILE_HALF * settings.radius_m
 
@@ -43,7 +43,7 @@ def tile_picture(optics: Optics, settings: SimulatorSettings, lamp: Lamp) -> Flo
     )
 
 
-def tile_region(optics: Optics, settings: SimulatorSettings) -> tuple[int, int, int, int]:
+def tile_region(optics: SimulatedCamera, settings: SimulatorSettings) -> tuple[int, int, int, int]:
     """Return (left, top, width, height) in pixels of the tile's middle."""
     half = _REGION_HALF * settings.radius_m
     corners = optics.project(np.array([[-half, half, 0.0], [half, -half, 0.0]]))
@@ -52,13 +52,13 @@ def tile_region(optics: Optics, settings: SimulatorSettings) -> tuple[int, int, 
     return left, top, max(1, right - left + 1), max(1, bottom - top + 1)
 
 
-def board_square_m(optics: Optics, settings: SimulatorSettings) -> float:
+def board_square_m(optics: SimulatedCamera, settings: SimulatorSettings) -> float:
     """Return the side of a square, in tenths of a millimetre, of a board that fills most of the picture."""
     field = settings.camera_distance_m * min(settings.size) / optics.lens.fx
     return round(0.78 * field / (BOARD_COLUMNS + 1), 4)
 
 
-def board_picture(optics: Optics, settings: SimulatorSettings, index: int) -> Floats:
+def board_picture(optics: SimulatedCamera, settings: SimulatorSettings, index: int) -> Floats:
     """Return fillings of the well (h, w, 3) of the board in its pose of this index."""
     square = board_square_m(optics, settings)
     axes, middle = _pose(optics, settings, index)
@@ -76,7 +76,7 @@ def board_picture(optics: Optics, settings: SimulatorSettings, index: int) -> Fl
     return _plane_picture(optics, settings, middle, axes, shade)
 
 
-def _pose(optics: Optics, settings: SimulatorSettings, index: int) -> tuple[Floats, Floats]:
+def _pose(optics: SimulatedCamera, settings: SimulatorSettings, index: int) -> tuple[Floats, Floats]:
     """Return the board's axes (rows across, up, towards the camera) and its middle, in the world."""
     random = np.random.default_rng([settings.seed, 2, index])
     # Tilts about every axis in turn, or the focal length cannot be separated from the distance.
@@ -107,7 +107,7 @@ def _points(uv: Floats, middle: Floats, axes: Floats) -> Floats:
 
 
 def _plane_picture(
-    optics: Optics,
+    optics: SimulatedCamera,
     settings: SimulatorSettings,
     middle: Floats,
     axes: Floats,

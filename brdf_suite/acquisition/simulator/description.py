@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from brdf_suite.acquisition.session import (
     Board,
-    Camera,
     FlatField,
     Intrinsics,
     Light,
     Position,
     Session,
+    SessionCamera,
     Sphere,
     WhiteReference,
 )
@@ -34,7 +34,7 @@ _CURVE_POINTS = 257
 def session_of(
     settings: SimulatorSettings,
     name: str,
-    camera: Camera,
+    camera: SessionCamera,
     board: tuple[int, int, float, int],
     region: tuple[int, int, int, int],
     irradiance: Floats,

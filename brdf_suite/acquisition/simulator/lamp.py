@@ -20,7 +20,7 @@ POST_RADIUS_M = 0.004
 
 
 @dataclass(frozen=True, eq=False)
-class Lamp:
+class SimulatedLamp:
     """A point at ``place`` (3,) in the world that shines at the origin."""
 
     place: Floats

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.simulator.lamp import Lamp
-from brdf_suite.acquisition.simulator.optics import Optics, first_hits
+from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
+from brdf_suite.acquisition.simulator.optics import SimulatedCamera, first_hits
 from brdf_suite.acquisition.simulator.turntable import mirrored_turntable
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -41,10 +41,10 @@ _BLOCK = 1 << 18
 
 
 @dataclass(frozen=True, eq=False)
-class Scene:
+class SimulatedScene:
     """A sphere before the camera; ``matrix`` (3, 3) turns reflectance into that of the camera's channels."""
 
-    optics: Optics
+    optics: SimulatedCamera
     size: tuple[int, int]
     centre: Floats
     radius: float
@@ -52,7 +52,7 @@ class Scene:
     matrix: Floats | None
     arm: bool
 
-    def mean_radiance(self, lamp: Lamp) -> Floats:
+    def mean_radiance(self, lamp: SimulatedLamp) -> Floats:
         """Return (h, w, 3): the mean over each pixel, over the strength of the lamp's channel."""
         width, height = self.size
         rows, columns = np.mgrid[0.0:height, 0.0:width]
@@ -68,7 +68,7 @@ class Scene:
         return picture
 
     def _refine(
-        self, lamp: Lamp, picture: Floats, pixels: NDArray[np.int64], side: int, *, deeper: bool
+        self, lamp: SimulatedLamp, picture: Floats, pixels: NDArray[np.int64], side: int, *, deeper: bool
     ) -> None:
         """Replace pixels (n, 2) as (row, column) by the mean of ``side`` × ``side`` rays."""
         block = max(1, _BLOCK // (side * side))
@@ -77,7 +77,9 @@ class Scene:
             means = self._means(lamp, part[:, 1].astype(float), part[:, 0].astype(float), 1.0, side, deeper)
             picture[part[:, 0], part[:, 1]] = means
 
-    def _means(self, lamp: Lamp, x: Floats, y: Floats, width: float, side: int, deeper: bool) -> Floats:
+    def _means(
+        self, lamp: SimulatedLamp, x: Floats, y: Floats, width: float, side: int, deeper: bool
+    ) -> Floats:
         """Return the mean radiance (n, 3) over squares of a width around (x, y), pixels.
 
         ``deeper``: cells that differ much from their neighbours are divided once more.
@@ -96,7 +98,7 @@ class Scene:
         return means
 
     def _seen(
-        self, lamp: Lamp, x: Floats, y: Floats
+        self, lamp: SimulatedLamp, x: Floats, y: Floats
     ) -> tuple[Floats, Floats, NDArray[np.bool_], NDArray[np.bool_]]:
         """Return of each ray: radiance (n, 3), θh (n,) or NaN, whether it meets the sphere, whether it is hidden."""
         values, half = np.zeros((len(x), 3)), np.full(len(x), np.nan)
@@ -113,7 +115,7 @@ class Scene:
             values[start + shown], half[start + shown] = self._shaded(lamp, points, -rays[shown])
         return values, half, covered, hidden
 
-    def _shaded(self, lamp: Lamp, points: Floats, views: Floats) -> tuple[Floats, Floats]:
+    def _shaded(self, lamp: SimulatedLamp, points: Floats, views: Floats) -> tuple[Floats, Floats]:
         """Return radiance (n, 3) and θh (n,) of points on the sphere seen from directions (n, 3)."""
         normals = (points - self.centre) / self.radius
         lights, relative = lamp.at(points)

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.session import Camera, Intrinsics, Session
+from brdf_suite.acquisition.session import Intrinsics, Session, SessionCamera
 from brdf_suite.acquisition.session_values import Matrix
 from brdf_suite.acquisition.simulator.calibration_pictures import (
     BOARD_COLUMNS,
@@ -20,9 +20,9 @@ from brdf_suite.acquisition.simulator.calibration_pictures import (
     tile_region,
 )
 from brdf_suite.acquisition.simulator.description import WHITE_ANGLE_DEG, session_of, truth_of
-from brdf_suite.acquisition.simulator.lamp import Lamp
-from brdf_suite.acquisition.simulator.optics import Optics, tilted
-from brdf_suite.acquisition.simulator.picture import Scene
+from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
+from brdf_suite.acquisition.simulator.optics import SimulatedCamera, tilted
+from brdf_suite.acquisition.simulator.picture import SimulatedScene
 from brdf_suite.acquisition.simulator.sensor import Codes, Sensor
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
 from brdf_suite.reflectance.protocol import Reflectance
@@ -71,7 +71,7 @@ class Simulator:
         return session_of(
             settings,
             self.name,
-            Camera(
+            SessionCamera(
                 settings.camera_distance_m,
                 settings.camera_height_m,
                 settings.bit_depth,
@@ -101,7 +101,7 @@ class Simulator:
             places,
         )
 
-    def lamp(self, position: int) -> Lamp:
+    def lamp(self, position: int) -> SimulatedLamp:
         """Return the lamp where it truly stands at a position."""
         return self._lamp(self.settings.angles()[position])
 
@@ -157,15 +157,15 @@ class Simulator:
         first, second, third = ((float(a), float(b), float(c)) for a, b, c in np.linalg.inv(_FROM_WORKING))
         return first, second, third
 
-    def _lamp(self, degrees: float) -> Lamp:
+    def _lamp(self, degrees: float) -> SimulatedLamp:
         return self._unit_lamp(degrees + self.settings.light_offset_deg)
 
-    def _unit_lamp(self, degrees: float) -> Lamp:
+    def _unit_lamp(self, degrees: float) -> SimulatedLamp:
         angle, settings = math.radians(degrees), self.settings
         distance = settings.light_distance_m
         height = settings.light_height_m + settings.light_height_offset_m
         place = np.array([distance * math.sin(angle), height, distance * math.cos(angle)])
-        return Lamp(place, settings.profile)
+        return SimulatedLamp(place, settings.profile)
 
     def _centre(self, position: int) -> Floats:
         """Where the sphere truly stands at a position."""
@@ -177,11 +177,11 @@ class Simulator:
         centre: Floats = (right * self.optics.turn[0] + down * self.optics.turn[1]) * scale
         return centre
 
-    def _scene(self, position: int) -> Scene:
+    def _scene(self, position: int) -> SimulatedScene:
         settings = self.settings
         matrix = _FROM_WORKING if settings.colour_matrix else None
         centre = self._centre(position)
-        return Scene(
+        return SimulatedScene(
             self.optics, settings.size, centre, settings.radius_m, self.reflectance, matrix, settings.arm
         )
 
@@ -205,7 +205,7 @@ def _tilt(settings: SimulatorSettings) -> float:
     return math.atan2(-settings.camera_height_m, settings.camera_distance_m)
 
 
-def _optics(settings: SimulatorSettings) -> Optics:
+def _optics(settings: SimulatorSettings) -> SimulatedCamera:
     width, height = settings.size
     away = math.hypot(settings.camera_distance_m, settings.camera_height_m)
     outline = math.tan(math.asin(settings.radius_m / away))
@@ -220,4 +220,4 @@ def _optics(settings: SimulatorSettings) -> Optics:
         settings.distortion / corner**2,
     )
     centre, turn = tilted(settings.camera_height_m, settings.camera_distance_m, _tilt(settings))
-    return Optics(centre, turn, lens)
+    return SimulatedCamera(centre, turn, lens)

@@ -23,7 +23,7 @@ import numpy as np
 
 from brdf_suite.documents.paint import Paint
 from brdf_suite.files.exports.model_fit import (
-    Samples,
+    ModelFitSamples,
     ggx,
     half_vector,
     leaves_rec_709,
@@ -99,7 +99,7 @@ def fit_carpaint(paint: Paint) -> CarPaint:
     return replace(best[1], differences=samples.at_readings(value), clipped=leaves_rec_709(samples))
 
 
-def _weights(samples: Samples, left: Floats, m1: float, m2: float) -> Floats:
+def _weights(samples: ModelFitSamples, left: Floats, m1: float, m2: float) -> Floats:
     """(3 columns kd, ks1, ks2; 3 channels) that miss ``left`` least, relatively; between 0 and 1."""
     from scipy.optimize import nnls  # much to import, and only these exports fit
 

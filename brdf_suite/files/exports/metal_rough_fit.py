@@ -26,7 +26,7 @@ import numpy as np
 from brdf_suite.documents.paint import Paint
 from brdf_suite.files.exports.lobe_albedo import one_bounce
 from brdf_suite.files.exports.model_fit import (
-    Samples,
+    ModelFitSamples,
     ggx,
     half_vector,
     leaves_rec_709,
@@ -161,7 +161,7 @@ def _fit(paint: Paint, *, gltf: bool) -> MetalRough:
     return replace(best, differences=differences, clipped=leaves_rec_709(samples))
 
 
-def _coloured(model: MetalRough, samples: Samples) -> MetalRough:
+def _coloured(model: MetalRough, samples: ModelFitSamples) -> MetalRough:
     """The model with the colour that misses the paint least, relatively."""
     slope, offset = model._linear(samples.wi, samples.wo)
     scale = samples.weight[:, None] / (np.maximum(samples.f, 0.0) + _FLOOR * float(samples.f.max())) ** 2

@@ -32,7 +32,7 @@ _LOWEST_VIEW_DEG = 75.0
 
 
 @dataclass(frozen=True, eq=False)
-class Samples:
+class ModelFitSamples:
     """Directions (n, 3), f_r of the paint (n, 3) in linear Rec. 709, and weights (n,); the ``readings`` come first."""
 
     wi: Floats
@@ -54,7 +54,7 @@ class Samples:
         return tuple(self.difference(f)[: self.readings].tolist())
 
 
-def samples_of(paint: Paint, layers: PaintReflectance) -> Samples:
+def samples_of(paint: Paint, layers: PaintReflectance) -> ModelFitSamples:
     """Return what the models are fitted to: the paint's readings, and directions between and beyond them."""
     read = [(m.illumination_deg, m.aspecular_deg) for m in paint.measurements]
     usual = read[0][0]
@@ -76,10 +76,10 @@ def samples_of(paint: Paint, layers: PaintReflectance) -> Samples:
     weight = np.concatenate(
         [np.ones(len(read)), np.full(len(between), _BETWEEN), np.full(len(beyond), _OTHER_LIGHTS)]
     )
-    return Samples(wi, wo, f @ WORKING_TO_SRGB.T, weight, len(read))
+    return ModelFitSamples(wi, wo, f @ WORKING_TO_SRGB.T, weight, len(read))
 
 
-def leaves_rec_709(samples: Samples) -> bool:
+def leaves_rec_709(samples: ModelFitSamples) -> bool:
     """Return whether a reading of the paint is more saturated than Rec. 709, in which the models are written."""
     return bool(samples.f[: samples.readings].min() < -1e-6)
 

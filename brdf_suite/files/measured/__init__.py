@@ -1,6 +1,11 @@
 """Measured reflectance: every file format behind :func:`read_measured` and :func:`write_measured`."""
 
-from brdf_suite.files.measured.format import MeasuredFormat, MeasuredReflectance, ReadOptions, Written
+from brdf_suite.files.measured.format import (
+    MeasuredFormat,
+    MeasuredReflectance,
+    ReadOptions,
+    WrittenMeasurement,
+)
 from brdf_suite.files.measured.registry import FORMATS, read_measured, sniff, write_measured
 
 __all__ = [
@@ -8,7 +13,7 @@ __all__ = [
     "MeasuredFormat",
     "MeasuredReflectance",
     "ReadOptions",
-    "Written",
+    "WrittenMeasurement",
     "read_measured",
     "sniff",
     "write_measured",

@@ -19,7 +19,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.measured.bounded_reading import number_in, numbered_lines
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
 from brdf_suite.files.measured.samples import (
-    Rows,
+    SampleRows,
     angles,
     as_samples,
     columns,
@@ -41,36 +41,36 @@ _LEAST_COSINE = 1e-3
 _Pair = tuple[Floats, Floats]
 
 
-def _projected(rows: Rows, x: Floats) -> _Pair:
+def _projected(rows: SampleRows, x: Floats) -> _Pair:
     zero = np.zeros(len(x))
     wo = directions(rows, np.hypot(x[:, 1], x[:, 2]), np.arctan2(x[:, 2], x[:, 1]))
     return directions(rows, x[:, 0], zero), wo
 
 
-def _view_light_azimuth(rows: Rows, x: Floats) -> _Pair:
+def _view_light_azimuth(rows: SampleRows, x: Floats) -> _Pair:
     return directions(rows, x[:, 1], x[:, 2]), directions(rows, x[:, 0], np.zeros(len(x)))
 
 
-def _view_light(rows: Rows, x: Floats) -> _Pair:
+def _view_light(rows: SampleRows, x: Floats) -> _Pair:
     zero = np.zeros(len(x))
     return directions(rows, x[:, 1], zero), directions(rows, x[:, 0], zero)
 
 
-def _spherical(rows: Rows, x: Floats) -> _Pair:
+def _spherical(rows: SampleRows, x: Floats) -> _Pair:
     return directions(rows, x[:, 0], x[:, 1]), directions(rows, x[:, 2], x[:, 3])
 
 
-def _cartesian(rows: Rows, x: Floats) -> _Pair:
+def _cartesian(rows: SampleRows, x: Floats) -> _Pair:
     view, light = x[:, :3], x[:, 3:]
     return _unit(rows, light), _unit(rows, view)
 
 
-def _half_angles(rows: Rows, theta_h: Floats, phi_h: Floats, theta_d: Floats, phi_d: Floats) -> _Pair:
+def _half_angles(rows: SampleRows, theta_h: Floats, phi_h: Floats, theta_d: Floats, phi_d: Floats) -> _Pair:
     pair = from_half_angle_coordinates(theta_h, phi_h, theta_d, phi_d)
     return _unit(rows, pair[0]), _unit(rows, pair[1])
 
 
-def _unit(rows: Rows, w: Floats) -> Floats:
+def _unit(rows: SampleRows, w: Floats) -> Floats:
     length = np.sqrt(np.einsum("ni,ni->n", w, w))
     wrong = np.flatnonzero((np.abs(length - 1.0) > 1e-3) | (w[:, 2] < -1e-3))
     if wrong.size:
@@ -83,7 +83,7 @@ def _unit(rows: Rows, w: Floats) -> Floats:
     return w
 
 
-_INPUTS: dict[str, tuple[int, Callable[[Rows, Floats], _Pair]]] = {
+_INPUTS: dict[str, tuple[int, Callable[[SampleRows, Floats], _Pair]]] = {
     "ISOTROPIC_TL_TV_PROJ_DPHI": (3, _projected),
     "ISOTROPIC_TV_TL_DPHI": (3, _view_light_azimuth),
     "ISOTROPIC_TV_TL": (2, _view_light),
@@ -159,7 +159,7 @@ def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
         With the line of the first fault.
     """
     header = _Header(path)
-    rows: Rows | None = None
+    rows: SampleRows | None = None
     number = 0
     for number, text in numbered_lines(path, _LARGEST):
         words = text.split()
@@ -171,7 +171,7 @@ def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
             continue
         if rows is None:
             header.check(number)
-            rows = Rows(path, header.inputs + header.outputs)
+            rows = SampleRows(path, header.inputs + header.outputs)
         wanted = rows.width + header.intervals
         if len(words) != wanted:
             raise FileError(path, f"{wanted} numbers are wanted, not {len(words)}", f"line {number}")

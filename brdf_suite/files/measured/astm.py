@@ -14,7 +14,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.measured.bounded_reading import MOST_BANDS, number_in, numbered_lines
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
 from brdf_suite.files.measured.samples import (
-    Rows,
+    SampleRows,
     angles,
     as_samples,
     checked_bands,
@@ -40,7 +40,7 @@ def read_astm(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
     announced: int | None = None
     meaning, bands = "", np.empty(0)
     facts: dict[str, object] = {"format": "ASTM text", "name": ""}
-    rows: Rows | None = None
+    rows: SampleRows | None = None
     number = 0
     for number, text in numbered_lines(path, _LARGEST):
         line = text.strip()
@@ -55,7 +55,7 @@ def read_astm(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
             elif key == "VARS":
                 names = [name.strip() for name in rest.split(",")]
                 meaning, bands = _columns(path, names, number)
-                rows = Rows(path, len(names))
+                rows = SampleRows(path, len(names))
             continue
         words = line.split(",")
         if len(words) != rows.width:

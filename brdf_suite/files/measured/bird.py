@@ -21,7 +21,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.measured.bounded_reading import MOST_SAMPLES
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
 from brdf_suite.files.measured.samples import (
-    Rows,
+    SampleRows,
     angles,
     as_samples,
     checked_bands,
@@ -103,14 +103,14 @@ def read_bird(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
     return samples(**common, spectra=spectra, wavelengths_nm=wavelengths)
 
 
-class _Entries(Rows):
+class _Entries(SampleRows):
     """Rows that stand in JSON lists rather than on lines."""
 
     def place(self, row: int) -> str:
         return f"data, entry {self._lines[row]}"
 
 
-def _rows(path: PathLike, table: Floats) -> Rows:
+def _rows(path: PathLike, table: Floats) -> SampleRows:
     rows = _Entries(path, table.shape[1])
     for index, row in enumerate(table.tolist()):
         rows.add(row, index)

@@ -14,7 +14,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.measured.bounded_reading import MOST_BANDS, number_in, numbered_lines
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
 from brdf_suite.files.measured.samples import (
-    Rows,
+    SampleRows,
     angles,
     as_samples,
     checked_bands,
@@ -37,7 +37,7 @@ def read_cornell(path: PathLike, options: ReadOptions | None = None) -> Scattere
     count = 0
     bands: list[float] = []
     comments: list[str] = []
-    rows: Rows | None = None
+    rows: SampleRows | None = None
     wavelengths = np.empty(0)
     number = 0
     for number, text in numbered_lines(path, _LARGEST):
@@ -57,7 +57,7 @@ def read_cornell(path: PathLike, options: ReadOptions | None = None) -> Scattere
                 raise FileError(path, reason, f"line {number}")
             if len(bands) == count:
                 wavelengths = checked_bands(path, bands, f"line {number}")
-                rows = Rows(path, 4 + count)
+                rows = SampleRows(path, 4 + count)
         else:
             if len(words) != rows.width:
                 reason = f"{rows.width} numbers are wanted (four angles, {count} values), not {len(words)}"

@@ -81,7 +81,7 @@ class MeasuredFormat:
 
 
 @dataclass(frozen=True)
-class Written:
+class WrittenMeasurement:
     """In which format a value was written, and what of it that format could not hold."""
 
     format: MeasuredFormat

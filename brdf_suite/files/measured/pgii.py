@@ -14,7 +14,7 @@ import numpy as np
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.bounded_reading import number_in, numbered_lines
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
-from brdf_suite.files.measured.samples import Rows, directions, rgb_values, samples
+from brdf_suite.files.measured.samples import SampleRows, directions, rgb_values, samples
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 _LARGEST = 256 << 20
@@ -34,7 +34,7 @@ def read_pgii(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
     theta_i: float | None = None
     phi_i = 0.0
     kind, name = "", ""
-    rows = Rows(path, 3)
+    rows = SampleRows(path, 3)
     transmitted = 0
     number = 0
     for number, text in numbered_lines(path, _LARGEST):

@@ -27,7 +27,7 @@ from brdf_suite.files.measured.format import (
     MeasuredReflectance,
     PathLike,
     ReadOptions,
-    Written,
+    WrittenMeasurement,
 )
 
 FORMATS: tuple[MeasuredFormat, ...] = (
@@ -91,7 +91,7 @@ def read_measured(path: PathLike, *, options: ReadOptions | None = None) -> Meas
 
 
 # Any: each writer takes its own value classes and says what it cannot write.
-def write_measured(value: Any, path: PathLike) -> Written:
+def write_measured(value: Any, path: PathLike) -> WrittenMeasurement:
     """Write a reflectance in the format that the ending of ``path`` names; return that format, and notes.
 
     The file is written whole or not at all.
@@ -106,6 +106,6 @@ def write_measured(value: Any, path: PathLike) -> Written:
     writers = [known for known in FORMATS if known.write is not None]
     for known in writers:
         if ending in known.endings and known.write is not None:
-            return Written(known, known.write(value, path) or ())
+            return WrittenMeasurement(known, known.write(value, path) or ())
     endings = ", ".join(sorted({end for known in writers for end in known.endings}))
     raise FileError(path, f"the ending {ending or '(none)'} names no format that is written here ({endings})")

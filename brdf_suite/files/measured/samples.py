@@ -32,7 +32,7 @@ _VISIBLE_NM = (420.0, 680.0)
 _LARGEST_VALUE = 1e12
 
 
-class Rows:
+class SampleRows:
     """Numbers of the rows of one file, with the line that each came from."""
 
     def __init__(self, path: PathLike, width: int) -> None:
@@ -55,9 +55,9 @@ class Rows:
         """The rows (n, width)."""
         return np.frombuffer(self._numbers, np.float64).reshape(-1, self.width)
 
-    def only(self, kept: npt.NDArray[np.bool_]) -> Rows:
+    def only(self, kept: npt.NDArray[np.bool_]) -> SampleRows:
         """Return the rows where ``kept`` (n,) is true."""
-        found = Rows(self.path, self.width)
+        found = SampleRows(self.path, self.width)
         found._numbers.frombytes(self.table[kept].tobytes())
         found._lines.frombytes(np.frombuffer(self._lines, np.int64)[kept].tobytes())
         return found
@@ -67,7 +67,7 @@ class Rows:
         return f"line {self._lines[row]}"
 
 
-def directions(rows: Rows, theta: Floats, phi: Floats) -> Floats:
+def directions(rows: SampleRows, theta: Floats, phi: Floats) -> Floats:
     """Return unit directions (n, 3); refuse polar angles below the horizon, naming the line."""
     wrong = np.flatnonzero((np.abs(theta) > 0.5 * math.pi + _HORIZON_SLACK) | (np.abs(phi) > 8.0 * math.pi))
     if wrong.size:
@@ -91,7 +91,7 @@ def checked_bands(path: PathLike, bands: Sequence[float], place: str) -> Floats:
 
 
 def samples(
-    rows: Rows,
+    rows: SampleRows,
     wi: Floats,
     wo: Floats,
     *,

@@ -1,6 +1,6 @@
 """Palettes in the files that people have: every format behind one registry, each with what it cannot hold."""
 
-from brdf_suite.files.palettes.format import PaletteFormat, Read, Written
+from brdf_suite.files.palettes.format import PaletteFormat, ReadPalette, WrittenPalette
 from brdf_suite.files.palettes.registry import (
     FORMATS,
     format_for,
@@ -15,8 +15,8 @@ from brdf_suite.files.palettes.registry import (
 __all__ = [
     "FORMATS",
     "PaletteFormat",
-    "Read",
-    "Written",
+    "ReadPalette",
+    "WrittenPalette",
     "format_for",
     "format_named",
     "losses",

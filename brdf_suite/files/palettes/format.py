@@ -19,7 +19,7 @@ LARGEST = 64 << 20
 
 
 @dataclass(frozen=True)
-class Read:
+class ReadPalette:
     """A palette that was read, with what was repaired, assumed or left out on the way, in sentences."""
 
     palette: Palette
@@ -28,7 +28,7 @@ class Read:
 
 
 @dataclass(frozen=True)
-class Written:
+class WrittenPalette:
     """In which format a palette was written, how many bytes, and what that format could not hold, in sentences."""
 
     format: PaletteFormat

@@ -34,7 +34,7 @@ from brdf_suite.files.palettes import (
     scribus,
     soc,
 )
-from brdf_suite.files.palettes.format import LARGEST, PaletteFormat, PathLike, Read, Written
+from brdf_suite.files.palettes.format import LARGEST, PaletteFormat, PathLike, ReadPalette, WrittenPalette
 from brdf_suite.files.palettes.losses import encoded, losses_of
 
 FORMATS: tuple[PaletteFormat, ...] = (
@@ -99,7 +99,7 @@ def sniff(content: bytes, path: PathLike) -> PaletteFormat:
     raise FileError(path, f"is of no palette format that is known here ({titles})", "byte 0")
 
 
-def read_palette(path: PathLike) -> Read:
+def read_palette(path: PathLike) -> ReadPalette:
     """Return the palette in a file of any known format, whatever its name.
 
     Raises
@@ -111,7 +111,7 @@ def read_palette(path: PathLike) -> Read:
     return read_content(read_bytes(path, LARGEST_PALETTE), path)
 
 
-def read_content(content: bytes, path: PathLike, known: PaletteFormat | None = None) -> Read:
+def read_content(content: bytes, path: PathLike, known: PaletteFormat | None = None) -> ReadPalette:
     """Return the palette in the content of a file, of a format where that is known; errors as :func:`read_palette`."""
     if known is None:
         known = sniff(content, path)
@@ -121,7 +121,7 @@ def read_content(content: bytes, path: PathLike, known: PaletteFormat | None = N
         )
     with _no_collection():
         palette, notes = known.read(content, path)
-    return Read(palette, notes, known)
+    return ReadPalette(palette, notes, known)
 
 
 def losses(palette: Palette, known: PaletteFormat, path: PathLike = "") -> tuple[str, ...]:
@@ -137,7 +137,7 @@ def losses(palette: Palette, known: PaletteFormat, path: PathLike = "") -> tuple
     return losses_of(palette, known, encoded(palette, known), path or f"the {known.title} file")
 
 
-def write_palette(palette: Palette, path: PathLike, known: PaletteFormat | None = None) -> Written:
+def write_palette(palette: Palette, path: PathLike, known: PaletteFormat | None = None) -> WrittenPalette:
     """Write a palette, whole or not at all, in the format given or that the ending names.
 
     Raises
@@ -150,7 +150,7 @@ def write_palette(palette: Palette, path: PathLike, known: PaletteFormat | None 
     content = encoded(palette, known)
     lost = losses_of(palette, known, content, path)
     write_atomically(path, content)
-    return Written(known, len(content), lost)
+    return WrittenPalette(known, len(content), lost)
 
 
 @contextmanager

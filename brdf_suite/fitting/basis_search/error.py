@@ -33,7 +33,7 @@ from brdf_suite.fitting.basis_search.database import (
 from brdf_suite.fitting.lobes.layer_programs import base_program, coat_program, with_energy
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
-from brdf_suite.fitting.lobes.solver import BlockSolver, Outcome
+from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 
 FloatArray = NDArray[np.float64]
 
@@ -135,9 +135,9 @@ def _solve(program: PartProgram, targets: FloatArray, batch: int) -> FloatArray:
         if used < batch:
             chunk = np.concatenate([chunk, np.zeros((chunk.shape[0], batch - used))], axis=1)
         solver.load([chunk])
-        if solver.run(PATIENCE_S) is not Outcome.OPTIMAL:
+        if solver.run(PATIENCE_S) is not SolverOutcome.OPTIMAL:
             solver.forget()
-            if solver.run(PATIENCE_S) is not Outcome.OPTIMAL:
+            if solver.run(PATIENCE_S) is not SolverOutcome.OPTIMAL:
                 raise FittingError("The linear program of a basis was not solved; the basis is left out.")
         parts.append(solver.solution().solutions[0][:, :used])
     columns: FloatArray = np.concatenate(parts, axis=1) * program.column_scale[:, None] * sizes

@@ -21,11 +21,11 @@ import numpy.typing as npt
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
-from brdf_suite.fitting.cook_torrance.result import LobeFit
+from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 from brdf_suite.fitting.cook_torrance.samples import LobeSamples, checked_samples
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.fitting.cook_torrance.shapes import inverse_index_of
-from brdf_suite.fitting.cook_torrance.solve import COARSE, FINE, Problem, final_cost, search
+from brdf_suite.fitting.cook_torrance.solve import COARSE, FINE, FitProblem, final_cost, search
 from brdf_suite.fitting.cook_torrance.starts import starts
 from brdf_suite.fitting.cook_torrance.uncertainty import standard_errors
 from brdf_suite.progress import Progress, report
@@ -64,7 +64,7 @@ def fit_lobes(
     *,
     kept: KeptStarts | None = None,
     progress: Progress | None = None,
-) -> LobeFit:
+) -> CookTorranceFit:
     """Fit lobes to samples of a reflectance: equations 1 to 3 of Günther et al. 2005.
 
     Parameters
@@ -107,7 +107,7 @@ def fit_checked(
     *,
     kept: KeptStarts | None = None,
     progress: Progress | None = None,
-) -> LobeFit:
+) -> CookTorranceFit:
     """Fit lobes to samples that are checked already; otherwise as :func:`fit_lobes`."""
     model = LobeModel(settings.model, settings.lobes)
     if model.coat and settings.lobes < 2:
@@ -122,8 +122,8 @@ def fit_checked(
             f"{count} values cannot determine the {model.size} parameters of {lobes}; measure more directions"
             + (", or fit fewer lobes." if settings.lobes > 1 else ".")
         )
-    whole = Problem.of(model, used)
-    few = Problem.of(model, used.fewer(COARSE_SAMPLES, settings.seed + 1))
+    whole = FitProblem.of(model, used)
+    few = FitProblem.of(model, used.fewer(COARSE_SAMPLES, settings.seed + 1))
     ends = _search_from_starts(few, settings, kept, progress)
     ends.sort(key=few.energy)
     steps = _Steps(progress, 0.6)
@@ -135,7 +135,7 @@ def fit_checked(
     report(progress, 0.97, "uncertainties")
     cost = final_cost(whole, best, settings.loss)
     errors = standard_errors(whole, best, cost)
-    return LobeFit(model, best, settings, errors, whole, dropped)
+    return CookTorranceFit(model, best, settings, errors, whole, dropped)
 
 
 def key_of(samples: LobeSamples, settings: Settings) -> str:
@@ -147,7 +147,7 @@ def key_of(samples: LobeSamples, settings: Settings) -> str:
 
 
 def _search_from_starts(
-    few: Problem, settings: Settings, kept: KeptStarts | None, progress: Progress | None
+    few: FitProblem, settings: Settings, kept: KeptStarts | None, progress: Progress | None
 ) -> list[Vector]:
     report(progress, 0.0, "starts")
     key = key_of(few.samples, settings) if kept is not None else ""
@@ -188,7 +188,7 @@ class _Steps:
         report(self._progress, 0.97 - self._left, "refining")
 
 
-def _apart(ends: list[Vector], few: Problem) -> Iterator[Vector]:
+def _apart(ends: list[Vector], few: FitProblem) -> Iterator[Vector]:
     """The best ends, but none that is another again."""
     chosen: list[float] = []
     for x in ends:
@@ -200,7 +200,7 @@ def _apart(ends: list[Vector], few: Problem) -> Iterator[Vector]:
             return
 
 
-def _objective(problem: Problem, x: Vector, settings: Settings) -> float:
+def _objective(problem: FitProblem, x: Vector, settings: Settings) -> float:
     """What is compared: the energy of equation 2, or the mean square."""
     if settings.loss == "l2":
         return float(np.sqrt(2.0 * problem.objective(x, final_cost(problem, x, "l2"))))
@@ -208,7 +208,7 @@ def _objective(problem: Problem, x: Vector, settings: Settings) -> float:
 
 
 def _other_reflectances(
-    whole: Problem, few: Problem, best: Vector, settings: Settings, steps: _Steps
+    whole: FitProblem, few: FitProblem, best: Vector, settings: Settings, steps: _Steps
 ) -> Vector:
     """Set each lobe to other reflectances in turn, with its height kept, while that leads to something better."""
     model = whole.model
@@ -252,7 +252,7 @@ def _other_reflectances(
 
 
 def _fewer_lobes(
-    whole: Problem, few: Problem, best: Vector, settings: Settings, steps: _Steps
+    whole: FitProblem, few: FitProblem, best: Vector, settings: Settings, steps: _Steps
 ) -> tuple[Vector, tuple[int, ...]]:
     """Take away lobes that the samples do not ask for; return which (numbers after sorting are the first ones)."""
     model = whole.model

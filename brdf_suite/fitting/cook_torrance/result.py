@@ -14,7 +14,7 @@ from brdf_suite.errors import FittingError
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.fitting.cook_torrance.shapes import Terms
-from brdf_suite.fitting.cook_torrance.solve import Problem
+from brdf_suite.fitting.cook_torrance.solve import FitProblem
 from brdf_suite.fitting.cook_torrance.uncertainty import StandardErrors
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.blocks import in_blocks
@@ -27,7 +27,7 @@ _POORLY_DETERMINED = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class LobeFit:
+class CookTorranceFit:
     """Lobes fitted to samples; a reflectance itself, reciprocal and never negative.
 
     ``dropped`` are the lobes that the samples did not ask for: their weight is 0.
@@ -37,7 +37,7 @@ class LobeFit:
     vector: Vector
     settings: Settings
     standard_errors: StandardErrors
-    problem: Problem
+    problem: FitProblem
     dropped: tuple[int, ...] = ()
 
     @cached_property

@@ -45,7 +45,7 @@ _BLOCK = 1500
 
 
 @dataclass(frozen=True, eq=False)
-class Problem:
+class FitProblem:
     """Samples, their terms and the model to be fitted to them."""
 
     model: LobeModel
@@ -53,7 +53,7 @@ class Problem:
     terms: Terms
 
     @classmethod
-    def of(cls, model: LobeModel, samples: LobeSamples) -> Problem:
+    def of(cls, model: LobeModel, samples: LobeSamples) -> FitProblem:
         """Return the problem of these samples."""
         return cls(model, samples, Terms.of(samples.wi, samples.wo))
 
@@ -116,7 +116,12 @@ def products(slopes: Floats, weights: Floats, residuals: Floats) -> tuple[Floats
 
 
 def search(
-    problem: Problem, x: Vector, loss: Loss, deltas: tuple[float, ...], steps: int, tick: Tick | None = None
+    problem: FitProblem,
+    x: Vector,
+    loss: Loss,
+    deltas: tuple[float, ...],
+    steps: int,
+    tick: Tick | None = None,
 ) -> Vector:
     """Return where the search from ``x`` ends, after at most ``steps`` evaluations for each δ.
 
@@ -132,25 +137,25 @@ def search(
     return x
 
 
-def final_cost(problem: Problem, x: Vector, loss: Loss) -> Cost:
+def final_cost(problem: FitProblem, x: Vector, loss: Loss) -> Cost:
     """Return the cost with which a search for ``loss`` ends."""
     if loss == "l2":
         return Cost("linear")
     return Cost("smooth", FINE[-1]) if loss == "l1" else Cost("cauchy", robust_width(problem, x))
 
 
-def robust_width(problem: Problem, x: Vector) -> float:
+def robust_width(problem: FitProblem, x: Vector) -> float:
     """Return the width beyond which a residual counts as an outlier."""
     return _CAUCHY * max(spread_of(problem, x), _LEAST_SCALE)
 
 
-def spread_of(problem: Problem, x: Vector) -> float:
+def spread_of(problem: FitProblem, x: Vector) -> float:
     """Return the standard deviation of the residuals estimated from their median size, robust to outliers."""
     known = problem.samples.known
     return float(np.median(np.abs(problem.residuals(x)[known]))) / _MEDIAN
 
 
-def _minimize(problem: Problem, x: Vector, cost: Cost, steps: int, tick: Tick | None) -> Vector:
+def _minimize(problem: FitProblem, x: Vector, cost: Cost, steps: int, tick: Tick | None) -> Vector:
     from scipy.optimize import least_squares  # takes longer to import than a paint to edit
 
     # What has no weight has no slope either, and would wander.

@@ -17,7 +17,7 @@ import numpy as np
 
 from brdf_suite.fitting.cook_torrance.losses import Cost
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
-from brdf_suite.fitting.cook_torrance.solve import Problem, products
+from brdf_suite.fitting.cook_torrance.solve import FitProblem, products
 from brdf_suite.geometry.directions import Floats
 
 _LEAST_WIDTH = 1e-6
@@ -38,7 +38,7 @@ class StandardErrors:
     """(N,) of log ks (mean over channels) and r: near -1 where only their product is known."""
 
 
-def standard_errors(problem: Problem, x: Vector, cost: Cost) -> StandardErrors:
+def standard_errors(problem: FitProblem, x: Vector, cost: Cost) -> StandardErrors:
     """Return the standard errors of the answer ``x`` of a search with ``cost``."""
     model = problem.model
     logs, slopes = model.logs(x, problem.terms, added=problem.samples.added)

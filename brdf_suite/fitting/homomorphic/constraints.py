@@ -20,7 +20,7 @@ from brdf_suite.geometry.map_look_up import bilinear
 
 
 @dataclass(frozen=True)
-class Layout:
+class MapLayout:
     """Where each map lies among the unknowns.
 
     ``shapes``: map name to (n,) or (n, n); ``starts``: to its first unknown; ``count``: of all unknowns.
@@ -32,7 +32,7 @@ class Layout:
     count: int
 
     @classmethod
-    def of(cls, factors: Sequence[Factor], resolution: int) -> Layout:
+    def of(cls, factors: Sequence[Factor], resolution: int) -> MapLayout:
         """Lay out maps of ``resolution`` texels along each axis, or of as many as a factor asks for."""
         if not LEAST_SIZE <= resolution <= MOST_SIZE:
             raise ValueRangeError(
@@ -63,7 +63,7 @@ class Layout:
         return np.concatenate([maps[name].reshape(-1, maps[name].shape[-1]) for name in self.shapes])
 
 
-def constraints(layout: Layout, wi: Floats, wo: Floats) -> sparse.csr_array:
+def constraints(layout: MapLayout, wi: Floats, wo: Floats) -> sparse.csr_array:
     """Return the matrix A (samples, unknowns) of equation 16, float32, coincident coefficients summed."""
     texels, weights = [], []
     for factor in layout.factors:
@@ -77,7 +77,7 @@ def constraints(layout: Layout, wi: Floats, wo: Floats) -> sparse.csr_array:
     return found
 
 
-def smoothness(layout: Layout) -> sparse.csr_array:
+def smoothness(layout: MapLayout) -> sparse.csr_array:
     """Return the Laplacian of every texel of every map (unknowns, unknowns), float32: the masks of Figure 3.
 
     A texel less its neighbours, as many as there are: 4 inside of a map of two axes, 3 on its edges, 2 in its corners.
@@ -100,7 +100,7 @@ FLATNESS = 0.5
 """Of the differences beside the Laplacian: a slope at the rim of the samples is carried on for 1/FLATNESS texels."""
 
 
-def regularization(layout: Layout) -> sparse.csr_array:
+def regularization(layout: MapLayout) -> sparse.csr_array:
     """Return what keeps the maps smooth (rows, unknowns), float32: the Laplacian, and less of it the first differences.
 
     The Laplacian alone carries the slope at the rim of the samples on and on: where a gap is ten texels wide, a trend

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.errors import FittingError, ValueRangeError
-from brdf_suite.fitting.homomorphic.constraints import Layout, constraints, regularization
+from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints, regularization
 from brdf_suite.fitting.homomorphic.factorization import Factorization, normalized
 from brdf_suite.fitting.homomorphic.projected import averaged, enlarged
 from brdf_suite.fitting.homomorphic.solve import Solver, solve, way_for
@@ -106,14 +106,14 @@ def factorize(
     scale = np.where(lit, scale, bias * scale.max())
     wanted = np.log((samples.values + bias * scale) / scale)
 
-    unknowns = Layout.of(chosen, resolution).count
+    unknowns = MapLayout.of(chosen, resolution).count
     # Directly found, the answer needs no guess; by iteration it is found sooner from that of a coarser map.
     way = way_for(solver, unknowns)
     sizes = [resolution] if way == "direct" else _sizes(resolution)
     logs: Mapping[str, Floats] = {}
     for number, size in enumerate(sizes):
         step = subrange(progress, 0.95 * number / len(sizes), 0.95 * (number + 1) / len(sizes))
-        layout = Layout.of(chosen, size)
+        layout = MapLayout.of(chosen, size)
         matrix = constraints(layout, samples.wi, samples.wo)
         if number == 0:
             start = averaged(matrix, layout, wanted)

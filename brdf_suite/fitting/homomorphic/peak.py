@@ -30,7 +30,7 @@ from brdf_suite.fitting.homomorphic.factorize import (
     Factorized,
     factorize,
 )
-from brdf_suite.fitting.homomorphic.samples import Samples
+from brdf_suite.fitting.homomorphic.samples import FactorizationSamples
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_projections import PROJECTIONS
@@ -91,7 +91,7 @@ class WithPeak:
 
 
 def factorize_with_peak(
-    samples: Samples,
+    samples: FactorizationSamples,
     *,
     cut: float = DEFAULT_CUT,
     form: PeakForm = "radial",
@@ -186,7 +186,7 @@ class _Body:
     cut: float
 
     def fit(
-        self, samples: Samples, values: Floats, weights: Floats, progress: Progress | None = None
+        self, samples: FactorizationSamples, values: Floats, weights: Floats, progress: Progress | None = None
     ) -> Factorized:
         return factorize(
             samples.wi,
@@ -202,7 +202,7 @@ class _Body:
         )
 
 
-def _usable(samples: Samples) -> npt.NDArray[np.bool_]:
+def _usable(samples: FactorizationSamples) -> npt.NDArray[np.bool_]:
     finite = np.isfinite(samples.values).all(axis=1)
     finite &= np.isfinite(samples.wi).all(axis=1) & np.isfinite(samples.wo).all(axis=1)
     return np.asarray(finite & (samples.wi[:, 2] > 0.0) & (samples.wo[:, 2] > 0.0))
@@ -212,7 +212,7 @@ def _grey(values: Floats) -> Floats:
     return np.asarray(values @ LUMINANCE)
 
 
-def _trust(samples: Samples, held: Floats, bias: float) -> Floats:
+def _trust(samples: FactorizationSamples, held: Floats, bias: float) -> Floats:
     """Return weights (n,) of samples beside a product of luminance ``held`` (n,): less of what lies far below it.
 
     An instrument that misses the surface at grazing reads 0, or a tenth of what it should. A few of those bend a map
@@ -244,7 +244,7 @@ def fresnel_maps() -> tuple[Floats, ...]:
 
 
 def _peak(
-    samples: Samples,
+    samples: FactorizationSamples,
     weights: Floats,
     product: Factorization,
     s: Factor,
@@ -281,7 +281,7 @@ def _peak(
 
 
 def _against(
-    samples: Samples, rest: Floats, weights: Floats, standing: Floats, s: Factor, formula: Floats
+    samples: FactorizationSamples, rest: Floats, weights: Floats, standing: Floats, s: Factor, formula: Floats
 ) -> _Peak:
     """Return s(h) F(ω·h), F from the logarithms (n, 3) of a formula.
 

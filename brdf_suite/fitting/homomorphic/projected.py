@@ -8,11 +8,11 @@ from __future__ import annotations
 import numpy as np
 from scipy import sparse
 
-from brdf_suite.fitting.homomorphic.constraints import Layout
+from brdf_suite.fitting.homomorphic.constraints import MapLayout
 from brdf_suite.geometry.directions import Floats
 
 
-def averaged(matrix: sparse.csr_array, layout: Layout, wanted: Floats) -> Floats:
+def averaged(matrix: sparse.csr_array, layout: MapLayout, wanted: Floats) -> Floats:
     """Return unknowns (n, channels): means of the logarithms ``wanted`` (samples, channels), shared by the factors.
 
     A texel takes the mean of its samples, by their bilinear weights, over the number of factors; one without a sample

@@ -21,7 +21,7 @@ MOST_PAIRS = 4_000_000
 
 
 @dataclass(frozen=True, eq=False)
-class Samples:
+class FactorizationSamples:
     """f_r ``values`` (n, 3) in 1/sr at unit directions ``wi``, ``wo`` (n, 3), local frame, working space.
 
     ``even``: whether the pairs are even over both hemispheres, so that a mean over them is one over directions.
@@ -35,18 +35,20 @@ class Samples:
     def __len__(self) -> int:
         return len(self.values)
 
-    def part(self, keep: npt.ArrayLike) -> Samples:
+    def part(self, keep: npt.ArrayLike) -> FactorizationSamples:
         """Return some of them: a mask (n,) or indices."""
         at = np.asarray(keep)
-        return Samples(self.wi[at], self.wo[at], self.values[at], self.even)
+        return FactorizationSamples(self.wi[at], self.wo[at], self.values[at], self.even)
 
-    def and_those(self, others: Samples) -> Samples:
+    def and_those(self, others: FactorizationSamples) -> FactorizationSamples:
         """Return these and ``others`` after them; no longer even."""
         pairs = ((self.wi, others.wi), (self.wo, others.wo), (self.values, others.values))
         wi, wo, values = (np.concatenate(pair) for pair in pairs)
-        return Samples(wi, wo, values)
+        return FactorizationSamples(wi, wo, values)
 
-    def held_out(self, share: float, seed: int = DEFAULT_SEED) -> tuple[Samples, Samples]:
+    def held_out(
+        self, share: float, seed: int = DEFAULT_SEED
+    ) -> tuple[FactorizationSamples, FactorizationSamples]:
         """Return those to fit and those held out, drawn without order: ``share`` of all, 0 to 1."""
         order = np.random.default_rng(seed).permutation(len(self))
         count = round(share * len(self))
@@ -59,7 +61,9 @@ def even_directions(count: int, rng: np.random.Generator) -> Floats:
     return spherical(np.arccos(height), 2.0 * np.pi * azimuth)
 
 
-def samples_of(reflectance: Reflectance, pairs: int = DEFAULT_PAIRS, seed: int = DEFAULT_SEED) -> Samples:
+def samples_of(
+    reflectance: Reflectance, pairs: int = DEFAULT_PAIRS, seed: int = DEFAULT_SEED
+) -> FactorizationSamples:
     """Return the samples of anything that reflects: measured ones of measured data, else ``pairs`` even ones.
 
     Samples of isotropic data say nothing of where their tangent lay: each is turned about the normal by an angle drawn
@@ -74,15 +78,15 @@ def samples_of(reflectance: Reflectance, pairs: int = DEFAULT_PAIRS, seed: int =
     if isinstance(reflectance, IsotropicTable):
         return turned(_of_table(reflectance), rng)
     if isinstance(reflectance, ScatteredSamples):
-        found = Samples(reflectance.wi, reflectance.wo, reflectance.values)
+        found = FactorizationSamples(reflectance.wi, reflectance.wo, reflectance.values)
         return turned(found, rng) if reflectance.isotropic else found
     if not 1 <= pairs <= MOST_PAIRS:
         raise ValueRangeError("pairs", f"1 to {MOST_PAIRS:,} are wanted, not {pairs}")
     wi, wo = even_directions(pairs, rng), even_directions(pairs, rng)
-    return Samples(wi, wo, np.asarray(reflectance.eval(wi, wo)), even=True)
+    return FactorizationSamples(wi, wo, np.asarray(reflectance.eval(wi, wo)), even=True)
 
 
-def samples_near_peak(reflectance: Reflectance, pairs: int, seed: int = DEFAULT_SEED) -> Samples:
+def samples_near_peak(reflectance: Reflectance, pairs: int, seed: int = DEFAULT_SEED) -> FactorizationSamples:
     """Return pairs whose half vectors lie about the normal, even in the root of their parabolic radius.
 
     Of pairs that are even over both hemispheres hardly one falls into the peak of a clearcoat.
@@ -94,10 +98,10 @@ def samples_near_peak(reflectance: Reflectance, pairs: int, seed: int = DEFAULT_
     wo = warps.mirrored_at(wi, h)
     above = wo[:, 2] > 0.0
     wi, wo = wi[above], wo[above]
-    return Samples(wi, wo, np.asarray(reflectance.eval(wi, wo)))
+    return FactorizationSamples(wi, wo, np.asarray(reflectance.eval(wi, wo)))
 
 
-def turned(samples: Samples, rng: np.random.Generator) -> Samples:
+def turned(samples: FactorizationSamples, rng: np.random.Generator) -> FactorizationSamples:
     """Return every pair turned about the normal by an angle of its own."""
     angle = rng.uniform(0.0, 2.0 * np.pi, len(samples))
     cos, sin = np.cos(angle), np.sin(angle)
@@ -105,10 +109,10 @@ def turned(samples: Samples, rng: np.random.Generator) -> Samples:
     def turn(w: Floats) -> Floats:
         return np.stack((cos * w[:, 0] - sin * w[:, 1], sin * w[:, 0] + cos * w[:, 1], w[:, 2]), axis=-1)
 
-    return Samples(turn(samples.wi), turn(samples.wo), samples.values, samples.even)
+    return FactorizationSamples(turn(samples.wi), turn(samples.wo), samples.values, samples.even)
 
 
-def _of_table(table: IsotropicTable) -> Samples:
+def _of_table(table: IsotropicTable) -> FactorizationSamples:
     """Return the bins that were measured, at their centres."""
     mask = table.measured_mask()
     light, view = [], []
@@ -116,4 +120,6 @@ def _of_table(table: IsotropicTable) -> Samples:
         wi, wo = table.grid.pairs(h)
         light.append(wi[mask[h]])
         view.append(wo[mask[h]])
-    return Samples(np.concatenate(light), np.concatenate(view), table.values[mask].astype(np.float64))
+    return FactorizationSamples(
+        np.concatenate(light), np.concatenate(view), table.values[mask].astype(np.float64)
+    )

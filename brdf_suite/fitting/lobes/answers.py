@@ -45,7 +45,7 @@ class LimitedSolution:
 
 
 @dataclass(frozen=True, eq=False)
-class Request:
+class NormalizedTargets:
     """Targets of a size of 1 per part and channel, what they were divided by, and factors on the weights."""
 
     targets: tuple[FloatArray, ...]
@@ -63,7 +63,7 @@ def request_of(
     channels: int,
     targets: Sequence[FloatArray],
     factors: Sequence[FloatArray] | None,
-) -> Request:
+) -> NormalizedTargets:
     """Scale weighted ``targets``, one ``(n, channels)`` per part, each channel to a size Σ|b| of 1.
 
     The program is linear in its target: what is found is scaled back, so that the solver's absolute tolerances
@@ -93,11 +93,11 @@ def request_of(
     has_zeros = 0.0 in sums
     whole = [np.where(s > 0.0, s, 1.0) for s in sizes] if has_zeros else sizes
     scaled = tuple(t / s for t, s in zip(targets, whole, strict=True))
-    return Request(scaled, sizes, None if factors is None else tuple(factors), has_zeros)
+    return NormalizedTargets(scaled, sizes, None if factors is None else tuple(factors), has_zeros)
 
 
 def optimal_answer(
-    parts: Sequence[PartProgram], held: BlockSolution, request: Request, iterations: int
+    parts: Sequence[PartProgram], held: BlockSolution, request: NormalizedTargets, iterations: int
 ) -> tuple[LimitedSolution, tuple[FloatArray, ...]]:
     """Return the answer of a solver that has come to its end, and the solutions of size 1 for the next start."""
     kept, errors = [], []
@@ -111,7 +111,7 @@ def optimal_answer(
 
 
 def optimum(
-    request: Request, solutions: Sequence[FloatArray], errors: Sequence[FloatArray], iterations: int
+    request: NormalizedTargets, solutions: Sequence[FloatArray], errors: Sequence[FloatArray], iterations: int
 ) -> tuple[LimitedSolution, tuple[FloatArray, ...]]:
     """Return optimal ``solutions`` of size 1 as an answer, and themselves for the next start."""
     if request.has_zeros:  # against a channel of zeros the solver's rounding is not small
@@ -123,7 +123,7 @@ def optimum(
 
 
 def scaled_back(
-    request: Request,
+    request: NormalizedTargets,
     solutions: Sequence[FloatArray],
     errors: Sequence[FloatArray],
     methods: tuple[tuple[str, ...], ...],

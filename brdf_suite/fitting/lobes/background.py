@@ -23,9 +23,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.answers import LimitedSolution, Request, optimal_answer
+from brdf_suite.fitting.lobes.answers import LimitedSolution, NormalizedTargets, optimal_answer
 from brdf_suite.fitting.lobes.program import PartProgram
-from brdf_suite.fitting.lobes.solver import BlockSolver, Outcome
+from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 
 if TYPE_CHECKING:
     from concurrent.futures import Future  # see answers.py
@@ -47,7 +47,7 @@ MOST_TRIES = 2
 class Work:
     """A request in work. ``waited``: its caller waits, and takes the optimum as it is; ``answer`` is then here."""
 
-    request: Request
+    request: NormalizedTargets
     then: Then
     future: Future[Any]
     waited: bool
@@ -68,7 +68,7 @@ class BackgroundSolver:
         self._parts = tuple(parts)
         self._slice_s = max(SHORTEST_SLICE_S, SLICE_S_PER_ENTRY * self.solver.entry_count)
         self._new_future: Callable[[], Future[Any]] = Future
-        self._loaded: Request | None = None
+        self._loaded: NormalizedTargets | None = None
         self._iterations = 0
         self._tries = 0
         self._newest: Future[Any] | None = None
@@ -85,7 +85,7 @@ class BackgroundSolver:
             self._newest.cancel()
             self._newest = None
 
-    def start(self, request: Request, then: Then, *, waited: bool = False) -> Work:
+    def start(self, request: NormalizedTargets, then: Then, *, waited: bool = False) -> Work:
         """Begin ``request``; its future gets ``then(answer)``, computed on this thread.
 
         With ``waited``, :meth:`wait` is to follow, and the future gets nothing where that was in time.
@@ -172,11 +172,11 @@ class BackgroundSolver:
                 self._loaded, self._iterations, self._tries = request, 0, 0
             outcome = self.solver.run(self._slice_s)
             self._iterations += self.solver.iterations
-            if outcome is Outcome.OPTIMAL:
+            if outcome is SolverOutcome.OPTIMAL:
                 self._loaded = None
                 held = self.solver.solution()
                 return optimal_answer(self._parts, held, request, self._iterations)
-            if outcome is Outcome.LOST:
+            if outcome is SolverOutcome.LOST:
                 self.solver.forget()
                 self._tries += 1
                 if self._tries >= MOST_TRIES:

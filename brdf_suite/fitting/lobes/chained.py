@@ -30,7 +30,7 @@ _UNUSED = 1e9
 
 
 @dataclass(frozen=True)
-class Group:
+class ColumnGroup:
     """Columns of which at most ``most`` are kept."""
 
     columns: Sequence[int]
@@ -41,7 +41,7 @@ def chained_weights(
     squares: FloatArray,
     products: FloatArray,
     targets: FloatArray,
-    groups: Sequence[Group] = (),
+    groups: Sequence[ColumnGroup] = (),
     smoothness: float = SMOOTHNESS,
 ) -> FloatArray:
     """Return the weights (n, k, c) of k columns at n angles for c channels.

@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.fitting.lobes.answers import (
     LimitedSolution,
-    Request,
+    NormalizedTargets,
     optimal_answer,
     optimum,
     request_of,
@@ -37,7 +37,7 @@ from brdf_suite.fitting.lobes.background import MOST_TRIES, BackgroundSolver
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
 from brdf_suite.fitting.lobes.kept_vertex import KeptVertex, kept_vertex
 from brdf_suite.fitting.lobes.program import PartProgram
-from brdf_suite.fitting.lobes.solver import Outcome
+from brdf_suite.fitting.lobes.solver import SolverOutcome
 
 if TYPE_CHECKING:
     from concurrent.futures import Future  # see answers.py
@@ -159,7 +159,7 @@ class LimitedSolver:
 
     def _solve_here(
         self,
-        request: Request,
+        request: NormalizedTargets,
         deadline: float,
         finish: bool,
         then: Callable[[LimitedSolution], Any],
@@ -180,9 +180,9 @@ class LimitedSolver:
             try:
                 self._solver.load(request.targets, request.factors)
                 outcome, iterations = self._run_until(until, watch)
-                if outcome in (Outcome.OPTIMAL, Outcome.STOPPED):
+                if outcome in (SolverOutcome.OPTIMAL, SolverOutcome.STOPPED):
                     held = self._solver.solution()
-                    if outcome is Outcome.OPTIMAL:
+                    if outcome is SolverOutcome.OPTIMAL:
                         answer, self._background.last = optimal_answer(self.parts, held, request, iterations)
                         if iterations == 0 and request.factors is None:
                             self._vertex = kept_vertex(self.parts, held)
@@ -193,7 +193,9 @@ class LimitedSolver:
         answer = self._feasible(request, deadline, partial, iterations)
         return replace(answer, exact=self._background.start(request, then).future) if finish else answer
 
-    def _run_until(self, until: float, watch: Callable[[], None] | None = None) -> tuple[Outcome | None, int]:
+    def _run_until(
+        self, until: float, watch: Callable[[], None] | None = None
+    ) -> tuple[SolverOutcome | None, int]:
         """Run in pieces until the optimum, the time, or a solver that is lost again and again.
 
         None where there was no time for any.
@@ -211,9 +213,9 @@ class LimitedSolver:
                 pace = (time.perf_counter() - begun) / done
                 # Slower is believed at once, faster little by little.
                 self._pace_s = max(pace, 0.9 * self._pace_s + 0.1 * pace)
-            if outcome is Outcome.OPTIMAL:
+            if outcome is SolverOutcome.OPTIMAL:
                 break
-            if outcome is Outcome.LOST:
+            if outcome is SolverOutcome.LOST:
                 self._solver.forget()
                 tries += 1
                 if tries >= MOST_TRIES:
@@ -221,7 +223,11 @@ class LimitedSolver:
         return outcome, iterations
 
     def _solve_there(
-        self, request: Request, deadline: float, finish: bool, then: Callable[[LimitedSolution], Any]
+        self,
+        request: NormalizedTargets,
+        deadline: float,
+        finish: bool,
+        then: Callable[[LimitedSolution], Any],
     ) -> LimitedSolution:
         answer = self._feasible(request, deadline - HAND_OVER_S, None, 0)
         left = deadline - time.perf_counter()
@@ -238,7 +244,7 @@ class LimitedSolver:
 
     def _feasible(
         self,
-        request: Request,
+        request: NormalizedTargets,
         deadline: float,
         partial: Sequence[FloatArray] | None,
         iterations: int,

@@ -39,7 +39,7 @@ COST_SCALE = 1_000.0
 NO_ITERATION_LIMIT = 2**31 - 1
 
 
-class Outcome(Enum):
+class SolverOutcome(Enum):
     """How a run ended."""
 
     OPTIMAL = "optimal"
@@ -159,7 +159,7 @@ class BlockSolver:
             self._check(status, "bounds")
             self._bounded_by_factors = factors is not None
 
-    def run(self, budget_s: float, iterations: int = NO_ITERATION_LIMIT) -> Outcome:
+    def run(self, budget_s: float, iterations: int = NO_ITERATION_LIMIT) -> SolverOutcome:
         """Go on from the last basis for ``budget_s`` seconds or ``iterations``, whichever ends first.
 
         The solver looks at the clock only now and then and may return late, most of all at its start: a
@@ -174,10 +174,10 @@ class BlockSolver:
         failed = highs.run() == self._error_status
         status = highs.getModelStatus()
         if not failed and status == self._optimal_status:
-            return Outcome.OPTIMAL
+            return SolverOutcome.OPTIMAL
         if not failed and status in self._stopped_statuses:
-            return Outcome.STOPPED
-        return Outcome.LOST
+            return SolverOutcome.STOPPED
+        return SolverOutcome.LOST
 
     def forget(self) -> None:
         """Throw the basis away, as after a run that lost its way: the next run starts from nothing."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import dataclasses
 import math
 
-from brdf_suite.documents.studio import Lamp, Room, Studio
+from brdf_suite.documents.studio import BoothRoom, Studio, StudioLamp
 from brdf_suite.lighting.procedural.panorama import ProceduralEnvironment
 from brdf_suite.lighting.procedural.studio import studio
 
@@ -20,19 +20,19 @@ _TILTED_M = 2.0 * math.hypot(0.25, 0.08)
 
 BOOTH = Studio(
     name="booth",
-    room=Room(),
+    room=BoothRoom(),
     lamps=(
         # Above: one broad box, and two long ones on either side of it, tilted outwards.
-        Lamp("box", (0.0, 2.6, 0.6), (1.5, 3.8), _DOWN, luminance=4.5, softness_m=0.15),
-        Lamp("box", (2.3, 2.5, 0.0), (10.0, _TILTED_M), (0.08, -0.25, 0.0), luminance=6.0),
-        Lamp("box", (-2.3, 2.5, 0.0), (10.0, _TILTED_M), (-0.08, -0.25, 0.0), luminance=6.0),
+        StudioLamp("box", (0.0, 2.6, 0.6), (1.5, 3.8), _DOWN, luminance=4.5, softness_m=0.15),
+        StudioLamp("box", (2.3, 2.5, 0.0), (10.0, _TILTED_M), (0.08, -0.25, 0.0), luminance=6.0),
+        StudioLamp("box", (-2.3, 2.5, 0.0), (10.0, _TILTED_M), (-0.08, -0.25, 0.0), luminance=6.0),
         # Sides: tall banks, the one at +x larger, so that a form has a light side and a dark one.
-        Lamp("box", (4.1, 0.95, 1.7), (4.0, 2.5), _RIGHT, luminance=4.5, softness_m=0.12),
-        Lamp("box", (-4.1, 1.1, 1.6), (0.9, 2.6), _LEFT, luminance=5.5),
-        Lamp("box", (-4.1, 1.1, -2.6), (0.9, 2.6), _LEFT, luminance=5.5),
+        StudioLamp("box", (4.1, 0.95, 1.7), (4.0, 2.5), _RIGHT, luminance=4.5, softness_m=0.12),
+        StudioLamp("box", (-4.1, 1.1, 1.6), (0.9, 2.6), _LEFT, luminance=5.5),
+        StudioLamp("box", (-4.1, 1.1, -2.6), (0.9, 2.6), _LEFT, luminance=5.5),
         # In front and behind: low boxes across the room.
-        Lamp("box", (0.0, 1.5, 6.6), (5.2, 0.8), _FRONT, luminance=5.0),
-        Lamp("box", (0.0, 1.7, -6.6), (3.2, 0.44), _BACK, luminance=4.0),
+        StudioLamp("box", (0.0, 1.5, 6.6), (5.2, 0.8), _FRONT, luminance=5.0),
+        StudioLamp("box", (0.0, 1.7, -6.6), (3.2, 0.44), _BACK, luminance=4.0),
     ),
 )
 

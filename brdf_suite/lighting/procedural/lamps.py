@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour_temperature import lamp_colour
-from brdf_suite.documents.studio import Lamp
+from brdf_suite.documents.studio import StudioLamp
 
 Float64 = NDArray[np.float64]
 
@@ -24,7 +24,7 @@ _CLOSEST_M2 = 0.05  # a wall touches a lamp nowhere: nearer patches would outshi
 class LampSurface:
     """A lamp as geometry: its centre, unit axes (3,), the direction in which it shines and its half sides, metres."""
 
-    lamp: Lamp
+    lamp: StudioLamp
     centre: Float64
     first: Float64
     second: Float64
@@ -34,7 +34,7 @@ class LampSurface:
     colour: Float64
 
     @classmethod
-    def of(cls, lamp: Lamp) -> LampSurface:
+    def of(cls, lamp: StudioLamp) -> LampSurface:
         """Return the geometry of a lamp."""
         centre = np.array(lamp.position_m)
         facing = -centre if lamp.facing is None else np.array(lamp.facing)

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.documents.studio import Room
+from brdf_suite.documents.studio import BoothRoom
 from brdf_suite.lighting.procedural.lamps import LampSurface
 
 Float64 = NDArray[np.float64]
@@ -20,13 +20,13 @@ Float64 = NDArray[np.float64]
 class LitRoom:
     """The room's six sides as maps of luminance (cells, cells, 3), or of one channel, in the lamps' unit."""
 
-    def __init__(self, room: Room, lamps: Sequence[LampSurface], cells: int = 48) -> None:
+    def __init__(self, room: BoothRoom, lamps: Sequence[LampSurface], cells: int = 48) -> None:
         low_y = -room.eye_height_m
         self._low = np.array([-0.5 * room.width_m, low_y, -0.5 * room.length_m])
         self._high = np.array([0.5 * room.width_m, room.height_m + low_y, 0.5 * room.length_m])
         self._maps = self._lit(room, lamps, cells)
 
-    def _lit(self, room: Room, lamps: Sequence[LampSurface], cells: int) -> list[Float64]:
+    def _lit(self, room: BoothRoom, lamps: Sequence[LampSurface], cells: int) -> list[Float64]:
         low, high = self._low, self._high
         maps: list[Float64] = []
         areas: list[tuple[float, float]] = []

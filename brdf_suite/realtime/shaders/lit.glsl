@@ -7,8 +7,9 @@
 // what faces it, from a direction whose mirror direction is gamma away from the eye, the lobe sum is
 //     lamps         E (KD N.L + N.L sum KDD_i cos(gamma)^E_i + sum KG_i cos(gamma)^E_i)
 //     all lights    E N.L f(gamma) (ratio - 1)
-// with f the share of the base that countable flakes send, and ratio how bright those of this pixel are over their mean.
-// The mean of ratio is 1, so flakes move light about and add none; the environment's own light is in its maps already.
+// with f the share of the base that visible flakes reflect, and ratio how bright those of this pixel are over their
+// mean. The mean of ratio is 1, so flakes move light about and add none; the environment's own light is in its maps
+// already.
 #include "lights.glsl"
 #include "light_lobes.glsl"
 #include "flake_place.glsl"
@@ -111,7 +112,7 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
     if (field.contrast <= 0.0)
         return sum;
 #endif
-    // No light stands out by more than flakes that lie flat do in a light without extent: the countable ones become
+    // No light stands out by more than flakes that lie flat do in a light without extent: the visible ones become
     // rarer with their tilt by more than their contrast rises. So faint and broad lights are passed over at once.
     float most = largest(base_gain * flake_lobe(0.0));
 #ifdef SPARKLE_GLINTS
@@ -119,8 +120,8 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
 #else
     most *= flake_contrast(field, flake_optics.y);
 #endif
-    // Mostly none does, from afar: a software renderer, which carries a loop's body out for lights that are passed over,
-    // is then spared it.
+    // Mostly none does, from afar: a software renderer, which carries a loop's body out for lights that are passed
+    // over, is then spared it.
     int reaching = 0;
     for (int i = 0; i < int(light_counts.y); ++i)
     {
@@ -140,9 +141,9 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
         if (bell <= RAREST)
             continue;
         float chord = length(2.0 * cos_light * p.normal - light.direction - p.view);
-        vec3 countable = light.irradiance * base_gain * cos_light * flake_lobe(chord);
+        vec3 flake_light = light.irradiance * base_gain * cos_light * flake_lobe(chord);
         if (float(i) < light_counts.x)
-            countable *= p.occlusion;
+            flake_light *= p.occlusion;
         // A light's extent, seen by a mirror below the coat, is a spread of the mirror's tilt of 1 / (2 n) of it.
         float broad = light.spread / (2.0 * flake_optics.x);
         float spread = sqrt(flake_optics.y * flake_optics.y + broad * broad);
@@ -153,16 +154,16 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
         float contrast = flake_contrast(field, spread);
 #endif
         float seen = smoothstep(RAREST, 2.0 * RAREST, bell)
-            * smoothstep(faintest, 3.0 * faintest, largest(countable) * contrast);
+            * smoothstep(faintest, 3.0 * faintest, largest(flake_light) * contrast);
         if (seen <= 0.0)
             continue;
 #ifdef SPARKLE_GLINTS
         glint_places[glinting] = tilt.xy;
         glint_widths[glinting] = tilt.z * spread;
-        glint_powers[glinting] = countable * seen;
+        glint_powers[glinting] = flake_light * seen;
         ++glinting;
 #else
-        sum += countable * seen * (flake_texture_ratio(field, slope, spread) - 1.0);
+        sum += flake_light * seen * (flake_texture_ratio(field, slope, spread) - 1.0);
 #endif
     }
 #ifdef SPARKLE_GLINTS

@@ -1,25 +1,25 @@
 // Provides: struct GlintField, GlintField glint_field(...), float glint_contrast(GlintField g, float width),
-//           MOST_GLINT_LIGHTS, glint_widths, glint_places, glint_powers, vec3 glint_difference(GlintField g, int count),
-//           vec3 glint_ratio(GlintField g, vec3 place, float spread), float shown_share(float weight)
+//           MOST_GLINT_LIGHTS, glint_widths, glint_places, glint_powers, vec3 glint_difference(GlintField g, int
+// count),           vec3 glint_ratio(GlintField g, vec3 place, float spread), float shown_share(float weight)
 // Needs:    nothing. The same functions in numpy: reflectance/flakes/glints.py
 //
-// How bright the countable flakes of a footprint are in one light, over their mean: 1 for endlessly many, mostly 0 and
+// How bright the visible flakes of a footprint are in one light, over their mean: 1 for endlessly many, mostly 0 and
 // sometimes very much for a few. After Kemppinen et al., "Glinty NDFs in Constant Time" (SIGGRAPH Asia 2025).
 //
 // A flake has a place on the surface and a place on the unit square of tilts (flake_tilt.glsl), N flakes to the square
-// millimetre. On level l both are cut into cells, 2^l / sqrt(N) mm wide on the surface and 2^-l on the square, so a pair
-// of cells holds one flake, jittered within both by a hash. The level is such that a footprint ends within two cells
-// along each axis: two by two cells about the corner nearest to it hold all it sees, and so it is on the square.
+// millimetre. On level l both are cut into cells, 2^l / sqrt(N) mm wide on the surface and 2^-l on the square, so a
+// pair of cells holds one flake, jittered within both by a hash. The level is such that a footprint ends within two
+// cells along each axis: two by two cells about the corner nearest to it hold all it sees, and so it is on the square.
 // Between levels flakes of one appear, one after the other, while those of the other go: their number, and so the
 // contrast, stays.
 //
-// What differs from the paper. The kernels end (they are no Gaussians), within the cells that are visited: nothing is cut
-// off, no remainder has to be added, and the mean is 1 exactly. Cells of tilts are never made smaller than a flake's
-// own spread (level `finest`): beyond it, a pair of cells holds many flakes, and one stands for M of them; the
+// What differs from the paper. The kernels end (they are no Gaussians), within the cells that are visited: nothing is
+// cut off, no remainder has to be added, and the mean is 1 exactly. Cells of tilts are never made smaller than a
+// flake's own spread (level `finest`): beyond it, a pair of cells holds many flakes, and one stands for M of them; the
 // sum of M has the deviation from the mean of one over sqrt(M). A light too broad for the cells is one of a smaller
 // spread with the contrast lowered in the same way. So contrast falls with the root of the count everywhere.
-// And the flakes of a cell on the surface share their place in it: at most one of them is seen at a time, and the places
-// that a footprint covers are then the same for all lights, are few, and are found once.
+// And the flakes of a cell on the surface share their place in it: at most one of them is seen at a time, and the
+// places that a footprint covers are then the same for all lights, are few, and are found once.
 #include "sparkle_hash.glsl"
 #include "flake_footprint.glsl"
 #include "flake_tilt.glsl"
@@ -27,7 +27,8 @@
 
 // Flakes of a level appear over this range of its weight.
 const float APPEARING = 0.2;
-// Flakes are of different areas: 3 u^2 of the mean, u even, so most are small and the largest have three times the mean.
+// Flakes are of different areas: 3 u^2 of the mean, u even, so most are small and the largest have three times the
+// mean.
 const float FLAKE_AREA = 3.0;
 
 struct GlintField
@@ -39,8 +40,8 @@ struct GlintField
     float colour_spread;   // 0 to 1
 };
 
-// density: flakes per mm^2; size: mm; roughness: of the tilts; waviness: of one flake, rad. The disc of tilts is pi/4 of
-// the square, so N is 4/pi of the density. across, down: derivatives of `at` in mm per pixel.
+// density: flakes per mm^2; size: mm; roughness: of the tilts; waviness: of one flake, rad. The disc of tilts is pi/4
+// of the square, so N is 4/pi of the density. across, down: derivatives of `at` in mm per pixel.
 GlintField glint_field(vec2 at, vec2 across, vec2 down, float density, float size, float roughness,
                        float waviness, float colour_spread)
 {
@@ -71,16 +72,16 @@ float shown(float order, float weight)
     return smoothstep(middle - 0.5 * APPEARING, middle + 0.5 * APPEARING, weight);
 }
 
-// Lights that are to glint in this pixel: the place on the square of the tilt that mirrors each to the eye, the standard
-// deviation there over which a flake still does, and the light that is to be multiplied.
+// Lights that are to glint in this pixel: the place on the square of the tilt that mirrors each to the eye, the
+// standard deviation there over which a flake still does, and the light that is to be multiplied.
 const int MOST_GLINT_LIGHTS = 24;
 vec2 glint_places[MOST_GLINT_LIGHTS];
 float glint_widths[MOST_GLINT_LIGHTS];
 vec3 glint_powers[MOST_GLINT_LIGHTS];
 
-// The contrast of the glints in one light, their standard deviation over their mean. Flakes lie by chance, so its square
-// is the integral of a flake's kernels squared over N: of the bell 9 / (40 pi width^2), of the cover 26/35 of its
-// height, of the areas 9/5.
+// The contrast of the glints in one light, their standard deviation over their mean. Flakes lie by chance, so its
+// square is the integral of a flake's kernels squared over N: of the bell 9 / (40 pi width^2), of the cover 26/35 of
+// its height, of the areas 9/5.
 float glint_contrast(GlintField g, float width)
 {
     return sqrt(0.095765 * g.footprint.height) / (width * g.root_count);
@@ -124,8 +125,8 @@ vec3 glints_of_place(GlintField g, int count, uint key, float weight, float per_
     return sum;
 }
 
-// A level's cells: how many to a unit of the square and to a millimetre, and what contrast is left where a pair of cells
-// holds many flakes.
+// A level's cells: how many to a unit of the square and to a millimetre, and what contrast is left where a pair of
+// cells holds many flakes.
 struct GlintLevel
 {
     float number, weight, per_square, per_mm, contrast;

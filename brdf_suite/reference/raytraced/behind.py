@@ -7,13 +7,13 @@ import numpy.typing as npt
 
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.camera import Pinhole
-from brdf_suite.reference.raytraced.sky import Sky
+from brdf_suite.reference.raytraced.sky import TracedSky
 
 PLACES = 3
 """Looks along each edge of a pixel."""
 
 
-def sky_behind(sky: Sky, camera: Pinhole, size: tuple[int, int]) -> npt.NDArray[np.float32]:
+def sky_behind(sky: TracedSky, camera: Pinhole, size: tuple[int, int]) -> npt.NDArray[np.float32]:
     """Return (h, w, 3): the mean radiance of the sky behind each pixel."""
     pixel = dr.arange(mi.UInt32, size[0] * size[1])
     column, row = pixel % camera.width, pixel // camera.width

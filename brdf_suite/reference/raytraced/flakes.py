@@ -17,11 +17,11 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-from brdf_suite.appearance.countable_flakes import (
+from brdf_suite.appearance.visible_flakes import (
     FLAKE_REFLECTANCE,
     FLAKE_WAVINESS,
     LARGEST_SHARE,
-    covered_share,
+    flake_coverage,
 )
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference import directions as d
@@ -35,7 +35,7 @@ _SALT, _TINT, _GOLDEN = 0x51ED270B, 0x3C6EF372, 0x9E3779B9
 
 
 @dataclass(frozen=True)
-class Sparkle:
+class SparkleField:
     """What flakes there are, in a coat of index ``ior``; ``strength`` is a factor on their light."""
 
     flakes: Flakes
@@ -46,7 +46,7 @@ class Sparkle:
     def peak(self) -> float:
         """c R / (8π m² n²): how much the flakes that lie flat send."""
         below = 8.0 * math.pi * self.flakes.roughness**2 * self.ior**2
-        return self.strength * covered_share(self.flakes) * FLAKE_REFLECTANCE / below
+        return self.strength * flake_coverage(self.flakes) * FLAKE_REFLECTANCE / below
 
 
 @dataclass
@@ -59,7 +59,7 @@ class FlakesSeen:
     contrast: Real
 
 
-def flakes_seen(sparkle: Sparkle, at: Any, across: Any, down: Any) -> FlakesSeen:
+def flakes_seen(sparkle: SparkleField, at: Any, across: Any, down: Any) -> FlakesSeen:
     """Return the flakes at places ``at`` (mm, 2-D) whose pixels reach ``across`` and ``down`` (mm, 2-D)."""
     flakes = sparkle.flakes
     root = math.sqrt(flakes.density_per_mm2)
@@ -95,7 +95,7 @@ def flakes_seen(sparkle: Sparkle, at: Any, across: Any, down: Any) -> FlakesSeen
 
 
 def sparkling(
-    sparkle: Sparkle, seen: FlakesSeen, light: Vector, view: Vector, light_spread: Real, base: Colour
+    sparkle: SparkleField, seen: FlakesSeen, light: Vector, view: Vector, light_spread: Real, base: Colour
 ) -> Colour:
     """Return the broad value ``base`` (1/sr) of a light as the flakes of a pixel send it.
 
@@ -116,7 +116,7 @@ def sparkling(
     return base * (1.0 + share * (ratio - 1.0))
 
 
-def _ratio(sparkle: Sparkle, seen: FlakesSeen, slope: Any, slope2: Real, light_spread: Real) -> Colour:
+def _ratio(sparkle: SparkleField, seen: FlakesSeen, slope: Any, slope2: Real, light_spread: Real) -> Colour:
     """How bright the flakes are over their mean; see ``reflectance/flakes/texture.py``."""
     m2 = sparkle.flakes.roughness**2
     # A light's spread moves the tilt by half of it, less what refraction takes.

@@ -13,7 +13,7 @@ from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.camera import Pinhole
 from brdf_suite.reference.raytraced.numbers import own
-from brdf_suite.reference.raytraced.tracer import Deal, Stage, trace
+from brdf_suite.reference.raytraced.tracer import Deal, TracerScene, trace
 
 Pixels = npt.NDArray[np.float64]
 _TILE = 4
@@ -58,7 +58,7 @@ class Film:
 
 
 def trace_samples(
-    stage: Stage,
+    stage: TracerScene,
     camera: Pinhole,
     deal: Deal,
     film: Film,

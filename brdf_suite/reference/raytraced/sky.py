@@ -14,7 +14,7 @@ from brdf_suite.reference.mitsuba_modules import dr, mi
 
 
 @dataclass(frozen=True, eq=False)
-class Sky:
+class TracedSky:
     """A map with a ring more at each end, and the same without its suns; ``cosine`` and ``sine`` of its turn."""
 
     texels: Any
@@ -27,7 +27,7 @@ class Sky:
     @classmethod
     def of(
         cls, radiance: npt.NDArray[np.float32], without_suns: npt.NDArray[np.float32] | None = None
-    ) -> Sky:
+    ) -> TracedSky:
         """Return the sky of a map (h, w, 3), not turned; the same map without its suns where it has any."""
         height, width = radiance.shape[:2]
         maps = [_padded(radiance)]
@@ -39,11 +39,11 @@ class Sky:
         whole = dr.opaque(mi.UInt32, (len(maps) - 1) * (height + 2) * width)
         return cls(texels, whole, dr.opaque(mi.UInt32, width), dr.opaque(mi.UInt32, height), one, zero)
 
-    def turned(self, degrees: float) -> Sky:
+    def turned(self, degrees: float) -> TracedSky:
         """Return the sky turned about y, counter-clockwise seen from above."""
         turn = math.radians(degrees)
         cosine, sine = (dr.opaque(mi.Float, v) for v in (math.cos(turn), math.sin(turn)))
-        return Sky(self.texels, self.whole, self.width, self.height, cosine, sine)
+        return TracedSky(self.texels, self.whole, self.width, self.height, cosine, sine)
 
     def along(self, direction: Vector, active: Any, with_suns: Any = True) -> Colour:
         """Return the radiance from where unit ``direction`` points to; 0 where not ``active``."""

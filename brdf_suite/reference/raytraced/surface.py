@@ -49,7 +49,7 @@ class SurfaceArrays:
 
 
 @dataclass
-class Hit:
+class SurfaceHit:
     """Where rays met the surface: ``place``; ``normal`` towards the viewer, shading; ``view`` back along the ray;
     ``off`` a place a little in front of the triangle; the ``triangle`` and ``u``, ``v`` on it.
     """
@@ -83,7 +83,9 @@ class Surface:
         self._materials = mi.UInt32(np.ascontiguousarray(arrays.materials))
         dr.eval(self._positions, self._normals, self._uvs, self._triangles, self._materials)
 
-    def meet(self, origin: Vector, direction: Vector, active: Any, *, coherent: bool) -> tuple[Real, Hit]:
+    def meet(
+        self, origin: Vector, direction: Vector, active: Any, *, coherent: bool
+    ) -> tuple[Real, SurfaceHit]:
         """Return how far the nearest meeting is, infinity for none, and the hit, which then means nothing."""
         ray = mi.Ray3f(mi.Point3f(origin), direction)
         found = self._scene.ray_intersect_preliminary(ray, coherent=mi.Bool(coherent), active=active)
@@ -106,7 +108,7 @@ class Surface:
         normal = dr.select(facing < _LEAST_FACING, bent, normal)
         reach = EPSILON * (0.05 + dr.max(dr.abs(place)))
         far = dr.select(met, found.t, dr.inf)
-        return far, Hit(place, normal, view, dr.fma(reach, flat, place), triangle, u, v)
+        return far, SurfaceHit(place, normal, view, dr.fma(reach, flat, place), triangle, u, v)
 
     def hides(self, origin: Vector, direction: Vector, length: Real, active: Any) -> Any:
         """Return whether anything is in the way of a ray of ``length``."""
@@ -114,11 +116,13 @@ class Surface:
         ray.maxt = length
         return self._scene.ray_test(ray, coherent=mi.Bool(True), active=active)
 
-    def material(self, hit: Hit, active: Any) -> Any:
+    def material(self, hit: SurfaceHit, active: Any) -> Any:
         """Return the number of the hit's material."""
         return dr.gather(mi.UInt32, self._materials, hit.triangle, active)
 
-    def texture_place(self, hit: Hit, across: Vector, down: Vector, active: Any) -> tuple[Any, Any, Any]:
+    def texture_place(
+        self, hit: SurfaceHit, across: Vector, down: Vector, active: Any
+    ) -> tuple[Any, Any, Any]:
         """Return where a hit is in texture coordinates, mm, and how that changes by ``across`` and ``down``.
 
         Those are changes of the place in the triangle's plane, metres; the answers are mm.

@@ -31,8 +31,8 @@ from brdf_suite.reference.raytraced.camera import Pinhole
 from brdf_suite.reference.raytraced.light_set import ENVIRONMENT, NEAR_LAMP, SUN, LightSet
 from brdf_suite.reference.raytraced.numbers import in_cube, in_pixel, scrambled
 from brdf_suite.reference.raytraced.quality import Quality
-from brdf_suite.reference.raytraced.sky import Sky
-from brdf_suite.reference.raytraced.surface import Hit, Surface
+from brdf_suite.reference.raytraced.sky import TracedSky
+from brdf_suite.reference.raytraced.surface import Surface, SurfaceHit
 
 _GOLDEN = 0x9E3779B9
 """The golden ratio's part of 2³²: places of a sequence that fills the circle evenly."""
@@ -93,7 +93,7 @@ class Deal:
 
 
 @dataclass(frozen=True, eq=False)
-class Stage:
+class TracerScene:
     """All that is traced. ``materials`` are splits, by their numbers; the ground's ``height`` is None for none.
 
     ``sparkle`` is of the material number ``paint``.
@@ -101,10 +101,10 @@ class Stage:
 
     surface: Surface
     materials: Sequence[Any]
-    sky: Sky
+    sky: TracedSky
     lights: LightArrays
     height: Real | None
-    sparkle: fl.Sparkle | None
+    sparkle: fl.SparkleField | None
     paint: int
     depth: int = DEFAULT_DEPTH
 
@@ -118,7 +118,9 @@ class Traced:
     darkness: Colour
 
 
-def trace(stage: Stage, camera: Pinhole, deal: Deal, column: Any, row: Any, first: Any, count: Any) -> Traced:
+def trace(
+    stage: TracerScene, camera: Pinhole, deal: Deal, column: Any, row: Any, first: Any, count: Any
+) -> Traced:
     """Return the sums over ``count`` samples from number ``first`` on, for pixels at ``column`` and ``row``.
 
     Sample numbers go on beyond p in later rounds.
@@ -146,8 +148,8 @@ def trace(stage: Stage, camera: Pinhole, deal: Deal, column: Any, row: Any, firs
 
 
 def _meeting(
-    stage: Stage, origin: Vector, direction: Vector, active: Any, *, coherent: bool
-) -> tuple[Any, Any, Hit]:
+    stage: TracerScene, origin: Vector, direction: Vector, active: Any, *, coherent: bool
+) -> tuple[Any, Any, SurfaceHit]:
     """Whether rays meet the surface, whether else the ground, and where either is."""
     far, hit = stage.surface.meet(origin, direction, active, coherent=coherent)
     met = active & dr.isfinite(far)
@@ -165,7 +167,9 @@ def _meeting(
     return met, on_ground, hit
 
 
-def _flakes(stage: Stage, camera: Pinhole, direction: Vector, hit: Hit, met: Any) -> fl.FlakesSeen | None:
+def _flakes(
+    stage: TracerScene, camera: Pinhole, direction: Vector, hit: SurfaceHit, met: Any
+) -> fl.FlakesSeen | None:
     if stage.sparkle is None:
         return None
     far = dr.norm(hit.place - camera.place)
@@ -203,8 +207,8 @@ def _drawn_lights(lights: LightArrays, deal: Deal, word: Any) -> Pick:
 
 
 def _lit(
-    stage: Stage,
-    hit: Hit,
+    stage: TracerScene,
+    hit: SurfaceHit,
     met: Any,
     on_ground: Any,
     pick: Pick,
@@ -252,7 +256,7 @@ def _lit(
 
 
 def _value(
-    stage: Stage,
+    stage: TracerScene,
     material: Any,
     light: Vector,
     view: Vector,
@@ -289,7 +293,7 @@ def _value(
     return dr.select(material == stage.paint, bright, value)
 
 
-def _reflected(stage: Stage, deal: Deal, hit: Hit, met: Any, k: Any, turn: Any) -> Colour:
+def _reflected(stage: TracerScene, deal: Deal, hit: SurfaceHit, met: Any, k: Any, turn: Any) -> Colour:
     """The light that the narrow lobes of a sample bring."""
     if not any(split.narrow for split in stage.materials):
         return mi.Color3f(0.0)
@@ -364,7 +368,7 @@ def _reflected(stage: Stage, deal: Deal, hit: Hit, met: Any, k: Any, turn: Any) 
 
 
 def _drawn(
-    stage: Stage, material: Any, view: Vector, choice: Real, u: Any, active: Any
+    stage: TracerScene, material: Any, view: Vector, choice: Real, u: Any, active: Any
 ) -> tuple[Vector, Colour, Real]:
     def of(split: Any) -> Any:
         def sample(view: Vector, choice: Real, u: Any, _active: Any) -> tuple[Vector, Colour, Real]:

@@ -17,23 +17,23 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.countable_flakes import FLAKE_REFLECTANCE, LARGEST_SHARE, covered_share
+from brdf_suite.appearance.visible_flakes import FLAKE_REFLECTANCE, LARGEST_SHARE, flake_coverage
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_bell
 
 
-def countable_part(
+def visible_flake_part(
     flakes: Flakes, wi: npt.ArrayLike, wo: npt.ArrayLike, base: Floats, ior: float, strength: float = 1.0
 ) -> Floats:
-    """Return the part (..., 3) of the base's f_r ``base`` (..., 3), 1/sr, that countable flakes send.
+    """Return the part (..., 3) of the base's f_r ``base`` (..., 3), 1/sr, that visible flakes reflect.
 
     ``wi``, ``wo`` (..., 3) above the horizon, ``ior`` of the coat (1: none), ``strength``: factor on the flakes' light.
     """
     wi, wo = np.asarray(wi, float), np.asarray(wo, float)
     bell = tilt_bell((flake_slope(wi, wo, ior) ** 2).sum(-1), flakes.roughness)
-    sent = strength * covered_share(flakes) * FLAKE_REFLECTANCE / (8.0 * math.pi * flakes.roughness**2)
+    sent = strength * flake_coverage(flakes) * FLAKE_REFLECTANCE / (8.0 * math.pi * flakes.roughness**2)
     wanted: Floats = sent * bell / ior**2
     for w in (wi, wo):
         below = np.sqrt(1.0 - (w[..., 0] ** 2 + w[..., 1] ** 2) / ior**2)

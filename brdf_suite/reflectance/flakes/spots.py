@@ -7,7 +7,7 @@ A footprint (what an eye or a pixel takes in at once) that lies on one flake i s
 a_i = 3u² the flake's area over the mean (u even on 0 to 1), b = (1 - d² / 8σ²)² for a flake whose place on the square
 of tilts is d from the one that mirrors the light to the eye, k(0) the footprint's height, σ the spread of a flake on
 that square, N the flakes per mm² and unit of it (:mod:`brdf_suite.reflectance.flakes.glints`, whose mean is 1). With
-the share s of all light that countable flakes send, the spot's contrast to the surface around it is c = s r. Let
+the share s of all light that visible flakes reflect, the spot's contrast to the surface around it is c = s r. Let
 c = C (1 - v)² u² with v = d² / 8σ², which is even on 0 to 1 over an area of 8πσ² of the square. Then of the N · 8πσ²
 flakes per mm² that mirror any light to the eye the share that passes a contrast c₀ is, with t = √(c₀ / C) < 1,
 
@@ -55,7 +55,7 @@ def spots(
     spread
         Standard deviation of tilt over which one flake still mirrors the light, radians.
     share
-        Of the light that the surface sends to the eye, what countable flakes send, 0 to 1.
+        Of the light that the surface sends to the eye, what visible flakes reflect, 0 to 1.
     footprint
         Width of what the eye takes in at once, mm.
     contrast

@@ -118,13 +118,13 @@ class Coated:
             (through / mean * (1.0 - stays))[..., None] / (1.0 - stays[..., None] * self.base_albedo)
         )
 
-    def _parts(self) -> list[mixture.Part]:
+    def _parts(self) -> list[mixture.MixturePart]:
         base, coat = luminance(self.base_albedo), 0.02 + 2.0 * float(fresnel_dielectric(1.0, self.ior))
         draw, density = getattr(self.base, "sample", None), getattr(self.base, "pdf", None)
         own = mixture.diffuse(max(base, 0.05))
         if draw is not None and density is not None:
             # Two numbers are left for the base, which wants three: the second is spread over two.
-            own = mixture.Part(max(base, 0.05), lambda wo, u: draw(wo, _three(u)), density)
+            own = mixture.MixturePart(max(base, 0.05), lambda wo, u: draw(wo, _three(u)), density)
         return [own, mixture.beckmann(coat, self.roughness)]
 
     def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:

@@ -76,7 +76,7 @@ class CoatedPhong:
         coat = coat / (2.0 * math.pi * np.where(above, np.maximum(cos_i, cos_o), 1.0))
         return np.where(above[..., None], passed[..., None] * base + coat[..., None], 0.0)
 
-    def _parts(self) -> list[mixture.Part]:
+    def _parts(self) -> list[mixture.MixturePart]:
         kd, ks = luminance(np.asarray(self.kd)), luminance(np.asarray(self.ks))
         # A mean over the directions; the share at grazing is larger.
         coat = 2.0 * float(fresnel_dielectric(1.0, self.ior)) + 0.02

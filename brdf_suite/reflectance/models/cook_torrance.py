@@ -108,7 +108,7 @@ class CookTorrance:
         return value
 
     @cached_property
-    def _parts(self) -> list[mixture.Part]:
+    def _parts(self) -> list[mixture.MixturePart]:
         kd = luminance(np.array(self.paint.kd))
         lobes = [
             # The mean of F over the directions is a little above that along the normal.

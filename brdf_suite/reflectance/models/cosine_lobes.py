@@ -80,7 +80,7 @@ class CosineLobes:
         weights = (np.asarray(value) for value in (self.exponents, self.kd, self.kdd, self.kg))
         return lobe_sums(wi, wo, *weights).brdf()
 
-    def _parts(self) -> list[mixture.Part]:
+    def _parts(self) -> list[mixture.MixturePart]:
         parts = [mixture.diffuse(math.pi * luminance(np.asarray(self.kd)))]
         rows = zip(np.asarray(self.exponents), np.asarray(self.kdd), np.asarray(self.kg), strict=True)
         for exponent, kdd, kg in rows:

@@ -74,7 +74,7 @@ class Ggx:
         square = rest * rest
         return np.asarray(f0 + (1.0 - f0) * (square * square * rest)[:, None])
 
-    def _parts(self) -> list[mixture.Part]:
+    def _parts(self) -> list[mixture.MixturePart]:
         f0, kd = luminance(np.asarray(self.f0)), luminance(np.asarray(self.kd))
         # 1/21 is the mean of (1 - c)⁵ over a matt surface.
         lobe = f0 + (1.0 - f0) / 21.0

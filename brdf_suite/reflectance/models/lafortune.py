@@ -60,13 +60,13 @@ class LafortuneLobe:
         """(Cx, Cy, Cz)."""
         return np.array([self.cx, self.cy, self.cz])
 
-    def part(self) -> mixture.Part:
+    def part(self) -> mixture.MixturePart:
         """Return the sampler: a cosine lobe about the direction that the lobe gives the view."""
         longest = float(np.abs(self.direction).max())
         # Along the normal the lobe holds |Cz|ⁿ 2π/(n+2); where it leans elsewhere, its largest stretch counts.
         stretch = longest**self.exponent
         weight = luminance(np.asarray(self.ks)) * stretch * 2.0 * math.pi / (self.exponent + 2.0)
-        return mixture.Part(
+        return mixture.MixturePart(
             weight,
             lambda wo, u: warps.cosine_lobe(u, self._axis(wo), self.exponent),
             lambda wi, wo: warps.cosine_lobe_pdf(wi, self._axis(wo), self.exponent),
@@ -122,7 +122,7 @@ class Lafortune:
             )
         return np.where(above[..., None], value, 0.0)
 
-    def _parts(self) -> list[mixture.Part]:
+    def _parts(self) -> list[mixture.MixturePart]:
         parts = [lobe.part() for lobe in self.lobes]
         kd = luminance(np.asarray(self.kd))
         return [mixture.diffuse(max(kd, 0.05 * sum(part.weight for part in parts))), *parts]

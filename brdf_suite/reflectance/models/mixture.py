@@ -16,7 +16,7 @@ from brdf_suite.geometry.directions import Floats, mirror
 
 
 @dataclass(frozen=True)
-class Part:
+class MixturePart:
     """One part: its ``weight``, ``draw(wo, u)`` from u (n, 2), and the density ``pdf(wi, wo)``; all on (n, 3)."""
 
     weight: float
@@ -24,7 +24,7 @@ class Part:
     pdf: Callable[[Floats, Floats], Floats]
 
 
-def sample(parts: Sequence[Part], wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+def sample(parts: Sequence[MixturePart], wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
     """Return directions (..., 3) for views ``wo`` (..., 3) and ``u`` (..., 3): two numbers to draw, one to choose."""
     wo, u = np.broadcast_arrays(np.asarray(wo, float), np.asarray(u, float))
     shape = wo.shape
@@ -38,7 +38,7 @@ def sample(parts: Sequence[Part], wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats
     return out.reshape(shape)
 
 
-def pdf(parts: Sequence[Part], wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+def pdf(parts: Sequence[MixturePart], wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
     """Return the density (...) per solid angle of :func:`sample`; 0 where either direction is below the horizon."""
     wi, wo = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
     light, view = wi.reshape(-1, 3), wo.reshape(-1, 3)
@@ -50,43 +50,45 @@ def pdf(parts: Sequence[Part], wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
     return np.where(above, total, 0.0).reshape(wi.shape[:-1])
 
 
-def diffuse(weight: float) -> Part:
+def diffuse(weight: float) -> MixturePart:
     """Return a part even in the projected solid angle, whatever the view."""
-    return Part(
+    return MixturePart(
         weight, lambda _wo, u: warps.cosine_hemisphere(u), lambda wi, _wo: warps.cosine_hemisphere_pdf(wi)
     )
 
 
-def mirror_lobe(weight: float, exponent: float) -> Part:
+def mirror_lobe(weight: float, exponent: float) -> MixturePart:
     """Return a cosine lobe about the mirror direction of the view."""
-    return Part(
+    return MixturePart(
         weight,
         lambda wo, u: warps.cosine_lobe(u, mirror(wo), exponent),
         lambda wi, wo: warps.cosine_lobe_pdf(wi, mirror(wo), exponent),
     )
 
 
-def beckmann(weight: float, m: float) -> Part:
+def beckmann(weight: float, m: float) -> MixturePart:
     """Return mirrors whose normals are spread as a Beckmann surface of slope ``m``."""
 
     def density(wi: Floats, wo: Floats) -> Floats:
         h = warps.half_vector(wi, wo)
         return warps.mirrored_pdf(warps.beckmann_normal_pdf(h, m), wo, h)
 
-    return Part(weight, lambda wo, u: warps.mirrored_at(wo, warps.beckmann_normal(u, m)), density)
+    return MixturePart(weight, lambda wo, u: warps.mirrored_at(wo, warps.beckmann_normal(u, m)), density)
 
 
-def ggx(weight: float, alpha: float) -> Part:
+def ggx(weight: float, alpha: float) -> MixturePart:
     """Return mirrors at the normals of a GGX surface that the view sees."""
 
     def density(wi: Floats, wo: Floats) -> Floats:
         h = warps.half_vector(wi, wo)
         return warps.mirrored_pdf(warps.ggx_visible_normal_pdf(h, wo, alpha), wo, h)
 
-    return Part(weight, lambda wo, u: warps.mirrored_at(wo, warps.ggx_visible_normal(u, wo, alpha)), density)
+    return MixturePart(
+        weight, lambda wo, u: warps.mirrored_at(wo, warps.ggx_visible_normal(u, wo, alpha)), density
+    )
 
 
-def _shares(parts: Sequence[Part]) -> Floats:
+def _shares(parts: Sequence[MixturePart]) -> Floats:
     weights = np.array([part.weight for part in parts])
     total = weights.sum()
     # A black model may be sampled in any way.

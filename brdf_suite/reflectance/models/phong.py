@@ -75,7 +75,7 @@ class Phong:
         value = np.asarray(self.kd) / math.pi + lobe[..., None] * np.asarray(self.ks)
         return np.where(above[..., None], value, 0.0)
 
-    def _parts(self) -> list[mixture.Part]:
+    def _parts(self) -> list[mixture.MixturePart]:
         kd, ks = luminance(np.asarray(self.kd)), luminance(np.asarray(self.ks))
         return [mixture.diffuse(kd), mixture.mirror_lobe(ks, self.exponent)]
 

@@ -165,14 +165,14 @@ class PoulinFournier:
         bell *= np.cos(phi - angle_i[:, None]) * np.cos(phi - angle_o[:, None])
         return np.asarray(size**self.exponent * np.sum(weight * bell, axis=1))
 
-    def _parts(self) -> list[mixture.Part]:
+    def _parts(self) -> list[mixture.MixturePart]:
         kd, ks = luminance(np.asarray(self.kd)), luminance(np.asarray(self.ks))
         # Where the surface is seen from above, this share of it is floor.
         flat = 1.0 - 2.0 * math.sin(self.steepest) / self.spacing
         return [
             mixture.diffuse(kd + 0.1 * ks),
-            mixture.Part(ks * flat, self._draw_floor, self._floor_pdf),
-            mixture.Part(ks * (1.0 - flat), self._draw_arc, self._arc_pdf),
+            mixture.MixturePart(ks * flat, self._draw_floor, self._floor_pdf),
+            mixture.MixturePart(ks * (1.0 - flat), self._draw_arc, self._arc_pdf),
         ]
 
     def _draw_floor(self, wo: Floats, u: Floats) -> Floats:

@@ -8,7 +8,7 @@ import numpy as np
 
 from brdf_suite.surface.car.blends import Floats
 from brdf_suite.surface.car.nets import Ints, Soup
-from brdf_suite.surface.mesh import Part
+from brdf_suite.surface.mesh import PartGeometry
 
 LIP_DROP = 0.0008
 """How far the edge of a panel lies below its surface, m."""
@@ -73,7 +73,7 @@ def mirrored(piece: Piece) -> Piece:
     return Piece(piece.name, piece.material, soup, piece.normals * flip)
 
 
-def joined(name: str, pieces: list[Piece]) -> Part:
+def joined(name: str, pieces: list[Piece]) -> PartGeometry:
     """Return pieces of one name and material as a part, with box-projected UVs."""
     offset = np.cumsum([0] + [len(piece.soup.points) for piece in pieces])
     points = np.concatenate([piece.soup.points for piece in pieces])
@@ -84,7 +84,7 @@ def joined(name: str, pieces: list[Piece]) -> Part:
         points, normals, uvs, triangles = box_projected(points, normals, triangles)
     else:
         uvs = planar(points, normals)
-    return Part(name, pieces[0].material, points, normals, uvs, triangles)
+    return PartGeometry(name, pieces[0].material, points, normals, uvs, triangles)
 
 
 def without_slivers(points: Floats, triangles: Ints) -> Ints:

@@ -38,7 +38,7 @@ MERGE = 0.026
 
 
 @dataclass(frozen=True)
-class Area:
+class TrimArea:
     """An area that is not paint: its material, its border, and whether it is an opening.
 
     ``border`` is a ring of that width (m) round the area, of material ``border_material``. Areas lie flush;
@@ -54,22 +54,22 @@ class Area:
 
 
 # Earlier entries win where areas overlap.
-AREAS: tuple[Area, ...] = (
-    Area("daylight", outlines.daylight, "lamp"),
-    Area("headlamp", outlines.headlamp, "glass", 0.004),
-    Area("badge", outlines.badge, "chrome"),
-    Area("grille", outlines.grille, "cavity", 0.010, "chrome", depth=0.09),
-    Area("intake", outlines.intake, "cavity", depth=0.06),
-    Area("splitter", outlines.splitter, "trim"),
-    Area("tail_band", outlines.tail_band, "tail_lamp"),
-    Area("tail_panel", outlines.tail_panel, "glass", 0.004),
-    Area("plate_recess", outlines.plate_recess, "trim", depth=0.018),
-    Area("diffuser", outlines.diffuser, "trim"),
-    Area("sill", outlines.sill, "trim"),
-    Area("windscreen", outlines.windscreen, "glass", 0.012),
-    Area("cowl", outlines.cowl, "trim", depth=0.012),
-    Area("rear_screen", outlines.rear_screen, "glass", 0.012),
-    Area("side_window", outlines.side_window, "glass", 0.013, "chrome"),
+AREAS: tuple[TrimArea, ...] = (
+    TrimArea("daylight", outlines.daylight, "lamp"),
+    TrimArea("headlamp", outlines.headlamp, "glass", 0.004),
+    TrimArea("badge", outlines.badge, "chrome"),
+    TrimArea("grille", outlines.grille, "cavity", 0.010, "chrome", depth=0.09),
+    TrimArea("intake", outlines.intake, "cavity", depth=0.06),
+    TrimArea("splitter", outlines.splitter, "trim"),
+    TrimArea("tail_band", outlines.tail_band, "tail_lamp"),
+    TrimArea("tail_panel", outlines.tail_panel, "glass", 0.004),
+    TrimArea("plate_recess", outlines.plate_recess, "trim", depth=0.018),
+    TrimArea("diffuser", outlines.diffuser, "trim"),
+    TrimArea("sill", outlines.sill, "trim"),
+    TrimArea("windscreen", outlines.windscreen, "glass", 0.012),
+    TrimArea("cowl", outlines.cowl, "trim", depth=0.012),
+    TrimArea("rear_screen", outlines.rear_screen, "glass", 0.012),
+    TrimArea("side_window", outlines.side_window, "glass", 0.013, "chrome"),
 )
 PANELS: tuple[tuple[str, Field], ...] = (
     ("handle", outlines.handle),

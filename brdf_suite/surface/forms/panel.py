@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.surface.forms.grid import grid_triangles, smooth_step, with_area
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 Float64 = NDArray[np.float64]
 
@@ -95,9 +95,9 @@ def panel() -> Mesh:
     points, normals = points @ turned.T, normals @ turned.T
     points[:, 1] -= points[:, 1].min()
     triangles = with_area(points, triangles)
-    skin = Part("skin", "paint", points / 1000.0, normals, uvs, triangles)
+    skin = PartGeometry("skin", "paint", points / 1000.0, normals, uvs, triangles)
     behind = (points - _THICKNESS * normals) / 1000.0
-    back = Part("back", "trim", behind, -normals, uvs, triangles[:, ::-1])
+    back = PartGeometry("back", "trim", behind, -normals, uvs, triangles[:, ::-1])
     return Mesh("panel", (skin, back))
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.surface.forms.grid import grid_triangles, lengths_along, normals_of, smooth_step, with_area
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 Float64 = NDArray[np.float64]
 
@@ -133,5 +133,7 @@ def speed_form() -> Mesh:
     points[..., 1] -= points[..., 1].min()
     flat = points.reshape(-1, 3)
     triangles = with_area(flat, grid_triangles(*around.shape))
-    part = Part("speed form", "paint", flat / 1000.0, normals.reshape(-1, 3), uvs.reshape(-1, 2), triangles)
+    part = PartGeometry(
+        "speed form", "paint", flat / 1000.0, normals.reshape(-1, 3), uvs.reshape(-1, 2), triangles
+    )
     return Mesh("speed_form", (part,))

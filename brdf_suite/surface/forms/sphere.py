@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from brdf_suite.surface.forms.grid import grid_triangles
-from brdf_suite.surface.mesh import Mesh, Part
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 RADIUS_MM = 100.0
 CELLS = 64
@@ -41,5 +41,5 @@ def sphere() -> Mesh:
     charts = [np.stack([right + 2.0 * index, up], axis=1) for index in range(len(_FRAMES))]
     positions = (normals + np.array([0.0, 1.0, 0.0])) * RADIUS_MM / 1000.0
     uvs = np.concatenate(charts) * RADIUS_MM * _EQUAL_AREA
-    part = Part("sphere", "paint", positions, normals, uvs, triangles)
+    part = PartGeometry("sphere", "paint", positions, normals, uvs, triangles)
     return Mesh("sphere", (part,))

@@ -24,7 +24,7 @@ from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
 from brdf_suite.surface.occlusion.fit import shared_places, vertex_values
 from brdf_suite.surface.occlusion.floor import bake_floor
 from brdf_suite.surface.occlusion.places import Places, spread
-from brdf_suite.surface.occlusion.rays import Ground, RayScene
+from brdf_suite.surface.occlusion.rays import OcclusionFloor, RayScene
 from brdf_suite.surface.occlusion.refine import cut
 
 Float32 = NDArray[np.float32]
@@ -81,7 +81,7 @@ def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
         ) from error
     low, high = mesh.bounds()
     ground = bake_floor(scene, low, high, subrange(progress, 0.02, 0.3))
-    floor = Ground(ground.height, ground.low, ground.high, ground.share)
+    floor = OcclusionFloor(ground.height, ground.low, ground.high, ground.share)
 
     def look(places: Places, progress: Progress | None) -> Float32:
         return scene.gather(

@@ -17,7 +17,7 @@ class BakedPart:
     Attributes
     ----------
     positions, normals, uvs, triangles
-        As in :class:`~brdf_suite.surface.mesh.Part`, but normals of new vertices are shorter than 1 (see
+        As in :class:`~brdf_suite.surface.mesh.PartGeometry`, but normals of new vertices are shorter than 1 (see
         :mod:`.refine`).
     light
         (n, 8) float16: x, y, z of the mean direction of the light that arrives, for an open place 2/3 of the

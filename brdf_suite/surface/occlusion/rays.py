@@ -28,7 +28,7 @@ _GOLDEN = 0.6180339887498949
 
 
 @dataclass(frozen=True, eq=False)
-class Ground:
+class OcclusionFloor:
     """A level floor at ``height`` (m) and the light that it sees: ``share`` (rows along z, columns along x), 0…1.
 
     ``low`` and ``high`` are the lowest and highest (x, z) of the texels' outer edges, metres.
@@ -89,7 +89,7 @@ class RayScene:
         normals: Float32,
         planes: Float32,
         rays: int,
-        ground: Ground | None = None,
+        ground: OcclusionFloor | None = None,
         progress: Progress | None = None,
         what: str = "occlusion",
     ) -> Float32:

@@ -20,7 +20,7 @@ from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.palettes import (
     FORMATS,
     PaletteFormat,
-    Read,
+    ReadPalette,
     format_for,
     losses,
     read_content,
@@ -223,7 +223,7 @@ def foreign_palettes(shared_data: Path, are_read: bool) -> list[Path]:
 
 
 @pytest.fixture(scope="module")
-def real(shared_data: Path) -> list[tuple[Path, Read]]:
+def real(shared_data: Path) -> list[tuple[Path, ReadPalette]]:
     """Every palette of another program that is read."""
     return [(path, read_palette(path)) for path in foreign_palettes(shared_data, are_read=True)]
 
@@ -237,7 +237,7 @@ def test_palettes_in_other_formats_are_refused_by_name(shared_data: Path) -> Non
 
 
 def test_every_real_palette_loads_and_comes_back(
-    known: PaletteFormat, real: list[tuple[Path, Read]], tmp_path: Path
+    known: PaletteFormat, real: list[tuple[Path, ReadPalette]], tmp_path: Path
 ) -> None:
     seen = 0
     for path, found in real:

@@ -9,16 +9,16 @@ from brdf_suite.errors import FittingError
 from brdf_suite.fitting.homomorphic.factorization import Factorization
 from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.peak import factorize_with_peak
-from brdf_suite.fitting.homomorphic.samples import Samples, even_directions
+from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, even_directions
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, MEASURED_FACTORS
 
 
-def drawn(count: int, seed: int = 1) -> Samples:
+def drawn(count: int, seed: int = 1) -> FactorizationSamples:
     """A smooth reflectance, brighter at the mirror direction."""
     rng = np.random.default_rng(seed)
     wi, wo = even_directions(count, rng), even_directions(count, rng)
     values = 0.2 + np.exp(-6.0 * (1.0 - (wi + wo)[:, 2:] / np.linalg.norm(wi + wo, axis=1, keepdims=True)))
-    return Samples(wi, wo, values * np.array([1.0, 0.6, 0.3]))
+    return FactorizationSamples(wi, wo, values * np.array([1.0, 0.6, 0.3]))
 
 
 def good(product: Factorization) -> bool:
@@ -48,7 +48,9 @@ def test_fewer_samples_than_texels_are_met_and_joined_smoothly(factors: str, cou
 
 def test_all_samples_in_one_direction_give_flat_maps_of_that_value() -> None:
     samples = drawn(50)
-    same = Samples(np.tile(samples.wi[:1], (50, 1)), np.tile(samples.wo[:1], (50, 1)), np.full((50, 3), 0.4))
+    same = FactorizationSamples(
+        np.tile(samples.wi[:1], (50, 1)), np.tile(samples.wo[:1], (50, 1)), np.full((50, 3), 0.4)
+    )
     found = factorize(same.wi, same.wo, same.values, resolution=8).product
     assert good(found)
     assert roughness(found) < 1e-3
@@ -103,7 +105,9 @@ def test_few_samples_that_reflect_among_zeros_are_not_taken_for_nothing() -> Non
     samples = drawn(800)
     values = np.zeros((800, 3))
     values[::15] = 0.3
-    whole, _ = factorize_with_peak(Samples(samples.wi, samples.wo, values), factors=MEASURED_FACTORS)
+    whole, _ = factorize_with_peak(
+        FactorizationSamples(samples.wi, samples.wo, values), factors=MEASURED_FACTORS
+    )
     assert good(whole.product)
     assert whole.eval(samples.wi, samples.wo).max() > 1e-3
 
@@ -114,13 +118,13 @@ def test_a_rise_at_grazing_is_no_peak() -> None:
     forward = (wi * wo)[:, :2].sum(axis=1) < -0.6
     rise = np.where(forward, 40.0 * np.exp(-wi[:, 2] * wo[:, 2] / 0.01), 0.0)
     values = np.repeat(0.3 * (1.0 + rise)[:, None], 3, axis=1)
-    whole, _ = factorize_with_peak(Samples(wi, wo, values), factors=MEASURED_FACTORS, smooth=1.0)
+    whole, _ = factorize_with_peak(FactorizationSamples(wi, wo, values), factors=MEASURED_FACTORS, smooth=1.0)
     assert values.max() > 5.0 * np.median(values)
     assert whole.peak is None
     # The same light in one direction is a peak.
     near = (wi + wo)[:, 2] > 0.97 * np.linalg.norm(wi + wo, axis=1)
     values = np.where(near[:, None], 30.0, 0.3) * np.ones((1, 3))
-    whole, _ = factorize_with_peak(Samples(wi, wo, values), factors=MEASURED_FACTORS, smooth=1.0)
+    whole, _ = factorize_with_peak(FactorizationSamples(wi, wo, values), factors=MEASURED_FACTORS, smooth=1.0)
     assert whole.peak is not None
 
 
@@ -142,9 +146,11 @@ def test_the_peak_apart_stands_the_same(bad: str) -> None:
     values[1] *= 1e4
     if bad == "nothing":
         with pytest.raises(FittingError, match="nothing to factor"):
-            factorize_with_peak(Samples(wi, wo, values), resolution=8)
+            factorize_with_peak(FactorizationSamples(wi, wo, values), resolution=8)
         return
-    found, reported = factorize_with_peak(Samples(wi, wo, values), factors=MEASURED_FACTORS, resolution=8)
+    found, reported = factorize_with_peak(
+        FactorizationSamples(wi, wo, values), factors=MEASURED_FACTORS, resolution=8
+    )
     assert good(found.product)
     assert found.peak is None or good(found.peak)
     assert (reported.left_out, reported.raised) == (int(bad == "nan"), int(bad == "negative"))

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 
 from brdf_suite.errors import FittingError, ValueRangeError
 from brdf_suite.fitting.homomorphic.accuracy import accuracy
-from brdf_suite.fitting.homomorphic.constraints import Layout, constraints, smoothness
+from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints, smoothness
 from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.peak import factorize_with_peak
-from brdf_suite.fitting.homomorphic.samples import Samples, even_directions, samples_of
+from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, even_directions, samples_of
 from brdf_suite.fitting.homomorphic.separable import separate
 from brdf_suite.fitting.homomorphic.storage import compression, stored
 from brdf_suite.geometry import warps
@@ -81,7 +81,7 @@ def test_the_energy_is_kept_in_each_channel() -> None:
 
 
 def test_equation_14_sums_coefficients_that_coincide() -> None:
-    layout = Layout.of(parse_factors(DEFAULT_FACTORS), 8)
+    layout = MapLayout.of(parse_factors(DEFAULT_FACTORS), 8)
     wi = np.array([[0.0, 0.6, 0.8]])
     matrix = constraints(layout, wi, wi)  # light and view are one: p is read twice in the same texels
     assert matrix.nnz == 8
@@ -91,7 +91,7 @@ def test_equation_14_sums_coefficients_that_coincide() -> None:
 
 
 def test_the_masks_of_figure_3() -> None:
-    laplacian = smoothness(Layout.of(parse_factors("p:wi"), 4)).toarray().reshape(4, 4, 4, 4)
+    laplacian = smoothness(MapLayout.of(parse_factors("p:wi"), 4)).toarray().reshape(4, 4, 4, 4)
     assert laplacian[1, 2, 1, 2] == 4
     assert laplacian[0, 2, 0, 2] == 3
     assert laplacian[0, 0, 0, 0] == 2
@@ -245,4 +245,4 @@ def test_measured_samples_are_taken_and_turned() -> None:
     assert np.histogram(around, 8, (-np.pi, np.pi))[0].min() > 0.06 * len(samples)
     fit, held = samples.held_out(0.2)
     assert len(fit) + len(held) == len(samples)
-    assert isinstance(fit, Samples)
+    assert isinstance(fit, FactorizationSamples)

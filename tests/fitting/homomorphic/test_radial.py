@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.fitting.homomorphic.constraints import Layout
+from brdf_suite.fitting.homomorphic.constraints import MapLayout
 from brdf_suite.fitting.homomorphic.factorization import Factorization
 from brdf_suite.fitting.homomorphic.factorize import corrected_mean
 from brdf_suite.fitting.homomorphic.radial import as_radial, asymmetries
@@ -46,7 +46,7 @@ def test_round_maps_are_reported_from_others_and_kept_as_their_radius() -> None:
 def test_the_words_give_a_map_its_own_texels_and_come_back() -> None:
     factors = parse_factors("p:|wo| q:sqrt|h|@64 p:|wi|@8 d:w.h")
     assert [factor.size for factor in factors] == [8, 64, 8, None]
-    assert Layout.of(factors, 16).shapes == {"p": (8,), "q": (64,), "d": (16,)}
+    assert MapLayout.of(factors, 16).shapes == {"p": (8,), "q": (64,), "d": (16,)}
     assert factor_words(factors, sizes=True) == "p:|wo|@8 q:sqrt|h|@64 p:|wi|@8 d:w.h"
     assert parse_factors(factor_words(factors, sizes=True)) == factors
     assert factor_words(parse_factors(MEASURED_FACTORS)) == "p:|wo| q:sqrt|h| p:|wi| d:w.h"

@@ -13,7 +13,7 @@ import pytest
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
-from brdf_suite.fitting.lobes.solver import Outcome
+from brdf_suite.fitting.lobes.solver import SolverOutcome
 
 PATIENCE_S = 250.0
 
@@ -84,11 +84,11 @@ def test_a_caller_in_time_has_its_optimum_before_anything_is_made_of_it() -> Non
 def test_a_caller_whose_solver_is_lost_is_reported_before_its_limit(solver: LimitedSolver) -> None:
     tries = []
 
-    def lost(*_: object) -> Outcome:
+    def lost(*_: object) -> SolverOutcome:
         tries.append(threading.current_thread().name)
         if len(tries) > 100:
             raise AssertionError("it tries on and on")
-        return Outcome.LOST
+        return SolverOutcome.LOST
 
     solver._solver.run = lost  # type: ignore[method-assign]  # no target is known that loses it
     answer = solver.solve([target()], time.perf_counter() + PATIENCE_S)

@@ -12,7 +12,7 @@ import pytest
 from brdf_suite.fitting.lobes import fallback, limited
 from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
-from brdf_suite.fitting.lobes.solver import BlockSolution, BlockSolver, Outcome
+from brdf_suite.fitting.lobes.solver import BlockSolution, BlockSolver, SolverOutcome
 
 PATIENCE_S = 250.0
 START_S = 100.0
@@ -51,18 +51,18 @@ class SteadySolver:
     def __init__(self, clock: Clock, real: BlockSolver, step_s: float) -> None:
         self.runs: list[tuple[float, float, int]] = []  # when, for how long, how many iterations at most
         self.iterations = 0
-        self.outcome = Outcome.STOPPED
+        self.outcome = SolverOutcome.STOPPED
         self.forgotten = 0
         self._clock, self._real, self._step_s = clock, real, step_s
 
     def load(self, *_: Any) -> None:
         pass
 
-    def run(self, budget_s: float, iterations: int) -> Outcome:
+    def run(self, budget_s: float, iterations: int) -> SolverOutcome:
         assert len(self.runs) < 1000, "it runs on and on"
         self.runs.append((self._clock.now, budget_s, iterations))
         self.iterations = min(iterations, int(np.ceil(budget_s / self._step_s)))
-        if self.outcome is Outcome.LOST:  # which it is soon
+        if self.outcome is SolverOutcome.LOST:  # which it is soon
             self.iterations = 1
         self._clock.now += self.iterations * self._step_s
         return self.outcome
@@ -132,7 +132,7 @@ def test_a_run_is_as_many_iterations_as_half_of_the_time_allows_at_the_pace_seen
 
 def test_a_solver_that_is_lost_twice_is_left(make_steady: MakeSteady) -> None:
     solver, steady = make_steady()
-    steady.outcome = Outcome.LOST
+    steady.outcome = SolverOutcome.LOST
     steady.solution = lambda: pytest.fail("it holds nothing")  # type: ignore[method-assign]  # of this test
     answer = solver.solve([target()], START_S + 10.0, finish=False)
     assert len(steady.runs) == 2

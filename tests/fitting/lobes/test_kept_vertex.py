@@ -5,13 +5,13 @@ import pytest
 
 from brdf_suite.fitting.lobes.kept_vertex import kept_vertex
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
-from brdf_suite.fitting.lobes.solver import BlockSolution, BlockSolver, Outcome
+from brdf_suite.fitting.lobes.solver import BlockSolution, BlockSolver, SolverOutcome
 
 
 def solved(parts: list[PartProgram], targets: list[np.ndarray]) -> BlockSolution:
     solver = BlockSolver(parts)
     solver.load(targets)
-    assert solver.run(60.0) is Outcome.OPTIMAL
+    assert solver.run(60.0) is SolverOutcome.OPTIMAL
     return solver.solution()
 
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from brdf_suite.fitting.lobes.program import build_program
 from brdf_suite.fitting.lobes.refine import refined
-from brdf_suite.fitting.lobes.solver import BlockSolver, Outcome
+from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 
 
 def test_a_target_that_the_columns_reach_is_reached_to_rounding() -> None:
@@ -15,7 +15,7 @@ def test_a_target_that_the_columns_reach_is_reached_to_rounding() -> None:
     target /= target.sum(axis=0)
     solver = BlockSolver([program])
     solver.load([target])
-    assert solver.run(60.0) is Outcome.OPTIMAL
+    assert solver.run(60.0) is SolverOutcome.OPTIMAL
     held = solver.solution()
     blurred = held.solutions[0] * (1.0 + 1e-7)
     found, errors = refined(program, blurred, held.duals[0], target)
@@ -31,7 +31,7 @@ def test_an_answer_that_its_duals_prove_is_left_alone() -> None:
     target /= target.sum(axis=0)
     solver = BlockSolver([program])
     solver.load([target])
-    assert solver.run(60.0) is Outcome.OPTIMAL
+    assert solver.run(60.0) is SolverOutcome.OPTIMAL
     held = solver.solution()
     found, errors = refined(program, held.solutions[0], held.duals[0], target)
     assert found is held.solutions[0]

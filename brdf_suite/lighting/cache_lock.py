@@ -1,8 +1,8 @@
-"""Programs that want the same entry of the cache take turns, so that the work is done once.
+"""Locks of the map cache, one per entry, so that several programs compute an entry only once.
 
-A lock of the system guards each entry: it is freed when its holder dies, however it dies. A holder that lives
-but makes no headway (stopped, or hung) is noticed by its sign of life, a small file that it touches while it
-works: after a time without one, the others go on without it. One of 256 lock files serves each entry, so
+An operating-system lock guards each entry: it is released when its holder dies for any reason. A holder that
+is stopped or hangs is detected by its heartbeat, a small file that it touches while it works: after a time
+without one, the other programs proceed without it. One of 256 lock files serves each entry, so
 their number stays bounded without ever deleting one, which could split its holders.
 """
 
@@ -24,14 +24,14 @@ Notice = Callable[[str], None]
 
 
 @dataclass(frozen=True)
-class Turn:
-    """One's turn at an entry. ``locked`` is False where no lock could be had and others may work on it too."""
+class EntryLock:
+    """Exclusive access to an entry. ``locked`` is False where no lock was available and others may work on it too."""
 
     locked: bool
     alive: Path
 
     def watched(self, progress: Progress | None) -> Progress:
-        """Return ``progress`` that also gives the sign of life for those who wait."""
+        """Return ``progress`` that also touches the heartbeat file for waiting programs."""
         last = -_TOUCH_SECONDS
 
         def touch(fraction: float, what: str) -> None:
@@ -49,7 +49,7 @@ class Turn:
 
 
 def shard(key: str) -> str:
-    """Return which of the 256 locks serves an entry."""
+    """Return the name of the lock, one of 256, that serves an entry."""
     return key[:2]
 
 
@@ -59,13 +59,13 @@ def lock_path(folder: Path, key: str) -> Path:
 
 
 @contextmanager
-def take_turn(
+def exclusive_entry(
     folder: Path, key: str, *, timeout_s: float, silence_s: float, progress: Progress | None, notice: Notice
-) -> Iterator[Turn]:
+) -> Iterator[EntryLock]:
     """Hold the lock of an entry while the body runs; wait for another program that holds it.
 
-    After ``timeout_s`` of waiting, or ``silence_s`` without a sign of life of the holder, or where the folder
-    takes no locks, the body runs without one; ``notice`` is called. Both times are in seconds. ``progress`` may
+    After ``timeout_s`` of waiting, or ``silence_s`` without a heartbeat of the holder, or where the folder
+    supports no locks, the body runs without one; ``notice`` is called. Both times are in seconds. ``progress`` may
     cancel the waiting.
     """
     from filelock import BaseFileLock, FileLock, Timeout
@@ -73,7 +73,7 @@ def take_turn(
     alive = folder / f".{shard(key)}.alive"
     lock: BaseFileLock | None = None
     start = heard = time.monotonic()
-    sign = _sign(alive)
+    beat = _heartbeat(alive)
     while True:
         try:
             folder.mkdir(parents=True, exist_ok=True)
@@ -81,13 +81,13 @@ def take_turn(
             lock.acquire(timeout=POLL_SECONDS)
             break
         except Timeout:
-            # What counts is that the sign changes: the clock of a network folder may be another than ours.
-            now, latest = time.monotonic(), _sign(alive)
-            if latest != sign:
-                sign, heard = latest, now
+            # Only changes of the heartbeat count: the clock of a network folder may differ from ours.
+            now, latest = time.monotonic(), _heartbeat(alive)
+            if latest != beat:
+                beat, heard = latest, now
             if now - start > timeout_s or now - heard > silence_s:
                 notice(
-                    f"Waited {now - start:.0f} s for another program that filters this environment; going on alone."
+                    f"Waited {now - start:.0f} s for another program that filters this environment; continuing without it."
                 )
                 lock = None
                 break
@@ -97,15 +97,15 @@ def take_turn(
             break
         report(progress, 0.0, "waiting for another program that filters this environment")
     try:
-        yield Turn(lock is not None, alive)
+        yield EntryLock(lock is not None, alive)
     finally:
         if lock is not None:
             lock.release()
 
 
 @contextmanager
-def if_free(folder: Path, key: str) -> Iterator[bool]:
-    """Hold the lock of an entry if that is possible at once; yields whether it is held."""
+def try_entry(folder: Path, key: str) -> Iterator[bool]:
+    """Hold the lock of an entry if it is free; yields whether it is held."""
     from filelock import FileLock, Timeout
 
     lock = FileLock(lock_path(folder, key))
@@ -120,7 +120,7 @@ def if_free(folder: Path, key: str) -> Iterator[bool]:
         lock.release()
 
 
-def _sign(alive: Path) -> int:
+def _heartbeat(alive: Path) -> int:
     try:
         return alive.stat().st_mtime_ns
     except OSError:

@@ -1,12 +1,12 @@
-"""Moves of a paint's readings as a colourist asks for them: all angles in step, or the flop about a face that stays.
+"""Edits of a paint's readings in a colourist's terms: all angles together, or the flop about a fixed face.
 
-A move takes L*a*b* readings (n, 3) at aspecular angles (n,), degrees, in any order, and gives new ones. The *face* is
+An edit takes L*a*b* readings (n, 3) at aspecular angles (n,), degrees, in any order, and gives new ones. The *face* is
 the reading nearest to 45°, the *near* end the one nearest to the mirror direction, the *far* end the one farthest from
-it; flop and travel run from near to far. Where nothing flops yet, near and far part in the shares that a typical
-metallic has (0.7 of the travel of L* before the face, 0.3 after it; chroma and hue half and half).
+it; flop and travel run from near to far. Where there is no flop yet, near and far diverge in the proportions of a
+typical metallic (0.7 of the travel of L* before the face, 0.3 after it; chroma and hue half and half).
 
-L* and C*ab never fall below 0: what one end cannot give, the other end gives, so that the travel is still the wanted
-one; the face is never touched. A grey has no hue, and a hue travel leaves it grey.
+L* and C*ab never fall below 0: what one end cannot take, the other end takes, so that the travel is still the requested
+one; the face never changes. A grey has no hue, and a hue travel leaves it grey.
 """
 
 from __future__ import annotations
@@ -24,23 +24,23 @@ from brdf_suite.geometry.directions import Floats
 
 FACE_DEG = 45.0
 GREY_CHROMA = 0.05
-"""C*ab under which a reading is taken for a grey, without a hue: far below the resolution of an instrument."""
+"""C*ab below which a reading counts as grey, without a hue: far below the resolution of an instrument."""
 
 _NEAR_SHARE = {0: 0.7, 1: 0.5, 2: 0.5}
-"""How much of a new travel of L*, C* and h lies before the face."""
+"""Fraction of a new travel of L*, C* and h before the face."""
 _STILL = 0.05
 
 
 @dataclass(frozen=True)
-class Ends:
-    """Which readings are the near end, the face and the far end: indices."""
+class FlopEnds:
+    """Indices of the readings at the near end, the face and the far end."""
 
     near: int
     face: int
     far: int
 
 
-def flop_ends(aspecular_deg: npt.ArrayLike) -> Ends:
+def flop_ends(aspecular_deg: npt.ArrayLike) -> FlopEnds:
     """Return near end, face and far end of readings at angles (n,).
 
     Raises
@@ -53,15 +53,15 @@ def flop_ends(aspecular_deg: npt.ArrayLike) -> Ends:
     face = int(np.argmin(np.abs(np.asarray(aspecular_deg, float) - FACE_DEG)))
     if not size[near] < size[face] < size[far]:
         raise ValueRangeError("aspecular_deg", "a flop needs a reading before the face and one beyond it")
-    return Ends(near, face, far)
+    return FlopEnds(near, face, far)
 
 
-def hue_turn(from_deg: float, to_deg: float) -> float:
-    """Return the turn from one hue to another the short way round, -180 to 180°."""
+def hue_difference(from_deg: float, to_deg: float) -> float:
+    """Return the signed difference of two hues, the short way round, -180 to 180°."""
     return float((to_deg - from_deg + 180.0) % 360.0 - 180.0)
 
 
-def unwrapped_hues(lab: npt.ArrayLike) -> Floats:
+def unwrap_hues(lab: npt.ArrayLike) -> Floats:
     """Return hues (n,), degrees, of readings (n, 3) in their order, without jumps of 360°: NaN for a grey.
 
     The first is 0 to 360; each further one lies within 180° of the one before it that has a hue.
@@ -77,15 +77,15 @@ def unwrapped_hues(lab: npt.ArrayLike) -> Floats:
     return np.asarray(hues)
 
 
-def moved_together(lab: npt.ArrayLike, delta: npt.ArrayLike) -> Floats:
-    """Return readings moved by ΔL*, Δa*, Δb* (3,) each; L* stops at 0."""
+def shift_labs(lab: npt.ArrayLike, delta: npt.ArrayLike) -> Floats:
+    """Return readings shifted by ΔL*, Δa*, Δb* (3,) each; L* stops at 0."""
     moved: Floats = np.asarray(lab, float) + np.asarray(delta, float)
     moved[:, 0] = np.maximum(moved[:, 0], 0.0)
     return moved
 
 
-def moved_in_lch(lab: npt.ArrayLike, delta: npt.ArrayLike, grey_hue_deg: float = 0.0) -> Floats:
-    """Return readings moved by ΔL*, ΔC*, Δh° (3,) each; L* and C* stop at 0, and a grey gets ``grey_hue_deg``."""
+def shift_lchs(lab: npt.ArrayLike, delta: npt.ArrayLike, grey_hue_deg: float = 0.0) -> Floats:
+    """Return readings shifted by ΔL*, ΔC*, Δh° (3,) each; L* and C* stop at 0, and a grey gets ``grey_hue_deg``."""
     step = np.asarray(delta, float)
     lch = lab_to_lch(lab)
     lch[:, 2] = np.where(lch[:, 1] < GREY_CHROMA, grey_hue_deg, lch[:, 2]) + step[2]
@@ -94,7 +94,7 @@ def moved_in_lch(lab: npt.ArrayLike, delta: npt.ArrayLike, grey_hue_deg: float =
 
 
 @dataclass(frozen=True)
-class FlopNow:
+class FlopValues:
     """Flop and travel from the near to the far end; ``index`` is NaN where it is not defined, ``hue`` with a grey."""
 
     index: float
@@ -103,13 +103,13 @@ class FlopNow:
     hue_deg: float
 
 
-def flop_now(aspecular_deg: npt.ArrayLike, lab: npt.ArrayLike) -> FlopNow:
-    """Return what :func:`with_travel` and :func:`with_flop_index` set; errors as :func:`flop_ends`."""
+def measure_flop(aspecular_deg: npt.ArrayLike, lab: npt.ArrayLike) -> FlopValues:
+    """Return the values that :func:`with_flop_travel` and :func:`with_flop_index` set; errors as :func:`flop_ends`."""
     ends, lab = flop_ends(aspecular_deg), np.asarray(lab, float)
     lch = lab_to_lch(lab)
     order = [ends.near, ends.face, ends.far]
-    hues = unwrapped_hues(lab[order])
-    return FlopNow(
+    hues = unwrap_hues(lab[order])
+    return FlopValues(
         index=_index(aspecular_deg, lab),
         lightness=float(lch[ends.far, 0] - lch[ends.near, 0]),
         chroma=float(lch[ends.far, 1] - lch[ends.near, 1]),
@@ -125,9 +125,9 @@ def _index(aspecular_deg: npt.ArrayLike, lab: Floats) -> float:
 
 
 def with_flop_index(aspecular_deg: npt.ArrayLike, lab: npt.ArrayLike, index: float) -> Floats:
-    """Return readings whose flop index is ``index`` ≥ 0, with the same face: L* at 15° and 110° part from it.
+    """Return readings whose flop index is ``index`` ≥ 0, with the same face: L* at 15° and 110° move away from it.
 
-    From 2.69 (L15 - L110)^1.11 / L45^0.86 the travel that is wanted follows at once.
+    The travel follows from 2.69 (L15 - L110)^1.11 / L45^0.86.
 
     Raises
     ------
@@ -144,11 +144,13 @@ def with_flop_index(aspecular_deg: npt.ArrayLike, lab: npt.ArrayLike, index: flo
     if face <= 0.0:
         raise ValueRangeError("flop_index", "L* at 45° is 0: there is no flop index")
     fall = (index * face**0.86 / 2.69) ** (1.0 / 1.11)
-    ends = Ends(angles.index(15.0), angles.index(45.0), angles.index(110.0))
+    ends = FlopEnds(angles.index(15.0), angles.index(45.0), angles.index(110.0))
     return _moved(aspecular_deg, lab, ends, 0, -fall)
 
 
-def with_travel(aspecular_deg: npt.ArrayLike, lab: npt.ArrayLike, component: int, travel: float) -> Floats:
+def with_flop_travel(
+    aspecular_deg: npt.ArrayLike, lab: npt.ArrayLike, component: int, travel: float
+) -> Floats:
     """Return readings whose L* (``component`` 0), C* (1) or h° (2) changes by ``travel`` from near to far.
 
     L* keeps the proportions of its course; chroma and hue are sheared about the face. Errors as :func:`flop_ends`.
@@ -156,12 +158,14 @@ def with_travel(aspecular_deg: npt.ArrayLike, lab: npt.ArrayLike, component: int
     return _moved(aspecular_deg, np.asarray(lab, float), flop_ends(aspecular_deg), component, travel)
 
 
-def _moved(aspecular_deg: npt.ArrayLike, lab: Floats, ends: Ends, component: int, travel: float) -> Floats:
-    """The readings with another travel; what belongs to no moved component keeps its last digit."""
+def _moved(
+    aspecular_deg: npt.ArrayLike, lab: Floats, ends: FlopEnds, component: int, travel: float
+) -> Floats:
+    """Return the readings with another travel; the other components keep their last digit."""
     lch = lab_to_lch(lab)
     grey = lch[:, 1] < GREY_CHROMA
     if component == 2:
-        now = flop_now(aspecular_deg, lab).hue_deg
+        now = measure_flop(aspecular_deg, lab).hue_deg
         if not math.isfinite(now):
             raise ValueRangeError("hue", "a reading is grey: there is no hue to travel from or to")
         lch[:, 2] += (travel - now) * _shear(aspecular_deg, ends, 2)
@@ -178,8 +182,10 @@ def _moved(aspecular_deg: npt.ArrayLike, lab: Floats, ends: Ends, component: int
     return moved
 
 
-def _parted(aspecular_deg: npt.ArrayLike, lch: Floats, ends: Ends, component: int, travel: float) -> Floats:
-    """LCh with a travel of L* or C* from near to far, the face kept and nothing below 0."""
+def _parted(
+    aspecular_deg: npt.ArrayLike, lch: Floats, ends: FlopEnds, component: int, travel: float
+) -> Floats:
+    """Return LCh with a travel of L* or C* from near to far, the face kept and nothing below 0."""
     values = lch[:, component]
     face = values[ends.face]
     near, far = values[ends.near] - face, values[ends.far] - face
@@ -208,8 +214,8 @@ def _parted(aspecular_deg: npt.ArrayLike, lch: Floats, ends: Ends, component: in
     return moved
 
 
-def _shear(aspecular_deg: npt.ArrayLike, ends: Ends, component: int) -> Floats:
-    """How much of a travel lies between face and each reading: negative before the face, 1 from near to far."""
+def _shear(aspecular_deg: npt.ArrayLike, ends: FlopEnds, component: int) -> Floats:
+    """Return the fraction of a travel between face and each reading: negative before the face, 1 from near to far."""
     size = np.abs(np.asarray(aspecular_deg, float))
     near, face, far = size[[ends.near, ends.face, ends.far]]
     share = _NEAR_SHARE[component]
