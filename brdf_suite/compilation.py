@@ -1,4 +1,4 @@
-"""Compilation of kernels by numba: without the interpreter's lock, kept on disk.
+"""Compilation of kernels by numba, without the GIL and cached on disk.
 
 Imported only by modules of kernels, which are imported where they are used: numba takes half a second to import.
 """

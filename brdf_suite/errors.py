@@ -1,4 +1,4 @@
-"""The one exception tree of the suite.
+"""Exception classes of the suite.
 
 Every message is written for the person at the screen: it names the file and the place in it, says what is
 wrong, and, where there is one, the way on. A program shows ``str(error)`` and nothing else.

@@ -1,4 +1,4 @@
-"""Optional packages: the one place that imports them, and the sentence that says how to install a missing one.
+"""Import of optional packages, with the installation hint for missing ones.
 
 The extras and the versions that they need are those of ``[project.optional-dependencies]``, read from the metadata of
 the installed project.

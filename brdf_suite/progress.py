@@ -1,4 +1,4 @@
-"""How long work reports its progress and is cancelled.
+"""Progress reports and cancellation of long functions.
 
 A long function takes ``progress: Progress | None``. It calls ``progress(fraction, what)`` with a fraction
 from 0 to 1 and a few words, often enough for a bar to move. The callback cancels the work by raising

@@ -1,4 +1,4 @@
-"""Where the packaged resources are: paints, environments, meshes, tables.
+"""Locations of the packaged resources: paints, environments, meshes, tables.
 
 A wheel holds them inside ``brdf_suite``; a checkout (and an editable install) has them in ``resources/`` at
 its top. Both are found, and nothing else in the suite knows the difference.

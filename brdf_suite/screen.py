@@ -1,4 +1,4 @@
-"""Whether a window can be opened here, asked before Qt is: without a screen Qt ends the process."""
+"""Check for an available display before Qt starts: without one Qt aborts the process."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the mean of a bin's readings to the reflectance at the bin's centre.
+"""Correction of a bin's mean reading to the reflectance at the bin's centre.
 
 A table's value belongs to its bin's centre. The mean of a few readings belongs elsewhere: to where the readings
 happen to lie, and, where the reflectance bends within the bin as in a highlight, to no one place at all. With the

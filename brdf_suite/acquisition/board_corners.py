@@ -1,4 +1,4 @@
-"""The inner corners of a chessboard in a photograph, to a fraction of a pixel, by OpenCV."""
+"""Detection of a chessboard's inner corners in a photograph with subpixel accuracy, by OpenCV."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The merge of a series of exposures into one picture of radiances, compiled: row by row, so that it stays in cache."""
+"""Compiled merge of an exposure series into a radiance image, row by row to stay in cache."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The sums over all pixels that the recovery of a response needs, compiled.
+"""Compiled sums over all pixels for the recovery of a camera response.
 
 Robertson's energy over pixels j and exposures i is Σ w(y_ij)·(g(y_ij) - t_i x_j)². For a given g the best radiance is
 x_j = Σ_i w t g / Σ_i w t². With g = g⁰·(1 + Bθ), B a row of four B-splines for each code, and x_j eliminated, it is

@@ -1,4 +1,4 @@
-"""The dark frame: what the camera sees without light, as an offset and as a current that grows with time.
+"""Dark frame: the camera's signal without light, as an offset and a current that grows with exposure time.
 
 One dark photograph for each exposure, subtracted as it is, would stamp its own noise on every position of the lamp. So
 a straight line in time is fitted for each pixel over all of them, and what is left of noise in it is taken out.

@@ -1,4 +1,4 @@
-"""From the sums of all positions to a table: means brought to the bins' centres, colours, holes, coverage."""
+"""Conversion of the accumulated sums to a table: centred means, colours, holes, coverage."""
 
 from __future__ import annotations
 

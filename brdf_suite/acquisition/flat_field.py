@@ -1,4 +1,4 @@
-"""The flat field: how much of an even light each pixel gives, by vignetting and by its own sensitivity."""
+"""Flat field: relative sensitivity of each pixel, from vignetting and the sensor."""
 
 from __future__ import annotations
 

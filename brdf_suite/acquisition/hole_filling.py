@@ -1,4 +1,4 @@
-"""Fill the bins that no reading fell into.
+"""Filling of table bins without readings.
 
 After Günther et al. 2005, section 4.1: holes are filled with weighted sums of their neighbours. In three steps, each
 for what the one before left:

@@ -1,4 +1,4 @@
-"""The camera's intrinsics from photographs of a chessboard, by OpenCV's calibration (Zhang 2000).
+"""Calibration of a camera's intrinsics from photographs of a chessboard, by OpenCV (Zhang 2000).
 
 The lens's distortion is given as many coefficients as the photographs determine: k1 alone, then k2 and the tangential
 p1 and p2, then k3, each step taken where it explains more than its own freedom does (Schwarz's criterion). A full model

@@ -1,4 +1,4 @@
-"""JPEG photographs: size and EXIF from the segments (ITU-T T.81, annex B), pixels by Pillow."""
+"""JPEG reader: size and EXIF from the segments (ITU-T T.81, annex B), pixels by Pillow."""
 
 from __future__ import annotations
 

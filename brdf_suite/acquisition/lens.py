@@ -1,4 +1,4 @@
-"""A pinhole camera with the lens distortion of Brown (1966) in the form that OpenCV's calibration gives.
+"""Pinhole camera with the lens distortion of Brown (1966), in OpenCV's parameterization.
 
 The camera's frame has x to the right, y down and z forward, metres; a pixel's centre lies at whole numbers. With
 a = x/z, b = y/z and s = a² + b²,

@@ -1,4 +1,4 @@
-"""Maps of a sensor, freed of the noise of the photographs that they were measured in (Wiener's filter, 1949).
+"""Wiener shrinkage (1949) of sensor maps, which removes the noise of the photographs they were measured from.
 
 A flat field or a dark frame is applied to every photograph, so its own noise is a pattern that no averaging removes.
 Differences between neighbours are kept by the share of them that noise does not explain.

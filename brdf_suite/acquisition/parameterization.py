@@ -1,4 +1,4 @@
-"""The three ways of Figure 4 to lay out an isotropic reflectance: where a direction pair falls, where a bin is.
+"""The three parameterizations of an isotropic reflectance in Figure 4: bin of a direction pair, centre of a bin.
 
 After Günther, Chen, Goesele, Wald and Seidel, "Efficient Acquisition and Realistic Rendering of Car Paint" (2005),
 section 4.1. ``half-angle`` is the layout that is kept: θh non-linear, so that highlights get fine bins. The others

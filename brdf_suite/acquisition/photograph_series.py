@@ -1,4 +1,4 @@
-"""The photographs of a position, of a calibration, and the masks, read as the session names them."""
+"""Reading of the photographs of a position or calibration, and of masks, as named in the session."""
 
 from __future__ import annotations
 

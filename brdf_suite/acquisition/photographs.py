@@ -1,4 +1,4 @@
-"""Photographs as codes: PNG and TIFF of 8 or 16 bits, JPEG, floats in OpenEXR and Radiance, and raw files.
+"""Photographs as sensor codes: PNG and TIFF of 8 or 16 bits, JPEG, OpenEXR and Radiance floats, and raw files.
 
 What a file is, is seen from its content; raw files alone are known by their endings, as most of them begin as TIFF.
 Nothing is converted: codes are those of the file, and of three equal channels where the picture is grey.

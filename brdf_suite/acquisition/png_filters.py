@@ -1,4 +1,4 @@
-"""Undo the filters of a PNG's rows, compiled: each byte needs those before it, which numpy cannot do at once."""
+"""Compiled decoding of PNG row filters: each byte depends on earlier ones, so numpy cannot vectorise it."""
 
 from __future__ import annotations
 

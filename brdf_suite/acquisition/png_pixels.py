@@ -1,4 +1,4 @@
-"""PNG photographs: 8 or 16 bits, grey or RGB (W3C, Portable Network Graphics, third edition).
+"""PNG reader: 8 or 16 bits, grey or RGB (W3C, Portable Network Graphics, third edition).
 
 Written here because none of the imaging libraries that are always there reads 16-bit RGB.
 """

@@ -1,4 +1,4 @@
-"""Check that the photographs of the lamp's positions are in order, by where the brightest part of the sphere is.
+"""Check of the order of the lamp's positions, from the brightest part of the sphere in each photograph.
 
 As the lamp goes from before the camera (0°) to the right and behind the sphere (180°), the highlight wanders from the
 middle to the right and never back. A position whose highlight lies elsewhere shows another lamp than is stated.

@@ -1,4 +1,4 @@
-"""A camera's raw files through rawpy (LibRaw): linear RGB of the sensor, 16 bits, nothing balanced or brightened."""
+"""Raw camera files through rawpy (LibRaw): linear sensor RGB, 16 bits, without white balance or gain."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Gauss and Newton's steps to the rig that highlights and statements agree with best, and which highlights do not.
+"""Robust Gauss-Newton fit of the rig to highlights and stated values, with detection of outlier highlights.
 
 With x the changes of the ten numbers, S the slopes of the highlights' places, w Huber's weights over their standard
 errors and P the covariance of the statements, each step solves

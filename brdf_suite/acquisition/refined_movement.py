@@ -1,4 +1,4 @@
-"""Whether the sphere has moved between two positions of the light.
+"""Detection of a movement of the sphere between two positions of the light.
 
 A sphere that moves takes its highlights with it, from one position on. For each place in the series the fit is
 asked how much better it would be with the sphere shifted from there on - two numbers more, in the linear form of the

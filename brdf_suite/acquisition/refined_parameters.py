@@ -1,4 +1,4 @@
-"""The ten numbers that place sphere, turntable and light, and how well highlights determine each."""
+"""The ten parameters of the rig's geometry, and how well the highlights determine each."""
 
 from __future__ import annotations
 

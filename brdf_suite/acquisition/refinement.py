@@ -1,4 +1,4 @@
-"""Sphere, turntable and light together, from the highlights at all angles: a robust least-squares fit.
+"""Joint robust least-squares fit of sphere, turntable and light to the highlights at all angles.
 
 Ten numbers place everything (:mod:`brdf_suite.acquisition.refined_parameters` says what the photographs determine
 of each). For each the session's statement, or the outline's, counts as one measurement with its own uncertainty; each

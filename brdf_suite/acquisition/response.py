@@ -1,4 +1,4 @@
-"""The response of a camera: which exposure stands behind each code of each channel, and how noisy it is.
+"""Camera response: the exposure and the noise for each code of each channel.
 
 A photograph's code y is f(t·L) where L is the radiance, t the exposure time and f the response. What is kept is the
 inverse, g(y) = t·L, as a table over all codes (Robertson, Borman and Stevenson 2003, "Estimation-theoretic approach

@@ -1,4 +1,4 @@
-"""The response of one channel by Gauss-Newton steps on Robertson's energy, all radiances eliminated."""
+"""Response of one channel by Gauss-Newton steps on Robertson's energy, with all radiances eliminated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The shape of a response: cubic B-splines over the codes, finer towards black and towards full scale.
+"""Response curve model: cubic B-splines over the codes, finer towards black and towards full scale.
 
 ln g is a spline in u = ln(q) - ln(1.05 - q), q being the share of the code above black: straight for power laws near
 black, with room for a shoulder near full scale. Robertson's table of one free value for each code needs every code to

@@ -1,4 +1,4 @@
-"""Recover the response of a camera from series of exposures, by Robertson's energy over all pixels.
+"""Recovery of a camera response from exposure series, by Robertson's energy over all pixels.
 
 The energy Σ w(y_ij)·(g(y_ij) - t_i x_j)² weighs each code by one over the variance of its exposure, which is measured
 from the photographs themselves. Robertson, Borman and Stevenson (2003) minimize it by turns, one free value for each

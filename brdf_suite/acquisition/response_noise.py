@@ -1,4 +1,4 @@
-"""The noise of a camera, and its times of exposure, as series of exposures show them under a known curve."""
+"""Estimation of camera noise and exposure times from exposure series with a known response curve."""
 
 from __future__ import annotations
 

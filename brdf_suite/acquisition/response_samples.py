@@ -1,4 +1,4 @@
-"""The pixels from which a response is recovered: all that are usable, thinned evenly over the brightness.
+"""Selection of the pixels for the recovery of a response: all usable ones, thinned evenly over brightness.
 
 A position of the lamp shows mostly felt and dark paint; a highlight that informs the short exposures has few pixels.
 So pixels are kept by how many of their exposures are clipped, as many of each kind. The thinning takes the same pixels

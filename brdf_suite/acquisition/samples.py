@@ -1,4 +1,4 @@
-"""Readings of the BRDF from one merged photograph: each pixel of the sphere sees it under its own two directions.
+"""BRDF samples from one merged photograph: each pixel of the sphere has its own pair of directions.
 
 f_r = radiance / (E cosθi), where E, the irradiance of a surface that faces the light, is that at the turntable's axis
 times (distance of the axis / distance of the point)² times the lamp's intensity in that direction over the one along

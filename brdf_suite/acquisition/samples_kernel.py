@@ -1,4 +1,4 @@
-"""The kernels of :mod:`brdf_suite.acquisition.samples`, compiled. Importing this module imports numba.
+"""Compiled kernels of :mod:`brdf_suite.acquisition.samples`. Importing this module imports numba.
 
 Arithmetic is in double precision throughout, arrays are kept in single precision: a direction then holds to 6e-8,
 a tenth of what a pixel's corner needs.

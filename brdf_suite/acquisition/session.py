@@ -1,4 +1,4 @@
-"""What a folder of photographs holds: the rig, the exposures, and which file shows the sphere under which light.
+"""Session of a folder of photographs: the rig, the exposures, and the files of each light position.
 
 The world of the rig is right-handed, in metres: its origin lies on the axis of the turntable at the height of the
 sphere's centre, y up. The camera stands at (0, height, distance) and looks along -z, tilted by ``tilt_deg`` about x.

@@ -1,4 +1,4 @@
-"""The camera of a session: where it stands, what its codes mean, and its lens."""
+"""Camera of a session: its position, its code depth and response, and its lens."""
 
 from __future__ import annotations
 

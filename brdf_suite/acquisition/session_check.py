@@ -1,4 +1,4 @@
-"""Check a folder against its session: what is missing, cut off, or cannot be so.
+"""Check of a folder against its session: missing, truncated or inconsistent files.
 
 Every file is opened once: that it is there and whole, its size and depth, and the exposure time in its EXIF data.
 Then one photograph of each position is unpacked, to see that the highlight goes the way of the lamp.

@@ -1,4 +1,4 @@
-"""What is wrong with a folder of photographs: which file, why, and how much of the session is lost by it."""
+"""Findings about a folder of photographs: the file, the reason, and the extent of the loss."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Write a ``session.json`` to fill in, for the photographs that lie in a folder.
+"""Generation of a ``session.json`` template for the photographs in a folder.
 
 Folders named after dark frames, the white reference, the flat field and the board are taken as such; each other folder
 of photographs is a position of the lamp. What the files state (exposure times, bits) is filled in; what only the user

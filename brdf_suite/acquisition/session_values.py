@@ -1,4 +1,4 @@
-"""The numbers of a session, declared once, and checks of its fields: numbers, names of files, times."""
+"""Declared parameters of a session, and checks of its fields: numbers, file names, times."""
 
 from __future__ import annotations
 

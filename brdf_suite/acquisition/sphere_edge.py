@@ -1,4 +1,4 @@
-"""Where the outline of a lit sphere crosses the pixels, to a small part of one.
+"""Subpixel detection of a lit sphere's outline.
 
 Around the outline as it is known so far, pixels are gathered by sectors; each pixel has its distance s to the
 outline, positive inside. A sector's pixels lie at all phases of the grid, so no picture need be resampled. Its

@@ -1,4 +1,4 @@
-"""Where the sphere, the turntable's axis and the light stand, as the camera sees them.
+"""Geometry of sphere, turntable axis and light in the camera's frame.
 
 All values are given in the camera's frame (x right, y down, z forward, metres), since the camera alone stands still.
 The rig's own frame is made of three directions in it: ``up`` along the turntable's axis, ``front`` from the axis to the

@@ -1,4 +1,4 @@
-"""Where the sphere mirrors the light: the normal that halves the angle between light and camera, from one photograph.
+"""Normal at the light's reflection in the sphere, halfway between light and camera, from one photograph.
 
 The brightest pixel is not that place. With f_r = D(n·h) F G / (cosθi cosθo) the radiance times cosθo is in proportion
 to D alone, as F and G hardly change over a highlight that is seen and lit from nearly the same directions; and D of an

@@ -1,4 +1,4 @@
-"""The sphere's centre from its outline, its radius known: the cone of rays that touch the sphere.
+"""Centre of a sphere of known radius from its outline: the cone of rays tangent to the sphere.
 
 A camera sees a sphere not as a circle but as an ellipse, bent further by the lens. The rays to its outline, though,
 all make the same angle ρ with the ray to the centre C, and sin ρ = r/|C|. So the fit is made in rays: three numbers,

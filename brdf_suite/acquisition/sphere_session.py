@@ -1,4 +1,4 @@
-"""The geometry of a rig as its session states it, before any photograph is asked."""
+"""Nominal geometry of a rig from its session, before any photograph is used."""
 
 from __future__ import annotations
 

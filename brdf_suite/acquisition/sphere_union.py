@@ -1,4 +1,4 @@
-"""One picture of the sphere from several positions of the light, on which more of its outline is lit.
+"""Combination of photographs at several light positions, in which more of the sphere's outline is lit.
 
 The radiances are added, not their logarithms: a pixel that the outline cuts keeps the share of the sphere in it.
 """

@@ -1,4 +1,4 @@
-"""The sums from which a table is made: weighted readings, bin by bin, position by position.
+"""Accumulators of a table: weighted sums of readings per bin, over all positions.
 
 After Günther et al. 2005, section 4.1. Each position of the turntable gives its own :class:`PositionSums`, small,
 because its readings lie in a band of θd. :class:`TableSums` adds them up in the order of the positions: a table that

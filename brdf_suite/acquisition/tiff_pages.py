@@ -1,4 +1,4 @@
-"""The first page of a TIFF and its exposure time, by tifffile; EXIF blocks are TIFF without pixels (CIPA DC-008)."""
+"""First page of a TIFF and its exposure time, by tifffile; EXIF blocks are TIFF without pixels (CIPA DC-008)."""
 
 from __future__ import annotations
 

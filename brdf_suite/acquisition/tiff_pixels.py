@@ -1,4 +1,4 @@
-"""The pixels of a TIFF by tifffile: 8 or 16 bits or floats, grey or RGB, in strips or tiles, plain or deflated.
+"""TIFF reader by tifffile: 8 or 16 bits or floats, grey or RGB, strips or tiles, plain or deflated.
 
 Other packings (LZW, JPEG in TIFF) are left to OpenCV where it is installed. What tifffile lets pass is asked for
 here: strips that reach beyond the file's end or hold less than their pixels, and sizes that no memory holds.

@@ -1,4 +1,4 @@
-"""The irradiance from a photograph of a white whose reflectance is known, which sets the scale of all samples."""
+"""Irradiance from a photograph of a white of known reflectance, which sets the scale of all samples."""
 
 from __future__ import annotations
 

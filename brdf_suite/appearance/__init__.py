@@ -1,1 +1,1 @@
-"""Colour and gloss as the paint trade measures them: colorimetry, differences, flop, gloss."""
+"""Colour and gloss in the paint trade's measures: colorimetry, differences, flop, gloss."""

@@ -1,4 +1,4 @@
-"""From L*a*b* to the working space and the screen, and back.
+"""Conversions between L*a*b*, the working space and screen codes.
 
 The road: L*a*b* (D65, 10° observer) -> XYZ10 -> CAT16 to the D65 white of the 2° observer -> the working
 space, linear RGB with the primaries of Rec. 2020 and D65 white. A reflectance factor ρ of 1 in every channel

@@ -1,4 +1,4 @@
-"""The colour of a lamp from its colour temperature.
+"""Colour of a lamp from its correlated colour temperature.
 
 Below 4,000 K a lamp is taken for a Planckian radiator, from there on for a phase of daylight, as the field does: the
 CIE's daylight illuminants begin at 4,000 K, incandescent lamps end below. The two loci lie Δu'v' = 0.004 apart

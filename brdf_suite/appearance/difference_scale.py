@@ -1,4 +1,4 @@
-"""The colours that stand for the size of a colour difference in a picture of differences.
+"""Colour scale for images of colour differences.
 
 Lightness L* rises evenly from 6 to 94 along the scale, so it is read alike without colour vision and in print; the
 hue runs from blue through red to yellow, at most of the chroma that sRGB has there.

@@ -1,4 +1,4 @@
-"""What colours and codes a screen or a picture file takes: sRGB, Display P3, or a measured monitor.
+"""Colour spaces of screens and picture files: sRGB, Display P3, or a measured monitor.
 
 From the working space to codes there are two steps: a matrix to the linear light of the device's three channels,
 and for each channel a transfer curve. sRGB and Display P3 share the sRGB curve; a monitor has its own, as a table.

@@ -1,4 +1,4 @@
-"""What flat colours look like: L*a*b* of D65 and the 10° observer, whatever model their numbers are in.
+"""L*a*b* (D65, 10° observer) of flat colours in any colour model.
 
 RGB without a named space counts as sRGB. CMY, CMYK and Gray have no meaning without the profile of a press; they are
 shown by the plain rule of PostScript, R = (1 - C)(1 - K) in sRGB, which no printing ink follows: for the screen only.

@@ -1,4 +1,4 @@
-"""Flop: how much a paint darkens from the glance to the shallow view."""
+"""Flop: the change of lightness from near the mirror direction to grazing views."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a multi-angle instrument puts its lights and looks: named sets of aspecular geometries.
+"""Named sets of measurement geometries of multi-angle instruments.
 
 Angles are those of :mod:`brdf_suite.geometry.directions`: light on one side, aspecular angle from its mirror direction
 towards the normal and past it. With the light at 45° the view is at the polar angle 45° - γ.

@@ -1,4 +1,4 @@
-"""Colours under another light than the one they were measured under, and metamerism.
+"""Colours under another illuminant than the measured one, and metamerism.
 
 A paint with spectra is *recomputed*: its L*a*b* under the new light is what an instrument would report. A paint of
 which only L*a*b* is known is *adapted*: an observer adapted to the new light is assumed to see the same colour, so the

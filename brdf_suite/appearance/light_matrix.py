@@ -1,4 +1,4 @@
-"""The picture under another light, where only colours and no spectra are known: one matrix on the radiance.
+"""Matrix on radiance that approximates another illuminant where only colours and no spectra are known.
 
 A neutral environment is taken for one of another white. Of a paint of which only L*a*b* is known, an observer who has
 adapted to that light is assumed to see the same colour (CAT16); so

@@ -1,4 +1,4 @@
-"""One root of a continuous function of one number, for the solvers on the edit path.
+"""Scalar root finder for the solvers on the edit path.
 
 Plain floats: for three channels this is many times faster than arrays, and scipy's optimizers would cost
 their import when a program starts.

@@ -1,4 +1,4 @@
-"""Further colour spaces: LCh, XYZ of the screen's observer, Display P3, and the Bradford road.
+"""Further colour spaces: LCh, XYZ of the 2° observer, Display P3, and Bradford adaptation.
 
 The working space itself (linear Rec. 2020, D65) and L*a*b* are in :mod:`brdf_suite.appearance.colorimetry`; all
 colour arrays are (..., 3).

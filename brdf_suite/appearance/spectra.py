@@ -1,4 +1,4 @@
-"""From reflectance spectra to tristimulus values (CIE 15, section 7).
+"""Tristimulus values from reflectance spectra (CIE 15, section 7).
 
     X = k Σ R(λ) S(λ) x̄(λ),   k = 100 / Σ S(λ) ȳ(λ),
 

@@ -1,4 +1,4 @@
-"""Batches against a standard: a colour difference per angle, each with its own tolerances, pass or fail.
+"""Tolerances of batches against a standard: a colour difference per angle, with limits, pass or fail.
 
 The car makers' own tolerance equations (DIN 6175, AUDI2000) were not obtainable, so the tolerances are the user's: at
 each angle a limit for the whole difference, for ΔL*, ΔC*ab and ΔH*ab, or for any of them.

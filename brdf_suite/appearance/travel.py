@@ -1,4 +1,4 @@
-"""Travel: the way of a paint's colour over the aspecular angle."""
+"""Colour travel: the path of a paint's colour over the aspecular angle."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Colour differences in the trade's words: lighter or darker, cleaner or dirtier, redder, yellower, greener, bluer.
+"""Verbal descriptions of colour differences: lighter or darker, cleaner or dirtier, redder, yellower, greener, bluer.
 
 Of a sample against a standard, ΔL*, ΔC*ab and ΔH*ab are brought to one scale by the weights of CIEDE2000 (S_L, S_C and
 S_H), so that 1 is about one unit of ΔE00. A component is named where it is at least :data:`NAMED_FROM` and at least a

@@ -1,1 +1,1 @@
-"""The ``brdf-suite`` command: everything that the programs do, without a screen."""
+"""The ``brdf-suite`` command: the functions of all programs without a screen."""

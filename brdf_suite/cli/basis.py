@@ -1,4 +1,4 @@
-"""``brdf-suite basis``: search the exponents that fit a database of paints best (Westlund and Meyer, section 3.2)."""
+"""``brdf-suite basis``: search for the exponents that best fit a paint database (Westlund and Meyer, section 3.2)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``brdf-suite check``: reciprocity, sign and energy of anything that reflects."""
+"""``brdf-suite check``: reciprocity, non-negativity and energy conservation of any reflectance."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``brdf-suite compare A B``: how two reflectances differ, per angle and over all directions."""
+"""``brdf-suite compare A B``: differences of two reflectances, per angle and over all directions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``brdf-suite convert IN OUT``: from one format of measured reflectance to another."""
+"""``brdf-suite convert IN OUT``: conversion between formats of measured reflectance."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``brdf-suite design``: a paint from a measurement, from a neighbour's step, or between two others."""
+"""``brdf-suite design``: a paint from a measurement, as a variation, or interpolated between two others."""
 
 from __future__ import annotations
 

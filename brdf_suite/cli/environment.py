@@ -1,4 +1,4 @@
-"""``brdf-suite environment …``: what an environment map is, and what can be made from it.
+"""``brdf-suite environment …``: facts about environment maps, and maps and lights made from them.
 
 Each action is a module of its own, with ``add(actions)`` and ``run(arguments) -> int``.
 """

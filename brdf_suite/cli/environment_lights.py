@@ -1,4 +1,4 @@
-"""``brdf-suite environment lights FILE``: an environment as a number of directional lights."""
+"""``brdf-suite environment lights FILE``: approximation of an environment by directional lights."""
 
 from __future__ import annotations
 

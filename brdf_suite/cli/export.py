@@ -1,4 +1,4 @@
-"""``brdf-suite export PAINT… -o FILE``: hand paints over to other programs, or make a report of one."""
+"""``brdf-suite export PAINT… -o FILE``: export paints to other programs, or make a report of one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``brdf-suite factorize FILE|PAINT -o OUT.brdfpaint``: anything that reflects as a product of textures."""
+"""``brdf-suite factorize FILE|PAINT -o OUT.brdfpaint``: any reflectance as a product of textures."""
 
 from __future__ import annotations
 

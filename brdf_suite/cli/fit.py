@@ -1,4 +1,4 @@
-"""``brdf-suite fit FILE|PAINT``: the lobe weights of anything that reflects, their errors, and the time it took."""
+"""``brdf-suite fit FILE|PAINT``: lobe weights of any reflectance, their errors, and the fit time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``brdf-suite fit-cook-torrance FILE [-o OUT.brdfpaint]``: a measured file as lobes, and a paint made of them."""
+"""``brdf-suite fit-cook-torrance FILE [-o OUT.brdfpaint]``: fit of Cook-Torrance lobes to a measured file."""
 
 from __future__ import annotations
 

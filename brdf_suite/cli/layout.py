@@ -1,4 +1,4 @@
-"""The option that says how an environment's image is laid out, the same for every command that reads one."""
+"""Command-line option for the layout of an environment's image, shared by all commands that read one."""
 
 from __future__ import annotations
 

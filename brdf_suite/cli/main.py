@@ -1,4 +1,4 @@
-"""The ``brdf-suite`` command: its arguments, its exit statuses, and nothing else.
+"""Entry point of the ``brdf-suite`` command: arguments and exit statuses.
 
 Each command is a module with ``add(subparsers)`` and ``run(arguments) -> int``, imported here so that
 ``--help`` knows it; what a command needs beyond the standard library, it imports when it runs.

@@ -1,4 +1,4 @@
-"""``brdf-suite measure FILE|PAINT``: what a multi-angle spectrophotometer and a glossmeter read."""
+"""``brdf-suite measure FILE|PAINT``: readings of a virtual multi-angle spectrophotometer and glossmeter."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the benchmarks measured: ``docs/measurements.json``, and ``docs/measurements.md`` that is made of it."""
+"""Benchmark results: ``docs/measurements.json``, and ``docs/measurements.md``, which is generated from it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the commands share of talking: progress, JSON, sizes."""
+"""Output helpers shared by the commands: progress, JSON, sizes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``brdf-suite palette find PAINT --in FILE``: the entries of a palette that are nearest to a paint."""
+"""``brdf-suite palette find PAINT --in FILE``: the palette entries nearest to a paint."""
 
 from __future__ import annotations
 

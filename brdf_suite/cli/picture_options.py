@@ -1,4 +1,4 @@
-"""What a picture file holds, on the command line."""
+"""Command-line options for picture files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``brdf-suite prefilter ENV``: make, or find in the cache, the prefiltered maps of an environment."""
+"""``brdf-suite prefilter ENV``: make the prefiltered maps of an environment, or load them from the cache."""
 
 from __future__ import annotations
 

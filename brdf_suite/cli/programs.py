@@ -1,4 +1,4 @@
-"""``brdf-suite`` without a command, ``designer``, ``viewer``…: the programs, each a process of its own."""
+"""``brdf-suite`` without a command, ``designer``, ``viewer``…: start of the programs, each in its own process."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``brdf-suite render --renderer reference|raytraced``: the same picture by tracing paths, or rays."""
+"""``brdf-suite render --renderer reference|raytraced``: the same picture by path tracing or ray tracing."""
 
 from __future__ import annotations
 

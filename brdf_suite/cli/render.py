@@ -1,4 +1,4 @@
-"""``brdf-suite render FILE|PAINT -o out.png``: what reflects, on a surface in an environment, as a picture."""
+"""``brdf-suite render FILE|PAINT -o out.png``: picture of a material on a surface in an environment."""
 
 from __future__ import annotations
 

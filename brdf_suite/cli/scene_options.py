@@ -1,4 +1,4 @@
-"""The scene of a picture on the command line: light, surface, camera and tone, over a view document or the default."""
+"""Command-line options for the scene of a picture: light, surface, camera and tone, over a view document or defaults."""
 
 from __future__ import annotations
 

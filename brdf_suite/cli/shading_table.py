@@ -1,4 +1,4 @@
-"""``brdf-suite shading-table``: make the table by which the shading looks lobes up."""
+"""``brdf-suite shading-table``: generation of the lobe look-up table of the shader."""
 
 from __future__ import annotations
 

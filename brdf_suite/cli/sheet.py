@@ -1,4 +1,4 @@
-"""``brdf-suite sheet PALETTE|FOLDER -o out.png|out.pdf``: every paint in the same light, with its figures."""
+"""``brdf-suite sheet PALETTE|FOLDER -o out.png|out.pdf``: contact sheet of paints in the same light, with figures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tolerances as options: limits per angle, of a difference by any formula or of its parts; and verdicts as text."""
+"""Command-line options for tolerances: limits per angle of a difference formula or its components; verdicts as text."""
 
 from __future__ import annotations
 

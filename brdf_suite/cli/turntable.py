@@ -1,4 +1,4 @@
-"""``brdf-suite turntable FILE|PAINT -o out.mp4``: one turn of the object, as a video or a folder of pictures."""
+"""``brdf-suite turntable FILE|PAINT -o out.mp4``: turntable of the object as a video or a folder of pictures."""
 
 from __future__ import annotations
 

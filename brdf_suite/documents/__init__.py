@@ -1,4 +1,4 @@
-"""What a user saves: frozen, validated, versioned values and their atomic reading and writing.
+"""User documents: frozen, validated, versioned values with atomic reading and writing.
 
 Import from the modules: ``paint`` (the paint), ``view`` (camera and scene), ``store`` (files).
 """

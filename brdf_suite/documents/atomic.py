@@ -1,4 +1,4 @@
-"""Write a file whole or not at all.
+"""Atomic writing of files.
 
 The content goes to a temporary file in the same folder, is forced to the disk, and takes the old file's place in
 one step of the file system. Whatever happens before that step, the old file is as it was.

@@ -1,4 +1,4 @@
-"""A paint as Cook-Torrance lobes: what a fit to measured data gives (Günther et al. 2005, section 4.2).
+"""Paint document of Cook-Torrance lobes, as fitted to measured data (Günther et al. 2005, section 4.2).
 
 Values only; the reflectance room evaluates them. A bad value raises :class:`ValueRangeError` whose ``place``
 names the field (``lobes[1].ks[0]``).

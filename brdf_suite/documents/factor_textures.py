@@ -1,4 +1,4 @@
-"""The maps of a factored paint as one EXR: a part a map, 32-bit floats, linear Rec. 2020.
+"""Maps of a factored paint in one EXR: one part per map, 32-bit floats, linear Rec. 2020.
 
 A map over one axis is a single row. The file is known by the SHA-256 of its bytes, and named after it, so that two
 paints of one folder never take each other's maps, and a file that was changed is not taken for the one that was meant.

@@ -1,4 +1,4 @@
-"""A paint as a product of textures: what a homomorphic factorization gives (McCool, Ang and Ahmad 2001).
+"""Paint document of a product of textures, from a homomorphic factorization (McCool, Ang and Ahmad 2001).
 
 The document names the maps and how each is read; the maps themselves are parts of one EXR file beside it, known by its
 content's hash (``documents.factor_textures``). Values only; the reflectance room evaluates them. A bad value raises

@@ -1,4 +1,4 @@
-"""A colour that does not change with the angle, in the numbers of the file that it came from.
+"""A colour without angle dependence, in the colour model of its source file.
 
 The numbers are kept as they are, in their own model; what they look like is worked out elsewhere and never stored.
 """

@@ -1,4 +1,4 @@
-"""Studios and skies as JSON files: ``.brdfstudio``, whose field ``kind`` distinguishes them."""
+"""Studios and skies as ``.brdfstudio`` JSON files, with the field ``kind`` for the type."""
 
 from __future__ import annotations
 

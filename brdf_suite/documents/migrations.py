@@ -1,4 +1,4 @@
-"""Bring documents of older versions up to the present one, a version at a time.
+"""Migration of documents of older versions to the current one, one version at a time.
 
 A change of a format adds one to its number in ``VERSIONS`` and registers a function that turns a document of
 the version before into the next. Documents from a newer program are refused: guessing could lose data.

@@ -1,4 +1,4 @@
-"""The paint as a colourist knows it: a colour per aspecular angle, gloss, orange peel and flakes.
+"""Designed paint: a colour per aspecular angle, gloss, orange peel and flakes.
 
 All values are frozen; an edit makes a new one. A bad value raises :class:`ValueRangeError` whose ``place``
 names the field (``measurements[1].lab[0]``).

@@ -1,4 +1,4 @@
-"""Paints and colours kept together: a palette of entries in their order, in groups within groups.
+"""Palette: paints and flat colours in order, in nested groups.
 
 All values are frozen; an edit (:mod:`brdf_suite.documents.palette_edits`) makes a new one. A bad value raises
 :class:`ValueRangeError` whose ``place`` names the field (``entries[3].tags[2]``).

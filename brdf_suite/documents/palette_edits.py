@@ -1,4 +1,4 @@
-"""Edits of palettes: each takes a palette and returns another; what did not change stays the same object.
+"""Edits of palettes as pure functions; unchanged entries keep their identity.
 
 An id or a group that is not there raises :class:`ValueRangeError`, so that a stale selection is reported and not
 guessed.

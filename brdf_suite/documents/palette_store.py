@@ -1,4 +1,4 @@
-"""Palettes as JSON files: ``.brdfpalette``, with their paints inline.
+"""Palettes as ``.brdfpalette`` JSON files, with their paints inline.
 
 A paint within is the object of a ``.brdfpaint`` file, its format and version with it: each is brought up to date by
 its own migrations, whatever the palette's version. An entry is a line of the file, so that two versions of a palette

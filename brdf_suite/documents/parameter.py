@@ -1,4 +1,4 @@
-"""A number of a document, declared once: its unit, range, default and meaning.
+"""Declaration of a document's number: unit, range, default and meaning.
 
 Validation, parameter panels and help texts all read the same declaration, so they cannot disagree.
 """

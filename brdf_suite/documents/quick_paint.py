@@ -1,4 +1,4 @@
-"""Paints from JSON objects, quickly: for palettes of ten thousand.
+"""Fast construction of paints from JSON objects, for palettes of ten thousand entries.
 
 The usual reader names the place of whatever is wrong, and takes half a millisecond a paint. Here an aspecular paint of
 the present version whose every field is as it should be is built at once; of anything else nothing is said but that

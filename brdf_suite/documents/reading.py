@@ -1,4 +1,4 @@
-"""Read the fields of a JSON object one by one; every complaint names its place.
+"""Reader of the fields of a JSON object; every error names its place.
 
 A :class:`FieldReader` hands out fields and knows which were asked for; what is left over is unknown and
 refused, so that a misspelt field is never silently ignored.

@@ -1,4 +1,4 @@
-"""A studio as a user describes it: a room or a plain backdrop, and lamps; and a sky by its parameters.
+"""Studio document: a room or a plain backdrop with lamps; and a sky by its parameters.
 
 Both are kept in ``.brdfstudio`` files and become light in :mod:`brdf_suite.lighting.procedural`. Lengths are metres
 from the middle of the scene, where the surface stands and from where the light is seen: x to the right, y up, z

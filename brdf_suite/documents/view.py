@@ -1,4 +1,4 @@
-"""How a paint is looked at: camera, environment, surface and tone curve, as a frozen value."""
+"""View document: camera, environment, surface and tone curve, as a frozen value."""
 
 from __future__ import annotations
 

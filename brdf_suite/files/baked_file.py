@@ -1,4 +1,4 @@
-"""Baked occlusion as a file: a JSON header, arrays, a checksum. For the cache and the packaged entry, not for exchange.
+"""Baked occlusion as a file: a JSON header, arrays, a checksum. For cache and package, not for exchange.
 
 All numbers are little-endian::
 

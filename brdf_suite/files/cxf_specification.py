@@ -1,4 +1,4 @@
-"""The ColorSpecifications of a CxF3 file: under which light, for which observer, at which angles a value was read."""
+"""ColorSpecifications of a CxF3 file: illuminant, observer and angles of a value."""
 
 from __future__ import annotations
 

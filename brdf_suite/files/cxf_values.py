@@ -1,4 +1,4 @@
-"""What a CxF3 file says about paints: samples read at several angles, in D65 and for the 10° observer."""
+"""Paint data of a CxF3 file: samples read at several angles, in D65 and for the 10° observer."""
 
 from __future__ import annotations
 

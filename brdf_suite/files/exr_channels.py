@@ -1,4 +1,4 @@
-"""Which channels of which part of an OpenEXR file are the light, and how they become RGB."""
+"""Selection of the light channels in an OpenEXR file and their conversion to RGB."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Read and check an OpenEXR header before the library sees the file.
+"""Check of an OpenEXR header before the library reads the file.
 
 The library believes the header: it allocates what the header asks for. Here the header is parsed first (a few
 hundred bytes) and everything that we do not read, or that cannot be true, is refused with its place in the

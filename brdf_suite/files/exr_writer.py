@@ -1,4 +1,4 @@
-"""Write OpenEXR pictures in strips, so that one may be larger than memory.
+"""OpenEXR writer in strips, for pictures larger than memory.
 
 Format: "OpenEXR File Layout" of the OpenEXR project: one part of scan lines, sixteen to a chunk, ZIP. Written here
 because the library's writer takes whole pictures, and its one for rows is to be removed.

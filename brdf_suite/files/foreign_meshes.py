@@ -1,4 +1,4 @@
-"""Parts of meshes that others made: glTF by a reader of ours, the rest through ``trimesh``; faults in plain words.
+"""Meshes of other programs: glTF by an own reader, other formats through ``trimesh``, with plain error messages.
 
 The scene graph is applied, so that the parts stand in world axes. Nothing is repaired here.
 """

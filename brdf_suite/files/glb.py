@@ -1,4 +1,4 @@
-"""Our own meshes as binary glTF 2.0: a small writer, and a reader that takes milliseconds.
+"""Binary glTF 2.0 of our own meshes: a small writer, and a reader that takes milliseconds.
 
 Any glTF viewer opens the files: a node, a mesh and one primitive per part, the material word as the name of a
 material with a matching look. What glTF does not say is said in ``asset.extras``: texture coordinates are

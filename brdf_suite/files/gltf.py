@@ -1,4 +1,4 @@
-"""Parts of glTF 2.0 files that others made: triangles, normals, texture coordinates and names of materials.
+"""glTF 2.0 reader: triangles, normals, texture coordinates and material names.
 
 Source: Khronos Group, glTF 2.0 Specification, and KHR_mesh_quantization. Textures, cameras, animations, skins and morph
 targets are not read. The scene graph is walked once, each node's matrix being its parent's times its own.

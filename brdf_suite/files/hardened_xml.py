@@ -1,4 +1,4 @@
-"""XML that other programs wrote, read so that a hostile or damaged file can do no harm.
+"""XML reader that is safe against hostile or damaged files.
 
 A document type is refused, and with it every way to declare an entity: nothing is expanded, fetched or nested without
 end. Size, depth and number of elements are bounded. Every element knows its line, for messages.

@@ -1,4 +1,4 @@
-"""ICC profiles: written for the spaces of our pictures, read from a monitor.
+"""ICC profiles: written for our picture colour spaces, read from monitors.
 
 A display profile of the kind "matrix/TRC" (ICC.1:2022, section 8.4.3) has the colour of each channel as XYZ in the
 profile's connection space, whose white is D50, and a curve for each channel. That is what we write, and what most

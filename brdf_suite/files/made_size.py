@@ -1,4 +1,4 @@
-"""A limit to what is made of a file, asked before it is made: a small file can announce any number of values."""
+"""Limit on the size of data decoded from a file, checked beforehand: a small file can declare any number of values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a part of a foreign mesh is made of, guessed from the names that its author gave.
+"""Material of a foreign mesh part, guessed from its names.
 
 Everything is painted unless a name says otherwise: who opens a mesh here wants to see paint on it.
 """

@@ -1,4 +1,4 @@
-"""The fields of a paint that are neither readings nor texts, flat: one name and one value each.
+"""Scalar fields of a paint beside readings and texts, as flat name-value pairs.
 
 Formats of readings (CxF3, CSV) have no place of their own for them and keep them as tags or columns. They are found
 from the document itself, so that a field that paints get in future is kept, too.

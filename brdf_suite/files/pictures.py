@@ -1,4 +1,4 @@
-"""Pictures of 8 or 16 bits from files, through Pillow: the one place where it opens a file.
+"""Picture reader for 8 or 16 bits through Pillow, the only module that uses Pillow to open files.
 
 Pillow knows forty formats, some of which start other programs (PostScript: Ghostscript) or are hardly ever tried. So a
 format that is not asked for is refused, whatever the file's name says; so are pipes and devices, and pictures that

@@ -1,4 +1,4 @@
-"""Write PNG pictures, row by row if need be, with their colour space and origin stored in chunks.
+"""PNG writer, optionally row by row, with colour space and origin stored in chunks.
 
 Format: W3C, Portable Network Graphics, third edition. Written here and not by an imaging library because none of
 those at hand writes 16-bit RGB, or a picture that is larger than memory.

@@ -1,4 +1,4 @@
-"""Repair pixels that cannot be radiance, and say what was done."""
+"""Repair of invalid radiance values, with notices."""
 
 from __future__ import annotations
 

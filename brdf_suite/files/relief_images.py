@@ -1,4 +1,4 @@
-"""Maps of normals and tangents, and masks, from image files: PNG and other common pictures, or OpenEXR.
+"""Normal maps, tangent maps and masks from image files: PNG and other common formats, or OpenEXR.
 
 Their numbers are not colours.
 

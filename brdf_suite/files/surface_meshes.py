@@ -1,4 +1,4 @@
-"""Write triangles with normals and colours of their points as OBJ or PLY, whole or not at all.
+"""Atomic writing of triangle meshes with vertex normals and colours as OBJ or PLY.
 
 - Wavefront OBJ (Wavefront Technologies, Object Files): text; colours follow the place of a vertex, as MeshLab, Blender
   and trimesh read them (0 to 1, sRGB codes).

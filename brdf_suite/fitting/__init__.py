@@ -1,4 +1,4 @@
-"""Fixed cosine lobes fitted to a reflectance by linear programming, fast enough for a moving slider."""
+"""Fits of fixed cosine lobes to a reflectance by linear programming, fast enough for interactive edits."""
 
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis, log_spaced
 from brdf_suite.fitting.lobes.fitter import LobeFit, LobeFitter, PartError

@@ -1,4 +1,4 @@
-"""How far a fit is from its target: the error figures that the suite quotes.
+"""Error figures of fits as quoted by the suite.
 
 The target is a reflectance (anything with ``eval``), the fit a
 :class:`~brdf_suite.fitting.lobes.weights.LobeWeights`; both give f_r in 1/sr, linear Rec. 2020.

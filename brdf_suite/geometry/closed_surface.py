@@ -1,4 +1,4 @@
-"""Whether triangles bound a solid, so that only the sides which their winding faces can be seen from outside."""
+"""Test whether triangles bound a solid, so that only front faces are visible from outside."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Directions in the local frame of a surface and the angles that the paint trade names.
+"""Directions in the local frame of a surface and the angles used by the paint trade.
 
 The frame is right-handed, z along the normal and x along the tangent. ``wi`` points to the light and ``wo``
 to the viewer, both away from the surface and of unit length, arrays (..., 3) that broadcast.

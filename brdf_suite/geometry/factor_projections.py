@@ -1,4 +1,4 @@
-"""Where a pair of directions falls in the map of a factor: the projections π of McCool, Ang and Ahmad (2001), 3.2.
+"""Projections π of a direction pair to a factor's map (McCool, Ang and Ahmad 2001, section 3.2).
 
 A projection takes unit directions ``wi``, ``wo`` (n, 3) above the horizon to places (n, d) in [0, 1]^d, d = 1 or 2, and
 says how a map over them is laid out. Two-dimensional ones over a hemisphere are parabolic; the others are products of

@@ -1,4 +1,4 @@
-"""The factors of a product as a user writes them: which map is read where, ``p:wo q:h p:wi``.
+"""Text notation for the factors of a product: ``p:wo q:h p:wi``, a map and its projection each.
 
 A word may end in ``@n``, the texels along that map: ``q:sqrt|h|@64``.
 """

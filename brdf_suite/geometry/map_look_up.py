@@ -1,4 +1,4 @@
-"""Reading a map between its texels: linear over one axis, bilinear over two."""
+"""Interpolated look-up in a map: linear over one axis, bilinear over two."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sampling warps: from the unit square to directions, each with its density beside it.
+"""Sampling warps: from the unit square to directions, each with its pdf.
 
 ``u`` is (..., 2), even in [0, 1); densities are per solid angle. Directions have z as the normal, or lie about
 an ``axis``. A direction mirrored at a half vector has the half vector's density over 4 |wo·h| (the Jacobian of

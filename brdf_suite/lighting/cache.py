@@ -1,4 +1,4 @@
-"""Prefiltered maps kept on disk, named by what they were made from.
+"""Disk cache of prefiltered maps, keyed by the content they were made from.
 
 The cache only ever saves time. Whatever happens to it (full or read-only disk, a damaged entry, another
 program at the same work, a kill at any moment), the caller gets the maps; failures are reported.

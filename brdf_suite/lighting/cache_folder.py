@@ -1,4 +1,4 @@
-"""The files of the map cache: which there are, which go when space is short, which are sound.
+"""Files of the map cache: listing, eviction and verification.
 
 Nothing here fails for the sake of the cache. Another program may add or remove any file at any moment, so
 every step allows for a file that has gone.

@@ -87,7 +87,7 @@ def exclusive_entry(
                 beat, heard = latest, now
             if now - start > timeout_s or now - heard > silence_s:
                 notice(
-                    f"Waited {now - start:.0f} s for another program that filters this environment; continuing without it."
+                    f"Waited {now - start:.0f} s for another program filtering this environment; continuing without it."
                 )
                 lock = None
                 break
@@ -95,7 +95,7 @@ def exclusive_entry(
             notice(f"The map cache {folder} cannot be locked ({error}).")
             lock = None
             break
-        report(progress, 0.0, "waiting for another program that filters this environment")
+        report(progress, 0.0, "waiting for another program filtering this environment")
     try:
         yield EntryLock(lock is not None, alive)
     finally:

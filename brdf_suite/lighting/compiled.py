@@ -1,4 +1,4 @@
-"""Whether compiled kernels are at hand, and how they come to be: never in the way of anybody's work.
+"""Availability of the compiled kernels, and their compilation in the background.
 
 Numba comes with the optional part ``speed``; without it plain numpy does all of the work. It needs about half a
 second to be imported and 10 s to compile the kernels, once for a machine. So it is imported by the first filtering,

@@ -1,4 +1,4 @@
-"""From a fine grid on the sphere to the texels of a cube map, compiled: the sums of :mod:`.ring_to_cube`.
+"""Compiled resampling from a fine grid on the sphere to cube map texels: the sums of :mod:`.ring_to_cube`.
 
 Imported by :mod:`.compiled` alone. The grid has M rings at θ = (i+½)π/M and P columns at φ = 2πi/P, P a
 multiple of 4, and has had the interpolating kernel divided out. The cube's symmetry makes eight texels of one

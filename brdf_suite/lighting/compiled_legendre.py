@@ -1,4 +1,4 @@
-"""The Legendre sums of :mod:`.harmonics`, compiled: the same recurrence, ring by ring in the machine's vectors.
+"""Compiled Legendre sums of :mod:`.harmonics`: the same recurrence, vectorised ring by ring.
 
 Imported by :mod:`.compiled` alone. Rings come as blocks in pairs, north and south of the equator, **from the
 equator outwards**: those that an order m does not reach stand at the end, and every inner loop runs from 0,

@@ -1,4 +1,4 @@
-"""Faces of a cube map to half floats, compiled: the formulas of :mod:`.texel_values`, one pass over a large map.
+"""Compiled packing of cube map faces as half floats: the formulas of :mod:`.texel_values` in one pass.
 
 Imported by :mod:`.compiled` alone. The machine's own conversion is not at hand on every processor; that by whole
 numbers gives the same bits.

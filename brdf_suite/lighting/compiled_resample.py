@@ -1,4 +1,4 @@
-"""An environment's own pixels as a cube map, compiled: a bilinear look-up for each texel.
+"""Compiled resampling of an environment's own pixels to a cube map by bilinear look-up.
 
 Imported by :mod:`.compiled` alone. The cube's symmetry saves nearly all of the arc tangents: sixteen texels have their
 longitudes and latitudes in common, up to quarter turns and mirrors.

@@ -1,4 +1,4 @@
-"""Texels along a cube's edges, set so that a graphics card's look-ups across the edge come out right.
+"""Correction of the texels along a cube's edges for a graphics card's look-ups across them.
 
 A seamless look-up at the edge s = 1 takes the mean of a texel of this face, whose centre is (1 - h, t), and of the
 texel with the same t of the next face; h = 1/F is half a texel. The second centre's direction is (1, t, 1 - h), so

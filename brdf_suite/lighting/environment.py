@@ -1,4 +1,4 @@
-"""An environment: radiance from every direction, with an identity made of its content."""
+"""Environment: radiance from every direction, with an identity derived from its content."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cube maps as half floats with one scale, as they go to the cache and to the graphics card."""
+"""Cube maps as half floats with one scale, as stored in the cache and on the graphics card."""
 
 from __future__ import annotations
 

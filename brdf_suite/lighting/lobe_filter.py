@@ -1,4 +1,4 @@
-"""One environment's harmonics, and cosine lobes convolved with it."""
+"""Harmonics of one environment, and cosine lobes convolved with it."""
 
 from __future__ import annotations
 

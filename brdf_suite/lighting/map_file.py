@@ -1,4 +1,4 @@
-"""Lobe maps as one block of bytes: sizes and checksum, a header of JSON, then the half floats as they are.
+"""File format of lobe maps: sizes and checksum, a JSON header, and raw half floats.
 
 Little-endian: ``BRDFMAPS`` · u32 version · u32 length of the header · u64 length of the maps · SHA-256 of what
 stands before and of the header · header (JSON, padded to 64 bytes) · maps one after the other. A map that

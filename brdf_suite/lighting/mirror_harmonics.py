@@ -1,4 +1,4 @@
-"""Functions of the light's direction, seen from the mirror direction of a view, in spherical harmonics.
+"""Spherical harmonics of functions of the light's direction about the mirror direction of a view.
 
 What a picture gathers at a pixel is ``∫ L(ω) T(ω) dω`` with T(ω) = f_r·(N·ω) for the pixel's view, and what it draws
 instead is a sum of cosine lobes. The expected square of the difference, in light whose power per degree falls as it

@@ -1,4 +1,4 @@
-"""From an environment to everything that the shading looks up: one cube map per lobe exponent.
+"""Prefiltering of an environment: one cube map per lobe exponent.
 
 Method: convolution in spherical harmonics (:mod:`.harmonics`, :mod:`.zonal`), brought to the cube by
 :mod:`.ring_to_cube`. Exponents too sharp for the map's rings get the environment itself, resampled.

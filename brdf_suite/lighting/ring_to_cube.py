@@ -1,4 +1,4 @@
-"""From ring harmonics F_m(θ_j) to the texels of a cube map, to about 1e-7 of the map's largest value.
+"""Conversion of ring harmonics F_m(θ_j) to cube map texels, to about 1e-7 of the map's largest value.
 
 A band-limited function on the sphere, continued over the poles (``f(-θ, φ) = f(θ, φ+π)``), is a trigonometric
 polynomial on a torus. It can be had anywhere from a grid twice as fine as its bandlimit needs, with a smooth

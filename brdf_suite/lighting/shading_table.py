@@ -1,4 +1,4 @@
-"""Where a lobe times a cosine is looked up: direction, exponent and amplitude, by least squares over the sphere.
+"""Look-up parameters of a lobe times a cosine: direction, exponent and amplitude, by least squares over the sphere.
 
 A surface with normal N, seen along R's mirror image, reflects ``∫ L(ω) T(ω) dω`` of a lobe of exponent E, where T is
 

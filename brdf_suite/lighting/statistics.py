@@ -1,4 +1,4 @@
-"""What an environment is, in figures: how bright, how uneven, where its strongest light comes from."""
+"""Figures of an environment: brightness, unevenness, and the direction of its main light."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the texels of a lobe's map hold, so that a graphics card's bilinear look-ups come out right.
+"""Texel values of a lobe's map, adjusted for a graphics card's bilinear look-ups.
 
 **Between texels.** Where a map bends, the straight line between two texels errs by an eighth of the second
 difference in the middle and by nothing at the texels themselves. Every texel therefore holds the value less a

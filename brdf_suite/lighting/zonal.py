@@ -1,4 +1,4 @@
-"""The cosine lobe in spherical harmonics: its coefficients and where they may be cut off.
+"""Zonal harmonics of the cosine lobe: coefficients and their cut-off degree.
 
 The unit-gain lobe ``(n+1)/(2π)·max(0, cosδ)^n`` is zonal, so convolving with it multiplies every coefficient
 of degree l by ``k_l``, the lobe's Legendre coefficient ``(n+1)·∫₀¹ x^n P_l(x) dx``. Integrating by parts with

@@ -1,4 +1,4 @@
-"""What is seen past the surface, as the uniforms of background.frag.glsl."""
+"""Uniforms of background.frag.glsl: the environment or colour behind the surface."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A second paint drawn over the first by its share of each place."""
+"""Blending of a second paint over the first by its mask."""
 
 from __future__ import annotations
 

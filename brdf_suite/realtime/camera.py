@@ -1,4 +1,4 @@
-"""The camera as matrices, and its movements as pure functions of :class:`documents.view.Camera`.
+"""Camera matrices, and camera movements as pure functions of :class:`documents.view.Camera`.
 
 World axes are right-handed with y up. At azimuth 0 the camera is on the +z side and looks along -z; azimuth
 grows counter-clockwise seen from above, elevation upwards. Matrices are float64 for column vectors.

@@ -1,4 +1,4 @@
-"""A form drawn once and shaded with many paints: pictures of whole palettes by the renderer's own shaders.
+"""G-buffer of a form, drawn once and shaded with many paints, for pictures of whole palettes.
 
 A small picture of a finely meshed form costs its triangles, not its pixels: several cover each pixel, and each of them
 is shaded. For one view and size they are the same for every paint. So they are drawn once (``capture.frag.glsl``):

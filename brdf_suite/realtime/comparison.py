@@ -1,4 +1,4 @@
-"""Two paints, or a paint and a picture, in one frame: side by side, parted by a line, in turn, or their difference.
+"""Two paints, or a paint and a picture, in one frame: side by side, split, alternating, or as difference.
 
 Side by side each has half the width and is framed for itself. A line parts one picture, and each side of it is drawn
 for itself, so that it costs no more than one picture. The difference is CIEDE2000 of each pixel's mean colour, of

@@ -1,4 +1,4 @@
-"""The one place where a windowless OpenGL context is made, and where OpenGL's errors become ours.
+"""Creation of windowless OpenGL contexts, and translation of OpenGL errors.
 
 Inside a widget the toolkit has made the context already; :func:`adopt_context` takes the current one.
 """

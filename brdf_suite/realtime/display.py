@@ -1,4 +1,4 @@
-"""What the finishing pass writes: codes of a screen or a picture file, or the radiance itself."""
+"""Output of the finishing pass: codes of a screen or a picture file, or radiance."""
 
 from __future__ import annotations
 

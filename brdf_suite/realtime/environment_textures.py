@@ -1,4 +1,4 @@
-"""The maps of one environment on the GPU: the stack of broad lobes, a cube map per sharp lobe, diffuse, background.
+"""Textures of one environment: the stack of broad lobes, a cube map per sharp lobe, diffuse, background.
 
 A map that serves several purposes (the background is the map of the lobes too sharp to be filtered) is uploaded
 once. A new environment of the same sizes is written into the textures that are there.

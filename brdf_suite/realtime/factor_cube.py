@@ -1,4 +1,4 @@
-"""A parabolic map as a cube map, for graphics cards that look those up as fast: z of the surface is z of the cube."""
+"""Parabolic map as a cube map, for graphics cards with fast cube look-ups: z of the surface is z of the cube."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Coarser levels of a factor's map: a highlight smaller than a pixel is then a mean, and does not flicker.
+"""Mip levels of a factor's map, so that a highlight smaller than a pixel does not flicker.
 
 A level is half as fine as the one before it, each texel the mean of the area that it covers: of the values, not of
 their logarithms, since light adds up. Of a hemisphere, texels beyond the horizon, which no direction meets, are left

@@ -1,4 +1,4 @@
-"""The sums and products of a factored material as text for the shader: factors.glsl takes it as words.
+"""Shader source of the sums and products of a factored material, inserted in factors.glsl.
 
 What depends on the view alone is looked up once a pixel, the rest once a light. Materials with the same terms share a
 program; their maps and scales are uniforms.

@@ -1,4 +1,4 @@
-"""The maps of factored materials on the GPU: a mip-mapped texture each, parabolic or as cube maps.
+"""Textures of factored materials' maps: mip-mapped, parabolic or as cube maps.
 
 Textures of 8 bits hold a map stretched over their range; its lowest value goes into α, so only the span costs the
 shader something. A cube map is sampled from the parabolic one: seams and corners are the graphics card's affair then,

@@ -1,4 +1,4 @@
-"""A reflectance as sums of products of maps, as plain arrays: what the renderer takes of a factored paint.
+"""Factored material as plain arrays: sums of products of maps, as input of the renderer.
 
     f_r = Σ_terms α Π_factors map(projection(wi, wo)),        1/sr, working space, without the cosine
 

@@ -1,4 +1,4 @@
-"""Which features of the surface shader a view asks for: they are compiled in, not branched over."""
+"""Compile-time features of the surface shader for a view."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The second pass of a frame: from samples of exposed radiance to what a screen or a file takes."""
+"""Finishing pass of a frame: from samples of exposed radiance to output codes."""
 
 from __future__ import annotations
 

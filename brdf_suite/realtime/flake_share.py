@@ -1,4 +1,4 @@
-"""How much of a paint's base the flakes that can be counted send, and the rest that stays smooth.
+"""Fraction of a paint's base reflected by visible flakes, and the smooth remainder.
 
 A paint's flakes lie in many layers; what sparkles are those that can be seen one by one: so many to the square
 millimetre, so large. They cover the share c = 1 - exp(-density·π/4·size²) of the surface, and as mirrors they send back

@@ -1,4 +1,4 @@
-"""Every OpenGL object of the renderer is made and released here, and counted.
+"""Creation, release and counting of all OpenGL objects of the renderer.
 
 The counts are the proof that a path makes none: an edit of a paint must write a buffer and nothing else.
 """

@@ -1,4 +1,4 @@
-"""The ground under the object: it takes the object's shadow, and else shows the background through.
+"""Ground under the object: receives the object's shadow and otherwise shows the background.
 
 The shadow is the ratio of the light that arrives beside the object to the light on an open ground, both in the
 environment's own light: its low harmonics times the baked transfer of the ground. A pixel of background is

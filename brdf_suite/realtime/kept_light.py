@@ -1,4 +1,4 @@
-"""The look-ups of a captured form, made once for all paints: what is left for a paint is to weigh them.
+"""Precomputed look-ups of a captured form, shared by all paints, which only weight them.
 
 Into which direction a lobe is looked up at a place, and through which exponent, depends on the lobe and on N·V
 (:mod:`.look_up_table`), never on the paint; and palettes share their lobes. So each look-up is drawn once over the list

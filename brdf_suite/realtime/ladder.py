@@ -1,4 +1,4 @@
-"""Which exponents the broad lobe maps of an environment have, and where between them one is found.
+"""Exponents of an environment's broad lobe maps, and interpolation between them.
 
 Plain numbers, because the preparation of maps needs them without OpenGL.
 """

@@ -1,4 +1,4 @@
-"""Single lights as the uniform block that lights.glsl reads: the environment's brightest, then the lamps."""
+"""Uniform block of single lights for lights.glsl: the environment's brightest, then the lamps."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A material's lobes over the angle from the mirror direction, as the table that light_lobes.glsl reads.
+"""Table of a material's lobes over the angle from the mirror direction, for light_lobes.glsl.
 
 A light from one direction needs Σ KDD_i cos^E_i γ and Σ KG_i cos^E_i γ. Both are tabulated over sqrt(sin γ/2), which
 gives the narrow lobes most of the columns, up to 90°, where every lobe ends; so a light costs one look-up however many

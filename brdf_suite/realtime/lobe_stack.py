@@ -1,4 +1,4 @@
-"""The broad lobe maps of an environment in one 3-D texture, read at a continuous exponent.
+"""3-D texture of an environment's broad lobe maps, read at a continuous exponent.
 
 Each slice is the map of one exponent on the octahedral square; between slices the texture unit mixes linearly. (OpenGL
 3.3 has no arrays of cube maps, and the levels of one cube map force a factor of four between exponents.)

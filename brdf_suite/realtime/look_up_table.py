@@ -1,4 +1,4 @@
-"""Where lobes are looked up: the table that ``brdf-suite shading-table`` makes, brought to the nodes of a ramp.
+"""Look-up table of ``brdf-suite shading-table``, resampled at the nodes of a ramp.
 
 What the table holds and how it is found is described in ``lighting/shading_table.py`` and docs/shading.md. Exponents
 above the table's last are so sharp that a shift no longer matters: they are looked up at R with a closed amplitude.

@@ -1,4 +1,4 @@
-"""What of a material does not depend on N·V, as the uniform block that the shader reads.
+"""Uniform block of a material's values that do not depend on N·V.
 
 std140 with four-component members only, so no padding rules bite. The rest is the ramp (:mod:`.material_ramp`).
 """

@@ -1,4 +1,4 @@
-"""Lobe weights as a table over N·V: everything that a pixel needs of a material, worked out beforehand.
+"""Precomputed table of a material's lobe weights over N·V.
 
 A picture knows, at a pixel, the cosine N·V = N·R and nothing else of the angles. Weights, Fresnel's gains, amplitude
 and exponent of each look-up depend on it alone. So they are worked out here at 64 cosines, in 0.1 ms an edit, and the

@@ -1,4 +1,4 @@
-"""A uniform buffer and a ramp texture per material. A change of weights writes both and makes nothing."""
+"""Uniform buffer and ramp texture per material, updated in place when weights change."""
 
 from __future__ import annotations
 

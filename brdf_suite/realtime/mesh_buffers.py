@@ -1,4 +1,4 @@
-"""The parts of a mesh on the GPU, and the material that each is drawn with."""
+"""GPU buffers of a mesh's parts, with the material of each."""
 
 from __future__ import annotations
 

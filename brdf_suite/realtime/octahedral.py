@@ -1,4 +1,4 @@
-"""The sphere on a square: the octahedral map, as octahedral.glsl has it.
+"""Octahedral map of the sphere, as in octahedral.glsl.
 
 A direction is scaled to the octahedron |x| + |y| + |z| = 1 and seen from above (y up); the lower half is folded out
 over the square's corners. Texel centres lie on the square's edges too, so that a bilinear look-up never leaves the

@@ -1,4 +1,4 @@
-"""Pictures drawn off screen: of any size, as codes or as radiance, in parts, and what a screen lacks of them."""
+"""Off-screen pictures of any size, as codes or radiance, in tiles, with out-of-range counts."""
 
 from __future__ import annotations
 

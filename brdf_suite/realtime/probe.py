@@ -1,4 +1,4 @@
-"""What one pixel of the picture shows: its radiance, and the point of the surface that is there.
+"""Probe of one pixel of the picture: its radiance, and the surface point in it.
 
 A tile of two by two pixels is drawn anew, with the samples and derivatives of the whole picture, so that no frame
 has to be kept, nor read, as a whole.

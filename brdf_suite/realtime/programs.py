@@ -1,4 +1,4 @@
-"""The shader programs, compiled at first use and kept: one per set of features or number of samples."""
+"""Cache of shader programs: one per feature set or sample count, compiled at first use."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Relief and mask on the GPU: maps of normals and tangents, the tile of orange peel, where the second paint is."""
+"""Relief and mask textures: normal and tangent maps, the orange peel tile, the two-tone mask."""
 
 from __future__ import annotations
 

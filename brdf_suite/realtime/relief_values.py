@@ -1,4 +1,4 @@
-"""Images on the surface as the renderer takes them: slopes of a relief, the tile of orange peel, a mask."""
+"""Surface images as input of the renderer: relief slopes, the orange peel tile, a mask."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Draws parts with lobe weights in prefiltered light: the picture of the Viewer and of the command line.
+"""Renderer of surfaces with lobe weights in prefiltered light, for the Viewer and the command line.
 
 One frame is two passes. The first draws surface and background into half floats, multisampled: radiance of the
 working space times the exposure. The second takes each sample through the tone curve to the light of the screen, so

@@ -1,4 +1,4 @@
-"""What the shader needs for lights from one direction: the lights, each material's table of lobes, its flakes.
+"""Shader inputs for directional lights: the lights, each material's lobe table, its flakes.
 
 Nothing is made or written before a view has lamps or flakes are drawn one by one; an edit of a paint then writes one
 small table more.

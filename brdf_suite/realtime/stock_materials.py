@@ -1,4 +1,4 @@
-"""What a car is made of beside its paint, as lobe weights for any set of exponents.
+"""Stock materials of a car beside its paint, as lobe weights for any set of exponents.
 
 The numbers are plausible for the class of material, not measured. No material reflects more than it receives.
 """

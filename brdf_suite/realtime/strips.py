@@ -1,4 +1,4 @@
-"""A picture of any size, drawn in tiles that the GPU takes and handed out in strips that memory takes."""
+"""Pictures of any size drawn in GPU-sized tiles and delivered in strips."""
 
 from __future__ import annotations
 

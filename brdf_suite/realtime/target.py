@@ -1,4 +1,4 @@
-"""Where a frame is drawn before and after it is finished."""
+"""Framebuffers of a frame before and after finishing."""
 
 from __future__ import annotations
 

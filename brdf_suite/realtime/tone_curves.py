@@ -1,4 +1,4 @@
-"""The tone curves in numpy, the same functions as the shaders'.
+"""Tone curves in numpy, identical to the shaders'.
 
 Used for pictures that are made outside the renderer (differences, thumbnails, the reference picture), so that
 both are seen through the same curve; a test holds the two together on a grid.

@@ -1,4 +1,4 @@
-"""A picture that another renderer traced, shown as if it had been drawn: same background, same finish.
+"""Display of a path-traced picture with the same background and finish as a drawn one.
 
 The traced picture is the object's light alone. What is seen past it is drawn as in every frame, with the ground's
 shadow there, be it the traced one or, where the tracer has none, that of every frame; exposure, tone curve, marks and

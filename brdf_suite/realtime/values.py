@@ -1,4 +1,4 @@
-"""What the renderer is given: parts of a mesh, prefiltered maps, lobe weights; frozen and checked."""
+"""Input values of the renderer: mesh parts, prefiltered maps, lobe weights; frozen and checked."""
 
 from __future__ import annotations
 

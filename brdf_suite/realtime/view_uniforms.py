@@ -1,4 +1,4 @@
-"""What of a view every surface and the background are drawn with, by the names of the shaders' uniforms."""
+"""Uniforms of a view shared by all surfaces and the background."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The truth to compare with: Mitsuba 3 path-traces the scene that the real-time renderer draws.
+"""Reference renderer: Mitsuba 3 path-traces the scene of the real-time renderer, as ground truth.
 
 Mitsuba is an optional extra. Nothing here is imported before it is asked for; :mod:`.variant` says whether it can run.
 """

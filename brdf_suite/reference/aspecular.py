@@ -1,4 +1,4 @@
-"""The base of a designed paint in the renderer: its rule over the aspecular angle, or over the flakes' tilt.
+"""Base of a designed paint in the renderer: its rule over the aspecular angle, or over the flakes' tilt.
 
 The flake rule is evaluated as it is. Any other rule is a table over the angle, fine enough that it errs by less than
 single precision does.

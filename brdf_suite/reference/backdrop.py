@@ -1,4 +1,4 @@
-"""What is seen beside the object: the environment, sharp or blurred, or a plain colour, free of noise.
+"""Noise-free background beside the object: the environment, sharp or blurred, or a plain colour.
 
 The path tracer gives the object's light and how much of each pixel the object covers; the rest of the pixel is the
 backdrop's, darkened where the ground lies in the object's shadow.

@@ -1,4 +1,4 @@
-"""The plug-in: a term as one of Mitsuba's BSDFs, seen from both sides.
+"""Mitsuba BSDF plug-in that wraps a term, two-sided.
 
 Mitsuba's class differs from variant to variant, so ours is made when it is first wanted.
 """

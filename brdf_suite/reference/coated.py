@@ -1,4 +1,4 @@
-"""A clearcoat over any term: the twin of :class:`brdf_suite.reflectance.models.coated.Coated`."""
+"""A clearcoat over any term, as :class:`brdf_suite.reflectance.models.coated.Coated`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The noise of a traced picture taken out by OptiX, which an NVIDIA graphics card has and nothing else."""
+"""Denoising of a traced picture by OptiX; requires an NVIDIA graphics card."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""An estimate in an EXR file: its radiance as the picture, its variance beside it, and all that going on needs.
+"""Estimate in an EXR file: radiance as the picture, its variance, and the state needed to resume.
 
 Channels ``R G B`` hold the whole picture's radiance, ``A`` the object's coverage; ``variance.R`` … the variance of the
 mean; ``object.R`` … and ``squares.R`` … what the passes have added up, from which a render goes on. Text attributes

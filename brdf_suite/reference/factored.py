@@ -1,4 +1,4 @@
-"""A product of textures in the renderer: the twin of :class:`brdf_suite.reflectance.factored.Factored`."""
+"""Product of textures in the renderer, as :class:`brdf_suite.reflectance.factored.Factored`."""
 
 from __future__ import annotations
 

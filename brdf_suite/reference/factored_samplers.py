@@ -1,4 +1,4 @@
-"""Directions drawn by the maps of a factored reflectance: twins of ``reflectance.factor_density``."""
+"""Samplers from the maps of a factored reflectance, as ``reflectance.factor_density``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Samplers for a reflectance that is known by its values only: matt and facets of fixed slopes, mixed as it needs."""
+"""Samplers for a reflectance known by its values only: a fitted mixture of diffuse and fixed-slope facets."""
 
 from __future__ import annotations
 

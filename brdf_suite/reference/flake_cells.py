@@ -1,4 +1,4 @@
-"""What both ways of drawing flakes share: the hash that makes them, their tint, and what a sample sees of one.
+"""Shared parts of both flake models: the hash that generates flakes, their tint, and their visibility in a sample.
 
 The twins of ``flakes.hashing``, ``flakes.footprint`` and ``flakes.glints.flake_tint``.
 """

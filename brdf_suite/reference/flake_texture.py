@@ -1,4 +1,4 @@
-"""The flake texture in the renderer: the twin of ``flakes.texture`` (Günther et al. 2005, section 5.2)."""
+"""Flake texture in the renderer, as ``flakes.texture`` (Günther et al. 2005, section 5.2)."""
 
 from __future__ import annotations
 

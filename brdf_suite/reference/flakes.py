@@ -1,4 +1,4 @@
-"""The visible flakes of a place, one by one: the twin of :mod:`brdf_suite.reflectance.flakes.glints`.
+"""Single visible flakes of a place, as :mod:`brdf_suite.reflectance.flakes.glints`.
 
 The same flakes, by the same hash, as the real-time picture has: a path that leaves the camera through a pixel meets
 the ones that this pixel covers. The real-time picture sees a pixel as one soft spot; here each sample sees a smaller

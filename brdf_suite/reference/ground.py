@@ -1,4 +1,4 @@
-"""The ground under the object, as the real-time picture has it: the environment goes on there, in the object's shadow.
+"""Ground under the object, as in the real-time picture: the environment continued, in the object's shadow.
 
 A level plane sends, towards wherever it is seen from, what the environment would send from there, times the share of
 the environment's light that arrives at the place: ∫ V L cosθ / ∫ L cosθ for each channel, V = 0 where the object is in

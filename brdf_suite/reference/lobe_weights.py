@@ -1,4 +1,4 @@
-"""The lobes of the real-time picture as a reflectance: stock materials, and any fit, integrated without a look-up.
+"""Lobes of the real-time picture as a BSDF term: stock materials, and any fit, integrated without look-ups.
 
 With a paint's fitted weights this separates the two errors of the real-time picture: what the fit costs (against the
 paint itself) and what looking lobes up in prefiltered maps costs (against the real-time picture).

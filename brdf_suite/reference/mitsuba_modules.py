@@ -1,4 +1,4 @@
-"""Mitsuba and Dr.Jit, as all modules of this room import them: where they are missing, with one clear sentence."""
+"""Imports of Mitsuba and Dr.Jit for all modules of this room, with one clear error where they are missing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The place on the surface that a path meets: where it is in millimetres, and what of it a pixel covers.
+"""Surface point met by a path: its position in millimetres, and the footprint of a pixel.
 
 Flakes, relief and masks ask for it. A pixel's footprint is known for places that the camera sees directly; at all
 others, seen in a reflection, it is not known, and what depends on it is shown in its mean.

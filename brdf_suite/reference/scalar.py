@@ -1,4 +1,4 @@
-"""Without LLVM and without a graphics card: Mitsuba's scalar variant, in which only its own plug-ins run.
+"""Fallback without LLVM or a graphics card: Mitsuba's scalar variant with its built-in plug-ins.
 
 Every isotropic reflectance can be given to its plug-in ``measured``, as a table in the form of RGL's ``.bsdf`` files
 (:mod:`brdf_suite.reflectance.tensor.tabulate`). The colours in it are those of the working space, as all light here is,

@@ -1,4 +1,4 @@
-"""The scene that the real-time renderer draws, for the path tracer: the same values in, the same orientation out.
+"""Path tracer's scene with the values and orientation of the real-time renderer.
 
 World axes are those of the core (right-handed, y up, metres). The environment's centre column looks along +z and u
 grows towards -x, which is Mitsuba's convention too. Mitsuba takes a map's first and last row for the poles

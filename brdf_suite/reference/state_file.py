@@ -1,4 +1,4 @@
-"""A picture in an EXR file with all that its render goes on from: planes beside the picture, a state as a text."""
+"""EXR file of a picture with the state of its render: extra planes and a text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A table in half-angle coordinates in the renderer: the twin of the core's trilinear look-up."""
+"""Half-angle table in the renderer, with the core's trilinear look-up."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From a reflectance of the core to its twin in the renderer."""
+"""Translation of a core reflectance to a BSDF term of the renderer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which variant of Mitsuba runs here: CUDA on NVIDIA's graphics cards, LLVM on processors, or none, and why.
+"""Selection of the Mitsuba variant: CUDA on NVIDIA graphics cards, LLVM on processors, or none, with the reason.
 
 A variant is tried in a process of its own first (:mod:`.probe`): with an LLVM that is too old, compiling aborts the
 whole process, and no exception can be caught. What is found is kept for the life of this process.

@@ -1,4 +1,4 @@
-"""Every reflectance behind one ``eval``: models, Fresnel coats, building one from a paint, measuring it."""
+"""Reflectances behind one ``eval``: models, clearcoats, construction from paints, virtual measurement."""
 
 from brdf_suite.reflectance.measure import measure_lab
 

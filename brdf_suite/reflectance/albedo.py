@@ -1,4 +1,4 @@
-"""How much of the light a reflectance sends back."""
+"""Directional albedo of a reflectance."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The finite cones of an instrument: light comes from one, and is collected in another.
+"""Finite apertures of an instrument: cones of incidence and collection.
 
 The reading of an instrument whose light fills the cone Ωi evenly and whose receptor collects from the cone Ωo evenly,
 relative to a perfect diffuser, is

@@ -1,4 +1,4 @@
-"""The base of a paint as its aspecular readings know it, seen through the clearcoat.
+"""Base of a paint from its aspecular readings, below the clearcoat.
 
 A reading ρ(γ) at the light's polar angle θ0 has passed the coat twice, in with T(θ0) and out with T(θ0 - γ),
 T = 1 - F. At other directions with the same aspecular angle the light passes with other transmissions:

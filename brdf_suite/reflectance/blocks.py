@@ -1,4 +1,4 @@
-"""Evaluate many direction pairs in blocks that fit the processor's cache, on several threads.
+"""Blockwise, multithreaded evaluation of many direction pairs, sized for the processor's cache.
 
 numpy writes every intermediate to memory; over a million pairs that costs more than the arithmetic. In blocks
 the intermediates stay in the cache, and numpy lets other threads run while it computes.

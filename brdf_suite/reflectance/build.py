@@ -1,4 +1,4 @@
-"""From a paint to its reflectance.
+"""Construction of a paint's reflectance.
 
 Colour readings are of the whole paint, and gloss readings too, so coat and base depend on each other: the
 coat's own share is taken out of the colours, the base that is left adds its flux to the gloss, and what gloss

@@ -1,4 +1,4 @@
-"""Is a reflectance one that nature could have: reciprocal, never negative, sending back no more than it gets.
+"""Physical plausibility checks of a reflectance: reciprocity, non-negativity, energy conservation.
 
 The checks measure; what a model declares of itself (``reciprocal``, ``energy_conserving``) decides whether a
 violation is a fault or a known property, and then its size is what is reported. A reflectance that declares

@@ -1,4 +1,4 @@
-"""The mirror lobe of a clearcoat: a Beckmann microfacet surface of a clear dielectric.
+"""Mirror lobe of a clearcoat: a Beckmann microfacet surface of a clear dielectric.
 
     f_r = D(h) G(wi, wo) F(wi·h) / (4 cosθi cosθo),    D = exp(-tan²θh / α²) / (π α² cos⁴θh),
 

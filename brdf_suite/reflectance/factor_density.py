@@ -1,4 +1,4 @@
-"""Maps of a factored reflectance as densities: texels, or rings of a radial one, drawn by their chance.
+"""Sampling densities from maps of a factored reflectance: texels, or rings of a radial one.
 
 McCool, Ang and Ahmad 2001, section 5. A density over the half vector gives lights by mirroring the view there; its
 measure is that of Torrance and Sparrow, dωi = 4 (ω·h) dωh (``geometry.warps.mirrored_pdf``).

@@ -1,4 +1,4 @@
-"""One map of a product: its values, how a pair of directions finds its place in them, and what lies between texels."""
+"""One map of a product: its values, the projection of a direction pair, and interpolation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A factored reflectance from maps by name and the words that say how each is read."""
+"""Construction of a factored reflectance from named maps and their projections as text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reflectance over the aspecular angle as a bell of flake tilts makes it.
+"""Interpolation over the aspecular angle by a bell-shaped distribution of flake tilts.
 
 A flake under a coat of index n sends the light to the view when its normal halves the angle between the
 two refracted directions. In the plane of incidence, with the light at θ and the view at θ - γ, its tilt is

@@ -1,4 +1,4 @@
-"""The glossmeter's reading of a paint: the coat by the standard's formula, and the base's own flux.
+"""Gloss reading of a paint: the coat by the standard's formula, and the base's own flux.
 
 The base is nearly even over the receptor, so its flux is an integral of f_r cosθo over the receptor's solid
 angle; relative to black glass, which sends F of the flux there. Weighted by luminance.

@@ -1,4 +1,4 @@
-"""The glossmeter as an instrument: what any reflectance sends into the standard's receptor at 20, 60 or 85°.
+"""Virtual glossmeter: the flux of any reflectance in the standard's receptor at 20, 60 or 85°.
 
 A reading compares flux in the receptor with that of polished black glass (see
 :mod:`brdf_suite.appearance.gloss`):

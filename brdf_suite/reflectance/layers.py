@@ -1,4 +1,4 @@
-"""A reflectance as two layers, sharp coat and base, as the lobe fit wants designed paints.
+"""Split of a reflectance into a sharp coat and a base, as input of the lobe fit.
 
 A designed paint is built of the two. A model of facet lobes has no coat by name, but its sharp lobes *are* what a
 colourist calls the coat: the first surface's reflection. They are analytic, so they can be evaluated apart:

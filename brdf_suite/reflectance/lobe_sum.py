@@ -1,4 +1,4 @@
-"""The sum of cosine lobes, equations 1 to 3 of the BRDF paper: what a fit weighs and what a model evaluates."""
+"""Sum of cosine lobes, equations 1 to 3 of the BRDF paper, shared by fits and models."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The simplest virtual spectrophotometer: one light, one view, no aperture."""
+"""Ideal virtual spectrophotometer: one light, one view, no aperture."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""By how much a paint's rule misses the readings that it was made from.
+"""Residuals of a paint's interpolation rule at its readings.
 
 A rule with fewer numbers than there are readings passes near them only; and readings on both sides of the mirror
 direction may contradict each other.

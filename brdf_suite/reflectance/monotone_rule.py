@@ -1,4 +1,4 @@
-"""Reflectance over the aspecular angle by shape-preserving cubics in L*, a* and b* (PCHIP).
+"""Interpolation over the aspecular angle by shape-preserving cubics in L*, a* and b* (PCHIP).
 
 Slopes by Fritsch and Butland (1984): the weighted harmonic mean of the two neighbours' secants, 0 where they
 differ in sign; at the ends the one-sided three-point slope, held so that no new extremum appears. Towards the

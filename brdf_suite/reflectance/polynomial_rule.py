@@ -1,4 +1,4 @@
-"""Reflectance as a polynomial of second order over the aspecular angle (Westlund and Meyer; Shimizu 2003).
+"""Interpolation by a second-order polynomial over the aspecular angle (Westlund and Meyer; Shimizu 2003).
 
 Linear in the reflectance factor, as the papers have it; it may turn negative between two readings of a paint
 with much flop, where the caller clamps it.

@@ -1,4 +1,4 @@
-"""What every reflectance can do."""
+"""Protocol of all reflectances."""
 
 from __future__ import annotations
 

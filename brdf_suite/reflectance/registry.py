@@ -1,4 +1,4 @@
-"""Every model by name, with a usual example of it; tests, checks and parameter panels walk over this list.
+"""Registry of all models with a typical example each, for tests, checks and parameter panels.
 
 The examples are made when they are asked for, so that listing the models costs nothing.
 """

@@ -1,4 +1,4 @@
-"""A reflectance with spectra, as it looks under another illuminant to an eye that has adapted to it.
+"""Spectral reflectance under another illuminant, with chromatic adaptation.
 
 Its values are those of the colour that has, under D65, the L*a*b* that the spectrum has under the illuminant: what
 metamerism does to it is in them. Seen without adaptation, the picture is turned to the illuminant's white afterwards.

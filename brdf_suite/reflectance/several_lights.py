@@ -1,4 +1,4 @@
-"""A base whose colour also depends on the light's angle: readings under two or more lights.
+"""Base whose colour also depends on the light's angle: readings under two or more lights.
 
 Interference pigments shift in colour with the angle between light and view. Each light's readings give a base of
 their own over γ; between them the value is interpolated over θd, half the angle between light and view, which in

@@ -1,4 +1,4 @@
-"""The virtual instrument: any reflectance in; colours per angle, gloss, haze, flop and travel out.
+"""Virtual spectrophotometer: colours per angle, gloss, haze, flop and travel of any reflectance.
 
 Colours are of D65 and the 10° observer. A multi-angle spectrophotometer with the geometry set and aperture stated reads
 the colours, a glossmeter of the standard's three angles the gloss; both see the whole paint, coat and base.

@@ -1,4 +1,4 @@
-"""A designed paint whose readings were taken by an instrument with an aperture.
+"""A designed paint whose readings were taken through an instrument's aperture.
 
 An aperture averages over directions, so a paint built from its readings as if they were of single directions measures
 back differently: darker at 15°, where the colour falls steeply. The readings are therefore corrected until the paint

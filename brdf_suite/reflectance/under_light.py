@@ -1,4 +1,4 @@
-"""The readings of a report under another light: recomputed where the reflectance knows its spectra, else adapted."""
+"""Readings of a report under another illuminant: recomputed from spectra where known, else adapted."""
 
 from __future__ import annotations
 

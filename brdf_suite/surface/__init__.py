@@ -1,1 +1,1 @@
-"""Meshes as arrays: the value, its repair, and generated forms."""
+"""Meshes as arrays: values, repair, and generated forms."""

@@ -1,4 +1,4 @@
-"""The mesh value: named parts of indexed triangles, with a material word each.
+"""Mesh value: named parts of indexed triangles, with a material word each.
 
 Metres, world axes (right-handed, ``y`` up, front along ``+z``), triangles counter-clockwise seen from
 outside. Texture coordinates are lengths on the surface in **millimetres**, since flakes are counted per

@@ -1,4 +1,4 @@
-"""Which place of a mesh a ray meets first: for a click in the picture."""
+"""Picking: the first intersection of a ray with a mesh, for clicks in the picture."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the arrays of a foreign file to a :class:`~brdf_suite.surface.mesh.PartGeometry` that can be drawn.
+"""Conversion of a foreign file's arrays to a drawable :class:`~brdf_suite.surface.mesh.PartGeometry`.
 
 Every change is said in a note. The steps, in order: triangles that cannot be drawn are left out (indices that
 are not there, corners that are not finite, no area); a closed body turned inside out is turned back; missing

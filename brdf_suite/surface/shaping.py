@@ -1,4 +1,4 @@
-"""A mesh as the user wants it taken: another scale, put on the ground, normals the other way or made anew."""
+"""Import options of a mesh: scale, placement on the ground, flipped or recomputed normals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rig without the rig: photographs of a sphere of any paint, as the camera would take them.
+"""Simulator of the measuring rig: photographs of a sphere of any paint as the camera would take them.
 
 The test data of the reconstruction, which it shares no code with: of this suite only the reflectance models and the
 description of a session are used here, by both.

@@ -1,4 +1,4 @@
-"""What else the simulated camera takes: a white tile in the sphere's place, and a chessboard in several poses."""
+"""Simulated calibration photographs: a white tile in the sphere's place, and a chessboard in several poses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Response curves of simulated cameras: from the filling of a pixel's well to the share of the scale of codes."""
+"""Response curves of simulated cameras: from the fill of a pixel's well to the fraction of the code range."""
 
 from __future__ import annotations
 

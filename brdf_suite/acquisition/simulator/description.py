@@ -1,4 +1,4 @@
-"""What a simulated rig says of itself: the session as it was meant, and the truth beside it."""
+"""Descriptions of a simulated rig: the nominal session, and the ground truth."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Write a simulated session as a folder that looks like any other, with the truth beside it."""
+"""Writing of a simulated session as a regular session folder, with the ground truth beside it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The simulated lamp: where it stands, how its light falls off, and what of the arm hides the sphere."""
+"""Simulated lamp: its position, the falloff of its light, and the part of the arm that occludes the sphere."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The compiled loop from exposures to noisy codes.
+"""Compiled loop from exposures to noisy codes.
 
 Imported only where photographs are made: numba takes half a second to import. Random numbers are hashes of the place
 of the sample (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators"), so that they are the

@@ -1,4 +1,4 @@
-"""The simulated camera: a pinhole with a lens that distorts, and what it sees of a sphere.
+"""Simulated camera: a pinhole with lens distortion, and its view of a sphere.
 
 Pixel (column, row) has its middle at whole numbers. The lens distorts as OpenCV's model says: a direction (x, y, 1)
 in the camera's frame (x right, y down, z into the scene) is seen at

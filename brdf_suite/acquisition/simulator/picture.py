@@ -1,4 +1,4 @@
-"""What the sphere sends into each pixel: the mean of its radiance over the pixel's square.
+"""Radiance of the sphere in each pixel: the mean over the pixel's square.
 
 The clear coat's peak of a car paint is a degree wide, much less than a pixel of a small photograph. So a pixel gets as
 many rays as its neighbourhood needs: one where the picture is smooth, a grid where the outline, the shadow's edge, an

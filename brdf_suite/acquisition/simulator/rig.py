@@ -1,4 +1,4 @@
-"""The simulated rig: what it truly is, what its session says, and the photographs that it takes."""
+"""Simulated rig: its true geometry, its nominal session, and its photographs."""
 
 from __future__ import annotations
 

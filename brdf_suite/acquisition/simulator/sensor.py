@@ -1,4 +1,4 @@
-"""The simulated sensor: electrons with their noise, full wells, the response curve, and codes.
+"""Simulated sensor: electrons with noise, full wells, the response curve, and codes.
 
 A pixel's exposure of 1 fills its well. Electrons are shot (Poisson), dark current adds its own, reading adds noise;
 the well clips; the response curve gives a code between the black level and full scale.

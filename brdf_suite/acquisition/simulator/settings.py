@@ -1,4 +1,4 @@
-"""What a simulated rig is built of, and how it is out of line."""
+"""Settings of a simulated rig, and its misalignments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The turntable as the sphere's coat mirrors it: why only the upper half of a photograph is taken."""
+"""The turntable's reflection in the sphere's coat, which limits photographs to their upper half."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Photographs as a camera's software writes them: 8- or 16-bit RGB in PNG or TIFF, with their time in EXIF.
+"""Writing of photographs as a camera's software does: 8- or 16-bit RGB in PNG or TIFF, with EXIF exposure times.
 
 The files are quick to write, not small: photographs are noise to a packer.
 """

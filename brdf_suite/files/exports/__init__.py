@@ -1,4 +1,4 @@
-"""Handing paints over to other programs: every format behind one registry, each with what it cannot hold."""
+"""Export of paints to other programs: a registry of formats, each with the losses of its conversion."""
 
 from brdf_suite.files.exports.format import ExportFormat, Imported, Spectra, Subject
 from brdf_suite.files.exports.registry import FORMATS, read_paints

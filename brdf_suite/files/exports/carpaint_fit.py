@@ -1,4 +1,4 @@
-"""The car paint of LuxCore, and its parameters for a designed paint.
+"""Fit of LuxCore's car paint model to a designed paint.
 
 The model (checked against LuxCore's own renderer to six digits) is a sum of a diffuse layer and three lobes,
 

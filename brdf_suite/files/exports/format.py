@@ -1,4 +1,4 @@
-"""What is handed over, and what the registry knows of one format that it is handed over in."""
+"""Subject of an export, and the registry's entry for an export format."""
 
 from __future__ import annotations
 

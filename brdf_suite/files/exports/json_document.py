@@ -1,4 +1,4 @@
-"""JSON: paints as this suite keeps them, with everything that can be computed of their readings beside them.
+"""JSON export: paints as stored by this suite, with all figures computed from their readings.
 
     {"format": "brdf-suite-paints", "version": 1, "creator": …, "created": …, "paints": [
       {"paint": the document as in a .brdfpaint file,

@@ -1,4 +1,4 @@
-"""What a mirror of facets sends back after one bounce, and what MaterialX adds for the further ones.
+"""Single-scattering albedo of microfacet mirrors, and MaterialX's multiple-scattering compensation.
 
 A lobe of Trowbridge and Reitz with Smith's height-correlated shadowing loses the light that meets a second facet. The
 reference implementation of MaterialX makes up for it by the factor 1 + F0 (1 - E) / E (Turquin 2019), E being the share

@@ -1,4 +1,4 @@
-"""Names of materials in files that take letters, digits and underscores alone."""
+"""Material names for files that allow letters, digits and underscores only."""
 
 from __future__ import annotations
 

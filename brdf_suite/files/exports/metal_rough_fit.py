@@ -1,4 +1,4 @@
-"""The metal under a clearcoat that OpenPBR and glTF share, and its parameters for a designed paint.
+"""Fit of the metal under a clearcoat shared by OpenPBR and glTF to a designed paint.
 
 One base colour c, a share μ of metal and one roughness make
 

@@ -1,4 +1,4 @@
-"""What the simpler models of renderers are fitted to: a designed paint at many directions, and how it is judged.
+"""Fit targets for the simpler models of renderers: a designed paint at many directions, and the error measure.
 
 Where a format holds a model of its own (car paint of LuxCore, OpenPBR, the clearcoat of glTF), its parameters are those
 that come nearest to the paint, coat included: at the paint's own readings first, then between them in the same plane,

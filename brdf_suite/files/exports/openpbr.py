@@ -1,4 +1,4 @@
-"""MaterialX: the paint as an OpenPBR surface, which renderers and other programs of the film trade read (``.mtlx``).
+"""MaterialX export (``.mtlx``): the paint as an OpenPBR surface for renderers and film-industry tools.
 
 A metal of one roughness and one colour, mixed with a matt base, under a clearcoat of the paint's own index and
 roughness. ``specular_ior`` is that of the coat, so that there is no second interface below it, and the darkening of

@@ -1,4 +1,4 @@
-"""Which formats paints are handed over in, and reading them back by their content."""
+"""Registry of export formats, with import by content."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Named arrays and a JSON header in one checksummed file; the ground of ``.brdftable``.
+"""Container of named arrays and a JSON header with a checksum; the basis of ``.brdftable``.
 
 All numbers are little-endian::
 

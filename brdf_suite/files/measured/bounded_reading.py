@@ -1,4 +1,4 @@
-"""Reading that a damaged or hostile file cannot turn into a crash, a hang or a flood of memory."""
+"""Guards against crashes, hangs and memory exhaustion when reading damaged or hostile files."""
 
 from __future__ import annotations
 

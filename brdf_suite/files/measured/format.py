@@ -1,4 +1,4 @@
-"""What the registry knows of one format of measured reflectance."""
+"""Registry entry of a format of measured reflectance."""
 
 from __future__ import annotations
 

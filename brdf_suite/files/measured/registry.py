@@ -1,4 +1,4 @@
-"""Which format a file of measured reflectance has, and who reads and writes it.
+"""Registry of measured reflectance formats: detection, readers and writers.
 
 A file is known by its content; the ending only breaks a tie and names the format to write.
 """

@@ -1,4 +1,4 @@
-"""From the rows of a goniometer's file to scattered samples, and from any reflectance to such rows."""
+"""Conversion between goniometer rows and scattered samples."""
 
 from __future__ import annotations
 

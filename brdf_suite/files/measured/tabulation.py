@@ -1,4 +1,4 @@
-"""What is lost when a reflectance of another kind is written as an isotropic half-angle table."""
+"""Losses of writing a reflectance as an isotropic half-angle table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Palettes in the files that people have: every format behind one registry, each with what it cannot hold."""
+"""Palette files of other programs: a registry of formats, each with the losses of its conversion."""
 
 from brdf_suite.files.palettes.format import PaletteFormat, ReadPalette, WrittenPalette
 from brdf_suite.files.palettes.registry import (

@@ -1,4 +1,4 @@
-"""ACB (Adobe colour book), read only: the pages of a maker's spot or process colours.
+"""ACB (Adobe colour book), read only: pages of a manufacturer's spot or process colours.
 
 ``8BCB``, version, number of the book; title, prefix, postfix and description; how many colours, how many on a page, the
 key colour of a page, the space (0 RGB, 2 CMYK, 7 Lab). A colour is a name, a code of six bytes, and a byte per channel.

@@ -1,4 +1,4 @@
-"""What readers of palettes share: entries and groups one after the other, checked, repaired where that can be said."""
+"""Collector shared by palette readers: entries and groups in order, checked and repaired with notices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Entries as formats of flat colours hold them: another model where theirs is missing, and one angle of a paint."""
+"""Conversion of entries for flat-colour formats: colour models, and one angle of a paint."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The names of the tags in which this suite keeps in CxF3 what the format has no place for."""
+"""Tag names of this suite's extensions in CxF3."""
 
 from __future__ import annotations
 

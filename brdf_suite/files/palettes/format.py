@@ -1,4 +1,4 @@
-"""What the registry knows of one palette format, and what comes of reading and writing one."""
+"""Registry entry of a palette format, and the results of reading and writing one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""JSON: design tokens (Design Tokens Format Module 2025), and the plain colour lists that people keep.
+"""JSON palettes: design tokens (Design Tokens Format Module 2025), and common plain colour lists.
 
 Written are tokens: ``{"name": {"$type": "color", "$value": {"colorSpace", "components", "hex"}}}``, groups as objects
 within each other. What a token cannot say (the paint itself, code, tags …) stands in its ``$extensions`` under this

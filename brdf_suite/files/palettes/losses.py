@@ -1,4 +1,4 @@
-"""What a format does not hold of a palette, found by looking: it is written to memory and read back."""
+"""Losses of a palette in a format, determined by writing to memory and reading back."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Numbers as decimal texts on whatever scale a format has them, such that the very same number comes back."""
+"""Exact decimal text of numbers on any scale, which reads back to the same number."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-""".brdfpalette among the other formats: this program's own, which holds everything."""
+""".brdfpalette as a palette format: lossless."""
 
 from __future__ import annotations
 

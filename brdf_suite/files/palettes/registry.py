@@ -1,4 +1,4 @@
-"""Which format a palette's file has, and reading and writing by it.
+"""Registry of palette formats: detection, reading and writing.
 
 A file is known by its content; only where several formats could be meant does its ending decide. A new format is one
 module and one line here: every check of the formats goes over this list.

@@ -1,4 +1,4 @@
-"""Texts as XML can hold them."""
+"""Text escaping for XML."""
 
 from __future__ import annotations
 

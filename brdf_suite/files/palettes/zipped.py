@@ -1,4 +1,4 @@
-"""Zip files that other programs wrote, unpacked in memory and within bounds: no path in them is ever written to."""
+"""Bounded in-memory reader of zip files; no path in them is ever written to."""
 
 from __future__ import annotations
 

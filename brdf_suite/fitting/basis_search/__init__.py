@@ -1,1 +1,1 @@
-"""The search for the fixed exponents that fit a database of paints best (Westlund and Meyer, section 3.2)."""
+"""Search for the fixed exponents that best fit a database of paints (Westlund and Meyer, section 3.2)."""

@@ -1,4 +1,4 @@
-"""The paints that a basis is searched for, sampled once: what the fit gets, and what its answer is held against.
+"""Sampled paints of a basis search: the fit's targets and the validation data.
 
 The targets of the error are at places that the fit does not see:
 

@@ -1,4 +1,4 @@
-"""The files of a search: the state that it goes on from, and the stored answer from which the suite takes its lobes.
+"""Files of a search: the resumable state, and the stored result that defines the suite's lobes.
 
 Both are JSON, written whole or not at all. The answer is read at start-up by
 :func:`brdf_suite.fitting.lobes.basis.default_basis`, which takes only the exponents from it.

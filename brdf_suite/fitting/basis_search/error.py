@@ -1,4 +1,4 @@
-"""Error(E, paint) of the paper's equation 4: how far the lobes E can follow each paint of a database.
+"""Error(E, paint) of the paper's equation 4: the residual of the lobes E for each paint of a database.
 
 The weights are those that the product finds: the linear program of :class:`LobeFitter`, KD and KDD to the base, KG
 to the coat. Each paint's error is the RMS of residuals of two kinds, half and half:

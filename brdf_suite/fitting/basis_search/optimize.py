@@ -1,4 +1,4 @@
-"""From one start to a basis: Levenberg-Marquardt under rising p-weights, then a polish of equation 4 itself.
+"""Optimization of a basis from one start: Levenberg-Marquardt under rising p-weights, then equation 4 itself.
 
 Least squares of the errors raised to p/2 minimize their p-norm, which goes from the mean (p = 2) towards the maximum
 (p = 16): a smooth road to the paper's ``max + mean``, which has kinks everywhere. Equation 4 alone decides what is

@@ -1,4 +1,4 @@
-"""The search itself: lobes added one at a time, each count from several starts (Westlund and Meyer, section 3.2)."""
+"""Basis search: lobes added one at a time, each count from several starts (Westlund and Meyer, section 3.2)."""
 
 from __future__ import annotations
 

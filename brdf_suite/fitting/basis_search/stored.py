@@ -1,4 +1,4 @@
-"""A search as it lies in a file, whether it has ended or is still running: what plots of the basis are drawn from.
+"""Stored search, finished or running: the source of the basis plots.
 
 The answer (``search.json``) and the state of a running search (``FILE.part``, written anew after each count) hold the
 same results; the state knows no default yet.

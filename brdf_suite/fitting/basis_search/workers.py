@@ -1,4 +1,4 @@
-"""Optimizations from several starts at once, in processes of their own; the answers depend on the starts alone."""
+"""Parallel optimizations from several starts, in processes; the results depend on the starts alone."""
 
 from __future__ import annotations
 

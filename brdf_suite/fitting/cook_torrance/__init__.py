@@ -1,4 +1,4 @@
-"""Cook-Torrance lobes, and those of GGX, fitted to samples of a reflectance (Günther et al. 2005, section 4.2)."""
+"""Fit of Cook-Torrance and GGX lobes to samples of a reflectance (Günther et al. 2005, section 4.2)."""
 
 from brdf_suite.fitting.cook_torrance.fit import KeptStarts, fit_checked, fit_lobes
 from brdf_suite.fitting.cook_torrance.result import CookTorranceFit

@@ -1,4 +1,4 @@
-"""The whole fit: many starts on few samples, the best on all, other Fresnel reflectances, fewer lobes where they do.
+"""Complete fit: many starts on few samples, the best on all, other Fresnel reflectances, fewer lobes where sufficient.
 
 The energy has valleys. Those over the slopes are met by the starts. Those over the Fresnel reflectance are met by
 jumps: F/r falls and then rises towards grazing, so r = .9 and r = .5 look alike up to 60° and a search from one side

@@ -1,4 +1,4 @@
-"""What a residual counts, and the weight that a step of iterated reweighting gives it.
+"""Loss functions of a residual, and their weights in iteratively reweighted least squares.
 
 For x = log(fit/measured) and a width δ, ``cost`` is c with c(x) = x²/2 near 0, and ``weight`` is c'(x)/x. The parabola
 that touches c at x and has this curvature lies above c everywhere, so that a step that lowers it lowers c.

@@ -1,4 +1,4 @@
-"""Lobes as a vector of parameters: the logarithm of f_r and its Jacobian.
+"""Parameter vector of the lobes, with log f_r and its Jacobian.
 
 The vector is log kd (3), then for each lobe log a (3), log m and e = 1/n. The weight is held as a = ks r, the height
 at normal incidence: ks and r themselves are distinguished only by the rise towards grazing, so that their product is

@@ -1,4 +1,4 @@
-"""What a fit of lobes gives: parameters and their errors, something that reflects, and a paint."""
+"""Result of a fit of lobes: parameters and their errors, a reflectance, and a paint."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The samples of a fit: checked, and few enough, spread over θh and over θd.
+"""Samples of a fit: checked, and thinned evenly over θh and θd.
 
 Most bins of a table, and most samples of a gonioreflectometer, lie far from the peak; and θd alone determines the
 lobes' Fresnel reflectance from their weight (section 4.2 of Günther et al. 2005 samples its table by θh for that

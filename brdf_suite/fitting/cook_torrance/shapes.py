@@ -1,4 +1,4 @@
-"""The shapes of the lobes as logarithms, with their derivatives: facets with their shadowing, and Fresnel.
+"""Logarithmic lobe shapes with their derivatives: microfacets with shadowing, and Fresnel.
 
 A lobe of weight ks is ks F D G / (π cosθi cosθo), as equation 1 of Günther et al. 2005 has it. Only ks has a colour.
 

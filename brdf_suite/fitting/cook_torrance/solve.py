@@ -1,4 +1,4 @@
-"""One search from one start: Levenberg-Marquardt's steps within bounds, reweighted for the sum of |log(fit/measured)|.
+"""Search from one start: bounded Levenberg-Marquardt, reweighted for the sum of |log(fit/measured)|.
 
 scipy's ``trf`` (Branch, Coleman and Li 1999) is used: Levenberg-Marquardt's step in a trust region, which is scaled by
 the distance to the bounds, so that m and r stay within what is plausible - Ψ of equation 3 is then 0 all along, and no

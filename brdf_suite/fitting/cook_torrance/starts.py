@@ -1,4 +1,4 @@
-"""Where the search sets out: slopes of the lobes read off the logarithm, then pairs, triples … from a list.
+"""Start values of the search: slopes of the lobes read off the logarithm, then pairs, triples … from a list.
 
 For one lobe of Beckmann's facets the profile P = (f_r - kd/π) cosθi cosθo cos⁴θh / G falls as exp(-tan²θh/m²): against
 tan²θh its logarithm is a line of slope -1/m². For several it is a curve, steep where the sharp lobe rules and

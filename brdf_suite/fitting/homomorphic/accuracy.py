@@ -1,4 +1,4 @@
-"""How near an approximation is to its samples: the rows of Table 1 of McCool, Ang and Ahmad 2001."""
+"""Error of an approximation at its samples: the rows of Table 1 of McCool, Ang and Ahmad 2001."""
 
 from __future__ import annotations
 

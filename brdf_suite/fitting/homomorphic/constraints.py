@@ -1,4 +1,4 @@
-"""The linear system of a factorization: which texels a sample reads, and what keeps the maps smooth.
+"""Linear system of a factorization: the texels of each sample, and the smoothness terms.
 
 The unknowns are the logarithms of all maps, one after the other, row by row (McCool, Ang and Ahmad 2001, equation 15).
 A row of a sample holds the bilinear weights of the texels that its factors read (equation 14); where two factors

@@ -1,4 +1,4 @@
-"""A reflectance as a product of maps: what a factorization gives."""
+"""Result of a factorization: a reflectance as a product of maps."""
 
 from __future__ import annotations
 

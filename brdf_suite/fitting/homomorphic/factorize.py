@@ -1,4 +1,4 @@
-"""Homomorphic factorization: a product of positive maps that comes nearest to samples of a reflectance, relatively.
+"""Homomorphic factorization: the product of positive maps with the least relative error at samples.
 
 McCool, Ang and Ahmad 2001. Samples are put through the logarithm (equation 6); the sum of the maps' logarithms is
 fitted to them by least squares, with the maps' Laplacian for what the samples leave open (equation 17); the exponential

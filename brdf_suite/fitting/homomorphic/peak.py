@@ -1,4 +1,4 @@
-"""The specular part apart: a factorization of what is left when the peak is cut off, and the peak as a product too.
+"""Separation of the specular peak: a factorization of the truncated body, and the peak as its own product.
 
 Logarithms discount a peak, and smoothness wears it down (McCool, Ang and Ahmad 2001, sections 3.1.1 and 4.2). So values
 are clamped before they are factored, and what was cut off is added again: f_r = α Π maps + s(h) F(ω·h).

@@ -1,4 +1,4 @@
-"""A picture as a product of functions of one variable: the two-dimensional example of the paper's Figure 2.
+"""Image as a product of functions of one variable: the two-dimensional example of the paper's Figure 2.
 
 f(x, y) ≈ Π_k p_k(π_k(x, y)), π one of x, y, x - y, x + y (McCool, Ang and Ahmad 2001, section 3.3). It is the same
 factorization as of a reflectance, with pixels in place of pairs of directions, and shows what it can do and cannot.

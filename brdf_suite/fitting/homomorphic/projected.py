@@ -1,4 +1,4 @@
-"""The averaged projection: each texel the mean of what the samples that read it hold.
+"""Averaged projection: each texel is the mean of its samples.
 
 It is the naive factorization of Table 1 of McCool, Ang and Ahmad 2001, and the initial guess of the other.
 """

@@ -1,4 +1,4 @@
-"""Maps over a hemisphere that are radially symmetric: found, and kept as their radius alone.
+"""Radially symmetric maps over a hemisphere: detection, and storage as their radius alone.
 
 Isotropic reflectances have such maps under p(ωo) q(h) p(ωi) (McCool, Ang and Ahmad 2001, section 4.3). A map of n × n
 texels then says no more than n/2 rings; n values along the radius hold it with the same fineness twice over.

@@ -1,4 +1,4 @@
-"""Samples of a reflectance for factorization: what was measured, or pairs even over both hemispheres."""
+"""Samples of a reflectance for factorization: measured ones, or pairs uniform over both hemispheres."""
 
 from __future__ import annotations
 

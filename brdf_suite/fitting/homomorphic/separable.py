@@ -1,4 +1,4 @@
-"""The separable expansion of Kautz and McCool 1999: a sum of products u_j(h) v_j(d), by singular values, signed.
+"""Separable expansion of Kautz and McCool 1999: a sum of products u_j(h) v_j(d), by SVD, signed.
 
 It is what homomorphic factorization is compared with (McCool, Ang and Ahmad 2001, equation 3). h is the half vector,
 d the light's direction in the frame about h whose tangent is the surface's one, orthonormalized (Gram-Schmidt). The

@@ -1,4 +1,4 @@
-"""The least-squares solution of a factorization's linear system, directly or by iteration.
+"""Least-squares solution of a factorization's linear system, directly or iteratively.
 
 Two ways to the same minimum of |W(Ax - f)|² + λ²|Lx|²:
 

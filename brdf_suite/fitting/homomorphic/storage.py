@@ -1,4 +1,4 @@
-"""Maps of a factorization as textures of 8 bits, half or full floats, and what each costs in accuracy.
+"""Quantization of a factorization's maps as 8-bit, half or full float textures, and its error.
 
 A texture holds either a factor itself, divided by its largest value (section 4.1, the normalized p' and q'; α takes the
 rest), or its logarithm, stretched over the texture's range: the latter keeps a relative error.

@@ -1,1 +1,1 @@
-"""The fixed cosine lobes and the linear program that weighs them (Westlund and Meyer, sections 3 and 4)."""
+"""Fixed cosine lobes and the linear program of their weights (Westlund and Meyer, sections 3 and 4)."""

@@ -1,4 +1,4 @@
-"""One request to the limited solver and what comes back: scaled targets in, weights and their errors out."""
+"""Scaled targets of the limited solver, and its answers: weights and their errors."""
 
 from __future__ import annotations
 

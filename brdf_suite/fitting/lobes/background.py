@@ -1,4 +1,4 @@
-"""The thread that brings a fit to its end after the time limit, in slices, at lower priority.
+"""Background thread that completes a fit after the time limit, in slices, at lower priority.
 
 The model belongs to the holder of the lock: the caller inside its limit, or this thread for one slice. Between
 slices a request that was cancelled is dropped, so that the newest edit gets the model soon. The slices are

@@ -1,4 +1,4 @@
-"""The fixed set of cosine lobes: their exponents.
+"""Exponents of the fixed set of cosine lobes.
 
 The set is fixed because one environment map is prefiltered per exponent; an edit changes weights only
 (Westlund and Meyer, sections 3.2 and 4). It was found by a search over a database of paints

@@ -1,4 +1,4 @@
-"""Non-negative weights at many angles at once that do not jump from one to the next, of few columns.
+"""Non-negative weights at many angles that vary smoothly between angles and use few columns.
 
     minimize  Σ_n |A_n x_n - b_n|² + μ Σ_n |S (x_n+1 - x_n)|²,   x ≥ 0
 

@@ -1,4 +1,4 @@
-"""What may be fitted at all: samples that are reflectances, a limit that is a time, an index that a coat can have."""
+"""Input checks of the fits: samples, time limit, and coat index."""
 
 from __future__ import annotations
 

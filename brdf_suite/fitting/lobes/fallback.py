@@ -1,4 +1,4 @@
-"""Feasible answers in bounded time, for when the time limit comes before the optimum.
+"""Feasible answers in bounded time, for when the time limit precedes the optimum.
 
 Two candidates per channel: the last accepted weights rescaled to the new target, and non-negative least squares
 by alternating directions on a kept, factored Gram matrix. Both are non-negative by construction; the caller takes

@@ -1,4 +1,4 @@
-"""The weights of the fixed lobes for a designed paint, while a slider moves (Westlund and Meyer, section 4)."""
+"""Interactive fit of the lobe weights of a designed paint (Westlund and Meyer, section 4)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The last optimum's vertex, kept as a matrix: while a slider moves a little, it is the next optimum's too.
+"""Warm start from the last optimum's vertex, kept as a matrix: after a small edit it is often optimal again.
 
 At a vertex the samples whose dual lies between its bounds are met exactly by the columns in use, so that weights
 are a fixed linear map of the target. The duals do not depend on the target at all: for a new target they are

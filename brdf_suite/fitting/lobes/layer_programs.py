@@ -1,4 +1,4 @@
-"""The linear programs of a paint's two layers at one incidence: base to KD and KDD, coat to KG."""
+"""Linear programs of a paint's two layers at one incidence: base to KD and KDD, coat to KG."""
 
 from __future__ import annotations
 

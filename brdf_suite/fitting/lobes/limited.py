@@ -1,4 +1,4 @@
-"""Linear programs under a hard time limit, and their optimum when it comes.
+"""Linear programs under a hard time limit, with the optimum delivered later.
 
 HiGHS alone overruns a limit of its own by milliseconds, because it looks at the clock between pieces of work
 that grow with the program. Two ways keep it, by the size of the program (docs/fit.md has the measurements):

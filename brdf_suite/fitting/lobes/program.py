@@ -1,4 +1,4 @@
-"""The L1 program of one part, scaled so that its numbers are of one size.
+"""L1 program of one part, scaled to numbers of order one.
 
 For n samples with targets b and weights w, and m columns M, find ``x ≥ 0`` that minimizes
 ``Σ_j w_j·|M x - b|_j``. Here rows are multiplied by their weights and columns by a scale, which leaves the

@@ -1,4 +1,4 @@
-"""Weights of one incidence taken to all others by Fresnel's equations: the paper's first way (section 4).
+"""Extrapolation of one incidence's weights to all others by Fresnel's equations: the paper's first way (section 4).
 
     f_r·(N·L) ≈ T(θ)²/T(θ_fit)² · (N·L)·(KD + Σ KDD_i (R·V)^E_i) + F(θ)/F(θ_fit) · Σ KG_i (R·V)^E_i
 

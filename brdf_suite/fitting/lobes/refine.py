@@ -1,4 +1,4 @@
-"""From an answer that the solver calls optimal to the vertex itself, where rounding shows.
+"""Refinement of a solver's answer to the exact vertex, where rounding is visible.
 
 The solver stops within its tolerances, and what it holds is then up to 1e-11 of the target away from the vertex.
 That is nothing unless the lobes reach the target exactly, and the error that is left *is* that distance. The

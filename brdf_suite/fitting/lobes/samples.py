@@ -1,4 +1,4 @@
-"""Where a designed paint is sampled: fixed directions, so that the program's matrix never changes.
+"""Fixed sample directions of a designed paint, so that the program's matrix never changes.
 
 The base (flakes and pigment, seen through the coat) is sampled as paints are measured: light at 45°, view in
 the plane of incidence over the aspecular angle γ.

@@ -1,4 +1,4 @@
-"""One HiGHS model for all parts and channels of a fit, kept between edits.
+"""HiGHS model for all parts and channels of a fit, kept between edits.
 
 The L1 program ``min Σ|A x - b|, x ≥ 0`` (rows already weighted) is given to the solver as its dual::
 

@@ -1,4 +1,4 @@
-"""Lobe weights for data that no formula divides into coat and base: measured ones, or any reflectance.
+"""Lobe weights of a reflectance without separate layers, such as measured data.
 
 KD, KDD and KG of a channel are fitted together to ``f_r·(N·L)``::
 

@@ -1,4 +1,4 @@
-"""Where undivided data are sampled: rows of the fitting system, each a weighted mean over pairs of directions.
+"""Samples of undivided data: rows of the fitting system, each a weighted mean over direction pairs.
 
 A reflectance that can be evaluated everywhere is sampled at fixed view angles, with lights on rings around the
 view's mirror direction: what a picture gathers. Each ring is one row, its mean over the azimuths, because a

@@ -1,4 +1,4 @@
-"""How much each sample of a fit counts: three choices, all relative to the targets' own sizes.
+"""Sample weights of a fit: three choices, all relative to the magnitude of the targets.
 
 absolute
     The weights that come with the samples: the measured angles of the base, the solid angle of the coat's rings.

@@ -1,4 +1,4 @@
-"""What a fit gives: the non-negative weights of the cosine lobes, and the reflectance that they make."""
+"""Fitted non-negative weights of the cosine lobes, and their reflectance."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The shapes in which environment images come, and their conversion to a latitude-longitude map."""
+"""Layouts of environment images, and their conversion to a latitude-longitude map."""
 
 from brdf_suite.lighting.layouts.convert import as_latlong
 from brdf_suite.lighting.layouts.detect import detect_layout

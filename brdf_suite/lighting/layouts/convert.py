@@ -1,4 +1,4 @@
-"""Any layout to a latitude-longitude map."""
+"""Conversion of any layout to a latitude-longitude map."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The layouts that are known, and what each looks like.
+"""Known layouts of environment images and their descriptions.
 
 All images are taken as seen from inside, not mirrored, unless the layout is a mirror ball, which is seen from
 outside. The middle of the front is +z, what is right of it is -x, as in the suite's latitude-longitude maps.

@@ -1,4 +1,4 @@
-"""An environment as a few lights from infinitely far away, for flakes, shadows and the path tracer.
+"""Approximation of an environment by a few directional lights, for flakes, shadows and the path tracer.
 
 >>> from brdf_suite.lighting.environment import Environment
 >>> import numpy as np

@@ -1,4 +1,4 @@
-"""A latitude-longitude map as cells with their light summed up, the common ground of the methods.
+"""Latitude-longitude map as cells with summed light, shared by the extraction methods.
 
 A texel's radiance holds over its whole solid angle, Δφ·(cosθ_top - cosθ_bottom), so the cells cover 4π exactly
 and sums over them are the map's. Maps of more than 2,048 columns are joined into larger cells, whose sums and

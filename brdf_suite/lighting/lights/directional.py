@@ -1,4 +1,4 @@
-"""Lights from infinitely far away, each standing for a cell of the sphere."""
+"""Directional lights, each representing a cell of the sphere."""
 
 from __future__ import annotations
 

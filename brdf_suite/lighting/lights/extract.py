@@ -1,4 +1,4 @@
-"""From an environment to directional lights, by any of the methods."""
+"""Extraction of directional lights from an environment, by any method."""
 
 from __future__ import annotations
 

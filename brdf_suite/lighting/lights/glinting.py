@@ -1,4 +1,4 @@
-"""The lights of an environment in which single flakes glint: few, bright, and as small as they are.
+"""Lights of an environment that make single flakes glint: few, bright, and of their true size.
 
 A flake mirrors a small part of the surroundings. Where that part holds a small bright light, the flake lights up; a
 broad light is met by so many flakes that only their mean is seen. So what counts is the brightest *small* lights,

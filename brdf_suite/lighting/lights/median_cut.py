@@ -1,4 +1,4 @@
-"""Median cut: the map is cut again and again into two halves of equal light.
+"""Median cut: recursive division of the map into halves of equal light.
 
 Debevec, "A Median Cut Algorithm for Light Probe Sampling", SIGGRAPH 2005 Posters. There all regions are cut in
 every round, which gives powers of two; here the brightest region is cut next, which gives any number and

@@ -1,4 +1,4 @@
-"""Median cut, relaxed: each light moves to the middle of its light, and each cell to the light nearest to it.
+"""Relaxed median cut: each light moves to its cell's centroid, each texel joins the nearest light.
 
 The weighted relaxation of Kollig and Keller, "Efficient Illumination by High Dynamic Range Images", EGWR 2003
 (Lloyd's, with luminance as weight), started from a median cut instead of from a few points that are split. What

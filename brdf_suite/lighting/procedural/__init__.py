@@ -1,4 +1,4 @@
-"""Generated environments with radiances that can be: studios and skies from a description, and the shipped ones."""
+"""Procedural environments with physical radiances: studios and skies from a description, and the shipped ones."""
 
 from brdf_suite.lighting.procedural.booth import BOOTH, booth
 from brdf_suite.lighting.procedural.overcast import overcast

@@ -1,4 +1,4 @@
-"""Lamps of a studio: how they look from the middle of the scene, and what light they throw on a surface."""
+"""Studio lamps: their appearance from the middle of the scene, and their illumination of surfaces."""
 
 from __future__ import annotations
 

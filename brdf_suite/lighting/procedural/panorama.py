@@ -1,4 +1,4 @@
-"""From radiance as a function of direction to a latitude-longitude picture, and its illuminances.
+"""Rendering of radiance as a function of direction to a latitude-longitude map, with its illuminances.
 
 Inside this folder luminances are in kcd/m² and colours linear in the working space, scaled so that their
 luminance (:data:`~brdf_suite.appearance.colorimetry.LUMINANCE`) is that figure. The picture is then scaled so

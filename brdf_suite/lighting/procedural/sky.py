@@ -1,4 +1,4 @@
-"""A sky drawn from its description: one of three published models over a plain ground, with the sun's disc.
+"""Sky from its description: one of three published models over a plain ground, with the sun's disc.
 
 The sun is that of Hošek and Wilkie (2013) for both clear skies: it knows the haze, and the papers of Preetham et al.
 give theirs only through tables of absorption. The ground is even and matt and lit by all that is above it.

@@ -1,4 +1,4 @@
-"""What stands on the horizon: distant hills, a row of trees, a few plain buildings.
+"""Skyline of the horizon: distant hills, a row of trees, a few plain buildings.
 
 A paint without a horizon to mirror looks like nothing. The shapes are drawn once from a fixed seed, as heights
 over the azimuth; their light is albedo times the illuminance of a wall that faces the viewer, over π, with haze

@@ -1,4 +1,4 @@
-"""A studio drawn from its description: lamps before the walls of a room or a plain backdrop."""
+"""Studio from its description: lamps before the walls of a room or a plain backdrop."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The sun: where it is, how bright, which colour, and its disc on a map.
+"""The sun: direction, brightness, colour, and its disc on a map.
 
 Illuminance on a surface that faces the sun: ``127.5 klx · exp(-c/sin h)`` with c = 0.21 for a clear day (IES
 Lighting Handbook, 8th edition, daylight availability). Colour: the CIE daylight locus (CIE 15) at 5,300 K, about

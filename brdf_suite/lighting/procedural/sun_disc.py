@@ -1,4 +1,4 @@
-"""The sun's disc with its limb on a map: each pixel gets what the disc gives in it, at any size of map."""
+"""The sun's disc with limb darkening on a map of any size, integrated over each pixel."""
 
 from __future__ import annotations
 

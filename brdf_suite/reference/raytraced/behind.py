@@ -1,4 +1,4 @@
-"""The environment behind each pixel, free of noise; as ``reference.backdrop``, on the renderer's own arrays."""
+"""Noise-free environment behind each pixel, as ``reference.backdrop``, on the renderer's arrays."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rays through pixels, and how far apart neighbouring ones meet a surface."""
+"""Camera rays through pixels, and the spacing of neighbouring ones on a surface."""
 
 from __future__ import annotations
 

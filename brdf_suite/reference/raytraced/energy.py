@@ -1,4 +1,4 @@
-"""How much of the light that falls on it a term sends back: more than all is no paint that can be."""
+"""Albedo of a term: a paint that reflects more than all incident light is not physical."""
 
 from __future__ import annotations
 

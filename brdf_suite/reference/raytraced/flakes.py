@@ -1,4 +1,4 @@
-"""Flakes that sparkle: normals from a texture of the surface's own coordinates, faded with distance (section 5.2).
+"""Sparkling flakes: normals from a texture in surface coordinates, faded with distance (section 5.2).
 
 The twin of :func:`brdf_suite.reflectance.flakes.texture.flake_texture_ratio`: the same hash, so the same flakes as in
 the real-time picture's flake texture, and the same in every frame. Each light is multiplied by how bright the flakes of

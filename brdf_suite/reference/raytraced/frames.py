@@ -1,4 +1,4 @@
-"""From a stage to sums over pixels, which are traced in an order that keeps rays together, and in pieces."""
+"""Sums over pixels of a scene, traced in pieces and in an order that keeps rays coherent."""
 
 from __future__ import annotations
 

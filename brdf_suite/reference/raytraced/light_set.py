@@ -1,4 +1,4 @@
-"""The lights of a picture: strata of the environment, drawn anew for each round where that is wanted, and lamps.
+"""Lights of a picture: strata of the environment, optionally resampled for each round, and lamps.
 
 The first round's lights are those of :func:`brdf_suite.lighting.lights.directional_lights`: each the mean direction of
 its stratum, with all of its light (equation 4). What l lights leave out is then the same in every picture. For a

@@ -1,4 +1,4 @@
-"""Narrow lobes, sampled about their half vector by a cosine lobe, as Günther et al. 2005, section 5.1.3, have it.
+"""Narrow lobes sampled about their half vector by a cosine lobe (Günther et al. 2005, section 5.1.3).
 
 Beckmann's facets of slope m are taken for a cosine lobe of the same height,
 

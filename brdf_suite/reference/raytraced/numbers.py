@@ -1,4 +1,4 @@
-"""Even numbers without a generator's state: additive recurrences, turned for each pixel by a hash.
+"""Stateless quasi-random numbers: additive recurrences, rotated for each pixel by a hash.
 
 ``u_i = frac(turn + i α)`` fills the cube evenly for any count, so that the s samples of a pixel are stratified however
 they are shared out among its p samples (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences").

@@ -1,4 +1,4 @@
-"""What the samples so far give: sums over pixels, from which the picture's light follows."""
+"""Picture from sums over pixels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How many lights, reflected rays and samples a picture gets: (l, s, p) of Günther et al. 2005, Figure 8."""
+"""Quality settings: lights, reflected rays and samples, (l, s, p) of Günther et al. 2005, Figure 8."""
 
 from __future__ import annotations
 

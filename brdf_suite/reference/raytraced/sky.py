@@ -1,4 +1,4 @@
-"""The environment along a ray: the very look-up of :func:`brdf_suite.lighting.latlong.sample`, turned about y."""
+"""Environment look-up along a ray, as :func:`brdf_suite.lighting.latlong.sample`, rotated about y."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A reflectance cut in two: a broad part, lit by the lights, and narrow lobes, sampled or mirrored (section 5.1.3).
+"""Split of a reflectance into a broad part, lit by the lights, and narrow lobes, sampled or mirrored (section 5.1.3).
 
 A sum of lobes is cut by their widths; a table by its values (:mod:`.table_split`).
 """

@@ -1,4 +1,4 @@
-"""Sums in an EXR file: the picture as anyone sees it, and beside it what a render goes on from.
+"""Sums in an EXR file: a regular picture with the state from which a render resumes.
 
 Channels ``R G B`` hold the whole picture's radiance, ``A`` the object's coverage, ``object.R`` … its own light and
 ``ground.R`` … the darkness of its shadow, all as means over the samples. A text attribute holds their number,

@@ -1,4 +1,4 @@
-"""The surface as one mesh, whatever parts it has, and what a ray meets on it.
+"""Surface as one mesh of all parts, and its intersection with rays.
 
 One mesh instead of one for each part: where a ray meets it, everything is looked up in plain arrays, and only the
 materials are distinguished.

@@ -1,4 +1,4 @@
-"""A table of values cut in a broad part and its peak, by clamping or by subtracting a lobe (section 5.1.3).
+"""Split of a table into a broad part and its peak, by clamping or by subtracting a lobe (section 5.1.3).
 
 *Clamp*: the broad part is the table, no higher at any θd than what the table has there some angle beside the mirror
 direction; the peak is what is above. Where it is mirrored, that angle is 15°. Where it is sampled, it is 25°, for

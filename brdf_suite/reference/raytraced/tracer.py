@@ -1,4 +1,4 @@
-"""The loops: samples of a pixel, their shadow rays to the lights, their reflected rays, and where those lead.
+"""Tracing loops: samples of a pixel, shadow rays to the lights, reflected rays.
 
 For each sample k of a pixel's p (Günther et al. 2005, section 5.3):
 

@@ -1,4 +1,4 @@
-"""How much of a paint's base the flakes send that can be counted, for any pair of directions.
+"""Fraction of a paint's base reflected by visible flakes, for any pair of directions.
 
 Flakes that cover the share c = 1 - exp(-density·π/4·size²) of the surface are mirrors of reflectance R below a coat of
 index n. With their tilts' density p = bell / (2π m²) per solid angle, the light in and out through the coat (T), and a

@@ -1,4 +1,4 @@
-"""What one pixel sees of a flake, as a density over where the flake lies.
+"""Pixel footprint of a flake, as a density over the flake's position.
 
 The pixel is an ellipse on the surface, a flake a disc; together they have the covariance
 

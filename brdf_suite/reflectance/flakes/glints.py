@@ -1,4 +1,4 @@
-"""The visible flakes of a footprint in one light, over their mean: 1 for endlessly many.
+"""Brightness of a footprint's visible flakes in one light, over their mean: 1 in the limit of many.
 
 After Kemppinen et al., "Glinty NDFs in Constant Time" (SIGGRAPH Asia 2025). Flakes have a place on the surface, N to
 the square millimetre, and one on the unit square of tilts. On level l both are cut into cells, 2^l/√N wide on the

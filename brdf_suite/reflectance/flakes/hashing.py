@@ -1,4 +1,4 @@
-"""The hash that makes flakes: integers of 32 bits only, the same as in ``sparkle_hash.glsl``.
+"""Hash that generates flakes: 32-bit integers only, the same as in ``sparkle_hash.glsl``.
 
 A bijection of two rounds of multiplication and shift, with constants of Chris Wellons's search ("Hash function
 prospector"); each bit in changes each bit out with a chance near one half.

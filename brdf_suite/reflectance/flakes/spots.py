@@ -1,4 +1,4 @@
-"""How many flakes stand out as spots, and by how much: what the model of single flakes says, without drawing any.
+"""Expected number and contrast of visible spots in the model of single flakes, without rendering.
 
 A footprint (what an eye or a pixel takes in at once) that lies on one flake i sees over the mean of all flakes
 

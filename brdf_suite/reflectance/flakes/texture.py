@@ -1,4 +1,4 @@
-"""The flake texture of Günther et al. 2005, section 5.2, as light over its mean.
+"""Flake texture of Günther et al. 2005, section 5.2, as light over its mean.
 
 The cell of the texture coordinate seeds a generator, which draws the flake's normal from Beckmann's distribution with
 the paint's m; the flake is lit as a tiny mirror. One flake to a cell of 1/density, somewhere in it. A footprint wider

@@ -1,4 +1,4 @@
-"""How flakes are tilted, and which tilt mirrors a light to the eye.
+"""Tilt distribution of flakes, and the tilt that mirrors a light to the eye.
 
 Tilts are slopes: the tangent of the angle from the surface's normal, along two axes. Spreads are of one flake, as a
 standard deviation along an axis, in radians of tilt.

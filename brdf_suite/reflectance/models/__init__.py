@@ -1,4 +1,4 @@
-"""Analytic reflectance models, each with its parameters declared, its ``eval``, and its sampler with a density.
+"""Analytic reflectance models with declared parameters, ``eval``, and samplers with pdfs.
 
 A model is a frozen value with
 

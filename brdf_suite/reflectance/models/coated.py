@@ -1,4 +1,4 @@
-"""A clear dielectric coat over any base: Fresnel in and out, internal reflection, one bookkeeping of energy.
+"""A clear dielectric coat over any base: Fresnel transmission, internal reflection, energy conservation.
 
     f_r = coat + base · T(θi) T(θo) / T̄ · (1 - K) / (1 - K E_b)
 

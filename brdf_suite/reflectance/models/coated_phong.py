@@ -1,4 +1,4 @@
-"""Phong with a clearcoat by Fresnel's law: the kind of model that industry renders car paint with.
+"""Phong with a Fresnel-weighted clearcoat, a common industrial model of car paint.
 
 Günther et al. 2005 describe it (section 6.1, Figure 7b): an enhanced Phong model whose Fresnel term controls
 the coat. Its formulas are not published there; these are ours, in that spirit:

@@ -1,4 +1,4 @@
-"""The sum of cosine lobes that the suite shades with, as a reflectance (equations 1 to 3 of the BRDF paper).
+"""The suite's sum of cosine lobes as a reflectance (equations 1 to 3 of the BRDF paper).
 
     f_r cosθi = KD cosθi + cosθi Σ KDD_k (R·V)^E_k + Σ KG_k (R·V)^E_k
 

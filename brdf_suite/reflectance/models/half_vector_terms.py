@@ -1,4 +1,4 @@
-"""What every microfacet model needs of a pair of directions, once for all lobes."""
+"""Half-vector terms of a direction pair, shared by all lobes of microfacet models."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The matt surface: the same radiance in every direction (Lambert 1760)."""
+"""Lambertian reflectance: the same radiance in every direction (Lambert 1760)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sampling a sum of parts: choose one by its share, draw from it; the density is the shares' mean.
+"""Sampling of a sum of parts: select one by its share and sample it; the pdf is the weighted mean.
 
 Every model's sampler is such a mixture, so one place holds the bookkeeping.
 """

@@ -1,4 +1,4 @@
-"""The eight car paints of Table 1 of Günther et al. 2005, with the numbers as the paper prints them.
+"""The eight car paints of Table 1 of Günther et al. 2005, with the printed numbers.
 
 Metallic: Ford F8, Polaris Silver, Opel Titan, BMW 339. Solid: 2K Acrylack, White, Blue, Blue Matte. The paper
 fits kd and ks per channel of its camera and names no primaries; they are taken here as the working space's.

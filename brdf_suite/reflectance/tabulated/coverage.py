@@ -1,4 +1,4 @@
-"""How well each bin of a measured table is known: from how many readings, and with what uncertainty."""
+"""Coverage of a measured table: number of readings and uncertainty of each bin."""
 
 from __future__ import annotations
 

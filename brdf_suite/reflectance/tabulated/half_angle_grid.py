@@ -1,4 +1,4 @@
-"""The bins of an isotropic half-angle table: where a direction pair falls, and where a bin's centre is.
+"""Bins of an isotropic half-angle table: bin of a direction pair, centre of a bin.
 
 Axes (Rusinkiewicz, "A New Change of Variables for Efficient BRDF Representation", 1998): θh non-linear, bin k
 from (k/n)²·π/2 to ((k+1)/n)²·π/2, so that highlights get fine bins; θd linear over [0, π/2); φd linear over

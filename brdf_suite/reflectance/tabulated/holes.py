@@ -1,4 +1,4 @@
-"""Fill the empty bins of a half-angle table with weighted sums of their neighbours.
+"""Filling of a half-angle table's empty bins by weighted sums of their neighbours.
 
 After Guenther, Chen, Goesele, Wald and Seidel, "Efficient Acquisition and Realistic Rendering of Car Paint" (2005),
 section 4.1. A reflectance changes least along φd, so a hole with measured bins near it on its own line of φd gets

@@ -1,4 +1,4 @@
-"""Look up only the direction pairs that lie above the horizon."""
+"""Look-up restricted to direction pairs above the horizon."""
 
 from __future__ import annotations
 

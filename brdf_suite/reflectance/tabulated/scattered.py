@@ -1,4 +1,4 @@
-"""Scattered samples: values at direction pairs that lie on no grid, as goniometers deliver them.
+"""Scattered samples: values at arbitrary direction pairs, as from goniometers.
 
 Between samples the value is a weighted mean of the nearest ones (Franke and Nielson's form of Shepard's method:
 weights ((R - r)/(R r))², R the distance of the first neighbour left out), so it passes through every sample, is

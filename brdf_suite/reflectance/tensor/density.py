@@ -1,4 +1,4 @@
-"""Bilinear densities on the unit square, one per incident direction, warped both ways.
+"""Bilinear densities on the unit square, one per incident direction, with forward and inverse warps.
 
 A grid of (ny, nx) non-negative values stands at the nodes of the unit square, x along the last axis, and is
 bilinear in between. There is one such grid for each node (φi, θi) of the incident directions; between nodes

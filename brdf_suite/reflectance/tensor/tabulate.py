@@ -1,4 +1,4 @@
-"""Any isotropic reflectance as a TensorReflectance, so that it can be written as RGL's ``.bsdf``.
+"""Conversion of any isotropic reflectance to a TensorReflectance, for RGL's ``.bsdf``.
 
 The stored values are V = f_r cos θo · 4σ/D, so D and σ are ours to choose: whatever they are, reading divides
 them out again, and what is left to error is the interpolation of V. So they are chosen to make V flat:

@@ -1,4 +1,4 @@
-"""A car by code alone: a fastback coupé whose paint reflections flow over, for judging a paint on a car."""
+"""Procedural car: a fastback coupé with flowing reflections, for judging a paint on a car."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The whole car from its pieces."""
+"""Assembly of the car from its pieces."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The body's form: a few theoretical surfaces, blended, as a field that is negative inside.
+"""Body of the car: a few smooth surfaces, blended, as a field that is negative inside.
 
 As in a styling studio: one surface each for the side, the top, the nose, the tail and the floor, each from
 soft control polygons; fillets between them; and the greenhouse blended on top. |x| enters through x² or

@@ -1,4 +1,4 @@
-"""Solids of revolution and lofts: what wheels, tips and bars are made of."""
+"""Solids of revolution and lofts, for wheels, tips and bars."""
 
 from __future__ import annotations
 

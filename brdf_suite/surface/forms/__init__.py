@@ -1,4 +1,4 @@
-"""Generated forms that paint is judged on: speed form, sphere, curved panel. All stand on the plane y = 0."""
+"""Generated forms for judging paints: speed form, sphere, curved panel. All stand on the plane y = 0."""
 
 from brdf_suite.surface.forms.panel import panel
 from brdf_suite.surface.forms.speed_form import speed_form

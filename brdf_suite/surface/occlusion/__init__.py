@@ -1,1 +1,1 @@
-"""Baked occlusion: how much of the light each place of a mesh sees, and from which side it comes."""
+"""Baked occlusion: the visible fraction of light at each place of a mesh, and its mean direction."""

@@ -1,4 +1,4 @@
-"""Bake the occlusion of a mesh: rays from places on its triangles, fitted by values at its vertices.
+"""Baking of a mesh's occlusion: rays from places on its triangles, fitted by values at its vertices.
 
 1. The triangles, made ready for rays by Embree (:mod:`.rays`).
 2. The floor under the mesh (:mod:`.floor`).

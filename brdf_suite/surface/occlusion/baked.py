@@ -1,4 +1,4 @@
-"""What baking gives: a mesh with occlusion at its vertices, and the floor under it."""
+"""Result of baking: a mesh with occlusion at its vertices, and the floor under it."""
 
 from __future__ import annotations
 

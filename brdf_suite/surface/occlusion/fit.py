@@ -1,4 +1,4 @@
-"""Values at vertices that, interpolated over the triangles, come closest to what was seen at places on them.
+"""Least-squares vertex values whose interpolation approximates samples on the triangles.
 
 Least squares with a gradient penalty (Kavan, Bargteil and Sloan 2011, "Least squares vertex baking"):
 

@@ -1,4 +1,4 @@
-"""The floor under a mesh: which of the light from above each place of it sees.
+"""Floor under a mesh: the visible fraction of light from above at each place.
 
 What is kept is not one number but the harmonics of the visible light (precomputed radiance transfer, Sloan, Kautz
 and Snyder 2002), so that the shadow under the mesh falls to the side that the environment's light does not come

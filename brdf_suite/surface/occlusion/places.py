@@ -1,4 +1,4 @@
-"""Where on a mesh its occlusion is looked at: places spread over the triangles.
+"""Sample places of a mesh's occlusion, spread over the triangles.
 
 Not at the vertices: a vertex often lies on an edge where bodies touch, or inside the next body, and would say
 nothing of the triangles around it.

@@ -1,4 +1,4 @@
-"""Rays against the triangles of a mesh, traced by Embree, and the light that places see past them.
+"""Ray casting against the triangles of a mesh by Embree, and the unoccluded light at places.
 
 Places are sampled with cosine-distributed directions, so that a share of the directions is a share of the
 irradiance: stratified in the polar coordinate, by the golden ratio in the azimuth, shifted for every place by a hash

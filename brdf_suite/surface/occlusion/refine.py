@@ -1,4 +1,4 @@
-"""Triangles cut along their edges where three corners are too few for the occlusion in them.
+"""Subdivision of triangles where three vertices do not resolve the occlusion.
 
 An edge is cut in all triangles along it or in none, by the places of its ends and not by their numbers, so that
 parts and seams stay closed. New corners are means of the old, and normals are *not* brought to unit length:

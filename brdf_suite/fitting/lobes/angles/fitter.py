@@ -1,4 +1,4 @@
-"""Lobe weights at many incidences in one fit, while a slider moves (the second way of Fresnel).
+"""Interactive fit of lobe weights at many incidences (the second way of Fresnel).
 
 Westlund and Meyer, section 4.
 """

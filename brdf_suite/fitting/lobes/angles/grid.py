@@ -1,4 +1,4 @@
-"""Where along the incidence a multi-angle fit has its weights, and how they are looked up in between.
+"""Incidence grid of a multi-angle fit, and interpolation in it.
 
 With x running evenly from 0 to 1 over the K texels of a 1-D texture, the cosine of incidence is
 

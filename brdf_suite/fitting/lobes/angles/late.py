@@ -1,4 +1,4 @@
-"""Two pieces of background work of which the second needs the result of the first, as one future."""
+"""Future of two chained background tasks, the second of which needs the result of the first."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The joint program of one part over all incidences: the data at each, and what the weights change in between.
+"""Joint program of one part over all incidences: the residuals at each, and the variation of the weights.
 
 For incidence k with matrix M_k, weights w_k and targets b_k, and unknowns x_k ≥ 0,
 

@@ -1,4 +1,4 @@
-"""Where a paint is sampled for fits at several incidences: fixed directions, all evaluated in one call each.
+"""Fixed sample directions of fits at several incidences, evaluated in one call each.
 
 **Base.** At each incidence the aspecular angles of the single fit, with its weights, as far as their views stand
 higher than :data:`HORIZON_DEG`: towards grazing the angles beyond the mirror direction end, and those past the

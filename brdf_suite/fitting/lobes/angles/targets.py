@@ -1,4 +1,4 @@
-"""From samples of a paint to the weighted, relative targets of the joint programs.
+"""Weighted, relative targets of the joint programs from samples of a paint.
 
 Relative, because smoothness compares the weights of neighbouring incidences: what Fresnel's equations do to all of
 them alike is divided out here, and multiplied in again where the weights are made.

@@ -1,4 +1,4 @@
-"""Lobe weights that change with the incidence: a table over N·L, and the reflectance that it makes."""
+"""Lobe weights that depend on the incidence: a table over N·L, and its reflectance."""
 
 from __future__ import annotations
 
