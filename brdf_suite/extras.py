@@ -22,7 +22,7 @@ from brdf_suite.errors import ExtraError, MissingExtraError
 
 @dataclass(frozen=True)
 class _Package:
-    """Of a module: its name for people, its name in package indexes, and the extra that it belongs to."""
+    """An optional package: its display name, its name in package indexes, and its extra."""
 
     title: str
     distribution: str

@@ -27,7 +27,7 @@ Bools = npt.NDArray[np.bool_]
 
 @dataclass(frozen=True, eq=False)
 class BinMeans:
-    """What the readings say of each bin, before any hole is filled.
+    """Means of the readings of each bin, before holes are filled.
 
     ``values`` (a, b, c, 3) float32, f_r in 1/sr at the bin's centre, 0 in a hole; ``coverage`` of the same bins.
     """

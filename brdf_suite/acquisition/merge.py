@@ -37,7 +37,7 @@ _FEWEST_PAIRS = 20
 
 @dataclass(frozen=True, eq=False)
 class Merged:
-    """Radiances of one position of the lamp.
+    """Merged radiances of one position of the lamp.
 
     Attributes
     ----------

@@ -37,7 +37,7 @@ LARGEST_FILE = 2 << 30
 
 @dataclass(frozen=True)
 class PhotographFacts:
-    """What is known of a photograph before its pixels are unpacked.
+    """Facts about a photograph known before its pixels are unpacked.
 
     ``bits`` a channel, None of floats; ``exposure_s`` from EXIF, None where it is absent.
     """

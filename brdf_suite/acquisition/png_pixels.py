@@ -30,7 +30,7 @@ MOST_PIXELS = 1 << 28
 
 @dataclass(frozen=True)
 class PngParts:
-    """What the chunks of a PNG hold: ``packed`` says where the pixels are, ``exif`` is that block or None."""
+    """Parsed chunks of a PNG: ``packed`` locates the pixels, ``exif`` is that block or None."""
 
     width: int
     height: int

@@ -32,7 +32,7 @@ _MOST_DEG = 160.0
 
 
 class PositionOrder:
-    """Collects the highlight's column at each position, then reports those out of order.
+    """Check of the order of positions by the highlight's column at each.
 
     Angles from 0° to 160° and, mirrored, from -160° to 0° are looked at; what else there is, is left alone: a lamp
     behind the sphere lights its rim on both sides, whose middle wanders back.

@@ -66,7 +66,7 @@ class HighlightSeries:
 
 @dataclass(frozen=True)
 class RigFit:
-    """Changes ``x`` (p,) of the numbers, what they leave, ``off`` (n, 2), and its ``slopes`` (n, 2, p).
+    """Fitted changes ``x`` (p,) of the parameters, residuals ``off`` (n, 2), and their ``slopes`` (n, 2, p).
 
     ``posterior`` (p, p): covariance of the numbers, metres² and degrees².
     """

@@ -25,7 +25,7 @@ _DISTANCE = 0.01
 
 @dataclass(frozen=True)
 class Refined:
-    """One number before and after.
+    """A fitted parameter before and after the refinement.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class Refined:
 
 @dataclass(frozen=True)
 class RefinedParameter:
-    """A number of the fit: its name, and how to read it off a geometry."""
+    """A parameter of the fit: its name, and its value in a geometry."""
 
     name: str
     unit: str

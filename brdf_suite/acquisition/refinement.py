@@ -39,7 +39,7 @@ Valid = npt.NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Refinement:
-    """What the highlights say of the rig.
+    """Result of a refinement of the rig by highlights.
 
     Attributes
     ----------

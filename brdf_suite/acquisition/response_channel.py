@@ -33,7 +33,7 @@ _GRID = 2200
 
 @dataclass(frozen=True, eq=False)
 class Channel:
-    """The exposures (codes,) of a channel, its noise, how far it is from a line, its lowest code, the steps taken."""
+    """Response of one channel: exposures (codes,), noise, deviation from a line, lowest code, steps taken."""
 
     curve: Floats
     read: float

@@ -80,7 +80,7 @@ class PositionSamples:
 
 
 class SphereSampler:
-    """Reads samples position by position.
+    """Sampler of the sphere's pixels, position by position.
 
     Parameters
     ----------

@@ -130,7 +130,7 @@ class Light:
 
 @dataclass(frozen=True)
 class WhiteReference:
-    """A diffuse white of known reflectance in the sphere's place, which gives the scale of everything.
+    """A diffuse white of known reflectance in the sphere's place, which sets the scale of all samples.
 
     Attributes
     ----------

@@ -66,7 +66,7 @@ class Board:
 
 @dataclass(frozen=True)
 class SessionCamera:
-    """Where the camera stands and what its codes mean.
+    """The camera of a session: its position, and the meaning of its codes.
 
     Attributes
     ----------

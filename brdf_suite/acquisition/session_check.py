@@ -36,7 +36,7 @@ _PLACE = re.compile(r"positions\[(\d+)\]\.photographs\[(\d+)\]")
 
 @dataclass
 class _Seen:
-    """What the files were, as far as they were read."""
+    """The properties of the files read so far."""
 
     facts: dict[str, tuple[str, PhotographFacts]] = field(default_factory=dict)
     findings: list[SessionFinding] = field(default_factory=list)

@@ -12,7 +12,7 @@ Severity = Literal["fatal", "position", "exposure", "warning"]
 
 @dataclass(frozen=True)
 class SessionFinding:
-    """One thing found in a folder.
+    """One finding about the files of a folder.
 
     Attributes
     ----------

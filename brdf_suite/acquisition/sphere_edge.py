@@ -39,7 +39,7 @@ _LEAST_PIXELS = 40
 
 @dataclass(frozen=True)
 class Edge:
-    """Points of an outline.
+    """Points of a detected outline.
 
     Attributes
     ----------

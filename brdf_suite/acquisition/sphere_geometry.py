@@ -41,7 +41,7 @@ def unit(vectors: npt.ArrayLike) -> Floats:
 
 @dataclass(frozen=True)
 class RigGeometry:
-    """A rig as it is known so far: first as the session states it, then as the photographs determine it.
+    """Geometry of a rig: first nominal, from the session, then calibrated from photographs.
 
     Attributes
     ----------

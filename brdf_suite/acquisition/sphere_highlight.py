@@ -42,7 +42,7 @@ Valid = npt.NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Highlight:
-    """The mirror image of the light at one position.
+    """The reflection of the light in the sphere at one position.
 
     Attributes
     ----------
@@ -131,7 +131,7 @@ def find_highlight(
 
 @dataclass(frozen=True)
 class _Window:
-    """The pixels around a highlight: (h, w) each, and what they see of the sphere."""
+    """The pixels around a highlight: (h, w) each, with the sphere's normals."""
 
     pixels: Floats
     normals: Floats
@@ -243,7 +243,7 @@ class _Window:
 
 @dataclass(frozen=True)
 class _Spot:
-    """The pixels above a level: their middle's normal (3,), RMS angle to it, their number.
+    """The pixels above a level: mean normal (3,), RMS angle to it, count.
 
     ``across``: pixels side by side where the spot is narrowest, as wide as an even row of the same variance.
     """

@@ -40,7 +40,7 @@ Valid = npt.NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class SphereOutline:
-    """A sphere as its outline shows it.
+    """The sphere fitted to an outline.
 
     Attributes
     ----------

@@ -13,7 +13,7 @@ Valid = npt.NDArray[np.bool_]
 
 
 class Union:
-    """The sum of merged photographs over positions of the light; add as many as are at hand, 6 to 40.
+    """Sum of merged photographs over light positions; add as many as are available, 6 to 40.
 
     Attributes
     ----------

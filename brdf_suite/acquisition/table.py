@@ -32,7 +32,7 @@ GEOMETRIC_ERROR = 0.02
 
 @dataclass(frozen=True)
 class PositionSums:
-    """Sums over the readings of one position: ``places`` (m,) int32, flat bins rising; ``sums`` (m, 11) float32."""
+    """Sums of the readings of one position: ``places`` (m,) int32, flat bins rising; ``sums`` (m, 11) float32."""
 
     places: npt.NDArray[np.int32]
     sums: Singles

@@ -37,7 +37,7 @@ _CAT02_TO_HUNT: Floats = np.asarray(_HUNT @ np.linalg.inv(_CAT02), np.float64)
 
 @dataclass(frozen=True)
 class ViewingConditions:
-    """What the eye is adapted to.
+    """The adaptation state of the observer.
 
     ``adapting_luminance`` in cd/m² (a fifth of the white's, as a rule), ``background`` the relative luminance
     of the background in percent, ``surround`` a key of :data:`SURROUNDS`.

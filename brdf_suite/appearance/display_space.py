@@ -28,7 +28,7 @@ Primaries = tuple[tuple[float, float], tuple[float, float], tuple[float, float]]
 
 @dataclass(frozen=True, eq=False)
 class DisplaySpace:
-    """A device's colours and codes.
+    """Colour space and code range of a device.
 
     Attributes
     ----------

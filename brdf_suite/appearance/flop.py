@@ -11,7 +11,7 @@ ILL_CONDITIONED_BELOW = 12.0
 
 @dataclass(frozen=True)
 class FlopIndex:
-    """The index, and what to know about it where there is something; NaN where there is none."""
+    """The flop index with a notice where needed; NaN where undefined."""
 
     value: float
     notice: str | None = None

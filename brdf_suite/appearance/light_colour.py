@@ -36,7 +36,7 @@ LABELS: dict[str, str] = {
 
 @dataclass(frozen=True, eq=False)
 class ColourUnderLight:
-    """XYZ and L*a*b* (..., 3) under a light, and by which road they were found."""
+    """XYZ and L*a*b* (..., 3) under an illuminant, and the method of conversion."""
 
     xyz: Floats
     lab: Floats

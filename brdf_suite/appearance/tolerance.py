@@ -189,7 +189,7 @@ def _limits(value: float | Limits) -> Limits:
 
 @dataclass(frozen=True)
 class AngleVerdict:
-    """One angle: the difference, its tolerance, and whether it passes (``None``: not judged).
+    """Verdict at one angle: the difference, its tolerance, and whether it passes (``None``: not judged).
 
     ``lightness``, ``chroma`` and ``hue`` are ΔL*, ΔC*ab and ΔH*ab, sample minus reference; ``exceeded`` names the
     limits that are gone beyond (:meth:`Limits.exceeded`).
@@ -208,7 +208,7 @@ class AngleVerdict:
 
 @dataclass(frozen=True)
 class Verdict:
-    """All angles; ``passes`` is true where every judged angle passes, ``None`` where none is judged."""
+    """Verdict of all angles; ``passes`` is true where every judged angle passes, ``None`` where none is judged."""
 
     angles: tuple[AngleVerdict, ...]
     difference: str

@@ -57,7 +57,7 @@ def in_english(text: str) -> str:
 
 @dataclass(frozen=True)
 class Named:
-    """One word, and how strongly it is meant; ``size`` in units of about one ΔE00."""
+    """One word for a difference; ``size`` in units of about one ΔE00."""
 
     word: str
     size: float

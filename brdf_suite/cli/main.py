@@ -59,7 +59,7 @@ is rendered to brdf-suite.png in the working folder instead.
 
 
 class _Rows(argparse.RawDescriptionHelpFormatter):
-    """Help whose column leaves room for the names of commands."""
+    """Help formatter with a column wide enough for command names."""
 
     def add_argument(self, action: argparse.Action) -> None:
         """Count the indent of a command too, which the base class forgets: else its help goes below it."""

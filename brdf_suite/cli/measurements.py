@@ -22,7 +22,7 @@ _COMPARE = {"<=": lambda value, bound: value <= bound, ">=": lambda value, bound
 
 @dataclass(frozen=True)
 class Bound:
-    """What a figure is held against; ``comparison`` is ``<=``, ``>=`` or ``""`` (information only)."""
+    """Bound of a figure; ``comparison`` is ``<=``, ``>=`` or ``""`` (information only)."""
 
     comparison: str
     bound: float | None
@@ -71,7 +71,7 @@ class Result:
 
 @dataclass(frozen=True)
 class ReportSection:
-    """One benchmark's part of the page; ``appendix`` is Markdown with headings of the third level, or empty."""
+    """One benchmark's section of the page; ``appendix`` is Markdown with headings of the third level, or empty."""
 
     about: str
     machine: str

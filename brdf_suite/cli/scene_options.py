@@ -1,4 +1,4 @@
-"""Command-line options for the scene of a picture: light, surface, camera and tone, over a view document or defaults."""
+"""Command-line options for a scene: light, surface, camera and tone, over a view document or defaults."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 
 @dataclass(frozen=True)
 class TextureFile:
-    """The EXR that holds the maps: its ``path``, absolute once it is read, and the SHA-256 of its bytes, in hex."""
+    """The EXR file of the maps: its ``path``, absolute after reading, and the SHA-256 of its bytes, in hex."""
 
     path: str
     sha256: str

@@ -64,7 +64,7 @@ _WAVELENGTH = Parameter("Wavelength", "nm", 100.0, 10_000.0, 550.0, "Of a band o
 
 @dataclass(frozen=True)
 class FlatColour:
-    """A named colour of one model; ``name`` may be empty, as it is in files that know no names.
+    """A named colour of one model; ``name`` may be empty, as in formats without names.
 
     Attributes
     ----------

@@ -142,7 +142,7 @@ class OrangePeel:
 
 @dataclass(frozen=True)
 class Flakes:
-    """The flakes that sparkle: how many, how large, how tilted, how differently coloured."""
+    """Flakes that sparkle: density, size, tilt and colour spread."""
 
     density_per_mm2: float = 120.0
     size_um: float = 20.0

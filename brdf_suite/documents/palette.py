@@ -114,7 +114,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Group:
-    """A group by its path, with what is said of it; ``colour`` (``#rrggbb`` or empty) marks it for the eye."""
+    """A palette group: its path and notes; ``colour`` (``#rrggbb`` or empty) marks it visually."""
 
     path: GroupPath
     notes: str = ""

@@ -15,7 +15,7 @@ from brdf_suite.errors import ValueRangeError
 
 @dataclass(frozen=True)
 class Parameter:
-    """One number: ``low`` and ``high`` belong to the range; ``unit`` is empty for a pure number."""
+    """Declaration of a number: ``low`` and ``high`` belong to the range; ``unit`` is empty for a pure number."""
 
     label: str
     unit: str

@@ -98,7 +98,7 @@ class BoothRoom:
 
 @dataclass(frozen=True)
 class Backdrop:
-    """The same light from everywhere where there is no lamp; 0 is a black void. ``None`` K: neutral, D65."""
+    """A uniform backdrop behind the lamps; 0 is a black void. ``None`` K: neutral, D65."""
 
     luminance: float = 0.1
     colour_temperature_k: float | None = None
@@ -110,7 +110,7 @@ class Backdrop:
 
 @dataclass(frozen=True)
 class StudioLamp:
-    """A lamp that shines to one side.
+    """A one-sided area lamp of a studio.
 
     Attributes
     ----------

@@ -107,7 +107,7 @@ class Camera:
 
 @dataclass(frozen=True)
 class View:
-    """A scene without its paint.
+    """A scene without its paint: camera, light, surface and display settings.
 
     ``environment`` and ``surface`` are the name of a packaged one (``booth``, ``speed_form``) or the
     absolute path of a file. Whether it exists is found out where it is opened. ``environment_layout`` says how that

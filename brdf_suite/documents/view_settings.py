@@ -96,7 +96,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 
 @dataclass(frozen=True)
 class LightColour:
-    """The colour that the environment's white is taken for, and whether the eye has adapted to it.
+    """The illuminant assumed for the environment's white, and chromatic adaptation to it.
 
     ``environment`` leaves the light as it is; ``TL84`` is CIE F11, ``CWF`` F2, ``LED`` LED-B3. Not adapted, the
     light's tint is seen; adapted, white stays white, and a paint without a spectrum looks as it does under D65, for
@@ -115,7 +115,7 @@ class LightColour:
 
 @dataclass(frozen=True)
 class Lamp:
-    """A light of no size beside the environment: ``point`` at ``position`` (metres), or ``directional``."""
+    """A point or directional light beside the environment: ``point`` at ``position`` (metres), or ``directional``."""
 
     kind: LampKind = "point"
     position: tuple[float, float, float] = (1.0, 2.0, 1.0)
@@ -132,7 +132,7 @@ class Lamp:
 
 @dataclass(frozen=True)
 class Sparkle:
-    """How flakes are drawn, in how many of the environment's lights, and how strongly.
+    """Drawing of flakes: the mode, the number of the environment's lights, and the strength.
 
     At ``strength`` 1 single flakes send what their density and size give; the mean light of the base stays the same.
     """
@@ -152,7 +152,7 @@ class Sparkle:
 
 @dataclass(frozen=True)
 class PartMaterial:
-    """The material that a part of the mesh is given instead of its own."""
+    """A material assigned to a part of the mesh instead of its own."""
 
     part: str
     material: Material
@@ -164,7 +164,7 @@ class PartMaterial:
 
 @dataclass(frozen=True)
 class SurfaceLook:
-    """How the mesh is taken and what is baked for it.
+    """Import options of the mesh, and its baked occlusion.
 
     ``unit`` is the length unit of the file, ``file``: as it says, metres where it does not; ``recentre`` puts
     the middle of its box over the origin and its lowest point on the ground.
@@ -193,7 +193,7 @@ class SurfaceLook:
 
 @dataclass(frozen=True)
 class Relief:
-    """Small shapes of the surface: a tiled normal map (an absolute path), and the coat's orange peel.
+    """Relief of the surface: a tiled normal map (an absolute path), and the coat's orange peel.
 
     ``tangent_map`` is an image of directions in the surface, tiled with the normal map: along it lies the grain of
     anisotropic factored paints. Red and green are its parts along u and v, from -1 to 1.
@@ -235,7 +235,7 @@ class TwoTone:
 
 @dataclass(frozen=True)
 class Compare:
-    """A second paint (a shipped name or an absolute path), and how it stands beside the first.
+    """A second paint (a shipped name or an absolute path), and the way it is compared with the first.
 
     The path may be a picture's (EXR or PNG) instead. ``basis`` says what a difference is taken of: the ``light``
     that leaves the surface, exposed, where a white of radiance 1 has L* = 100; or the ``picture``, after the tone

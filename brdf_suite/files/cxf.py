@@ -107,7 +107,7 @@ def _notes(samples: list[CxfSample]) -> tuple[str, ...]:
 
 
 class SampleReader:
-    """Reads one Object with multi-angle values; ``refused`` collects what of it cannot be used."""
+    """Reader of one Object with multi-angle values; ``refused`` collects the unusable parts."""
 
     def __init__(self, element: Element, specifications: Mapping[str, Specification], path: PathLike) -> None:
         self._element, self._specifications, self._path = element, specifications, path

@@ -23,7 +23,7 @@ class BrdfAngle:
 
 @dataclass(frozen=True)
 class Specification:
-    """One ColorSpecification; ``angles`` is empty where it is of no multi-angle instrument."""
+    """One ColorSpecification; ``angles`` is empty where it is not multi-angle."""
 
     name: str
     illuminant: str | None

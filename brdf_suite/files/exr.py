@@ -29,7 +29,7 @@ _DAMAGE = (OSError, RuntimeError, ValueError, TypeError, IndexError, MemoryError
 
 @dataclass(frozen=True, eq=False)
 class ExrImage:
-    """What an EXR file holds: pixels (h, w, 3) float32 in ``chromaticities``; a cube map of OpenEXR or not."""
+    """Content of an EXR file: pixels (h, w, 3) float32 in ``chromaticities``; a cube map of OpenEXR or not."""
 
     pixels: NDArray[np.float32]
     chromaticities: Chromaticities
@@ -97,7 +97,7 @@ def _check_whole(path: str | os.PathLike[str], headers: Sequence[ExrHeader]) -> 
 
 
 class _Rows:
-    """Rows of the display window of one part, decoded as they are asked for."""
+    """Rows of the display window of one part, decoded on demand."""
 
     def __init__(self, path: str | os.PathLike[str], light: ExrLight, chromaticities: Chromaticities) -> None:
         self._path, self._light, self._chromaticities = path, light, chromaticities

@@ -17,7 +17,7 @@ from brdf_suite.files.primaries import Chromaticities, rgb_to_xyz
 
 @dataclass(frozen=True)
 class ExrLight:
-    """The part and its channels that hold the light: ``rgb``, ``grey`` (Y alone) or ``chroma`` (Y, RY, BY)."""
+    """The part and channels of the light: ``rgb``, ``grey`` (Y alone) or ``chroma`` (Y, RY, BY)."""
 
     header: ExrHeader
     kind: Literal["rgb", "grey", "chroma"]

@@ -41,7 +41,7 @@ class ExrChannel:
 
 @dataclass(frozen=True)
 class ExrHeader:
-    """What the reader needs to know of one part of an EXR file; a plain file has one, number 0 of 1."""
+    """Header of one part of an EXR file; a plain file has one, number 0 of 1."""
 
     channels: tuple[ExrChannel, ...]
     data_window: Window
@@ -147,7 +147,7 @@ def _skip_table(
 
 
 class _Reader:
-    """Reads little-endian values one after the other; running off the end names the place."""
+    """Sequential reader of little-endian values; an error names the place of truncation."""
 
     def __init__(self, path: str | os.PathLike[str], data: bytes) -> None:
         self.path, self.data, self.at = path, data, 0

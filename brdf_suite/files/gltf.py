@@ -220,7 +220,7 @@ def _placed(part: RawPart, matrices: _Floats) -> RawPart:
 
 
 class _Primitives:
-    """The primitives of the meshes of a document, and the buffers that they are read from."""
+    """Reader of a document's primitives from its buffers."""
 
     def __init__(self, path: _Path, document: dict[str, Any], binary: memoryview | None) -> None:
         self._path, self._document, self._binary = path, document, binary

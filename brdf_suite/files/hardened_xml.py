@@ -24,7 +24,7 @@ PathLike = str | os.PathLike[str]
 
 @dataclass(eq=False)
 class Element:
-    """An element by its local name; ``text`` is what stands in it and in none of its children."""
+    """An element by its local name; ``text`` excludes its children's text."""
 
     name: str
     namespace: str

@@ -95,7 +95,7 @@ def _size(
 
 
 class _Lines:
-    """Lines of a picture, decoded in their order as they are asked for, times the gain of each channel."""
+    """Lines of a picture, decoded in order on demand, times the gain of each channel."""
 
     def __init__(
         self,

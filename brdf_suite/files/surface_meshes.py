@@ -24,7 +24,7 @@ Floats = npt.NDArray[np.floating]
 
 @dataclass(frozen=True, eq=False)
 class PointMesh:
-    """Triangles that share points.
+    """Triangles with shared vertices.
 
     Attributes
     ----------

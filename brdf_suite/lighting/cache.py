@@ -59,7 +59,7 @@ def default_limit() -> int:
 
 
 class MapCache:
-    """Lobe maps by content.
+    """Cache of lobe maps, keyed by content.
 
     Parameters
     ----------

@@ -46,7 +46,7 @@ class CacheEntry:
 
 @dataclass(frozen=True)
 class CacheCheck:
-    """What a check of all entries found.
+    """Result of a check of all entries.
 
     ``sound`` counts entries whose checksum fits; ``damaged`` are names of entries, each with what is wrong, and
     ``removed`` says whether they are gone now. ``outdated`` counts entries of other versions and ``unfinished`` what

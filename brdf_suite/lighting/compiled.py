@@ -33,7 +33,7 @@ _POLL_SECONDS = 0.1
 
 
 class _State:
-    """What this process has found out."""
+    """State of the compilation in this process."""
 
     kernels: ModuleType | None = None
     broken = False

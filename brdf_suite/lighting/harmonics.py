@@ -52,7 +52,7 @@ def legendre_starts(bandlimit: int) -> Floats:
 
 
 class LegendreScale:
-    """What the recurrence needs beside the rings, for one bandlimit: log N_m, β_km and the factors c_km."""
+    """Constants of the recurrence for one bandlimit: log N_m, β_km and the factors c_km."""
 
     def __init__(self, bandlimit: int) -> None:
         if not 0 <= bandlimit <= MAX_BANDLIMIT:

@@ -41,7 +41,7 @@ _MAX_HEADER = 1 << 20
 
 
 class DamagedMapFileError(Exception):
-    """The bytes are not a whole and unchanged map file of this version; never shown to a user."""
+    """A truncated or damaged map file, or one of another version; never shown to a user."""
 
 
 def encode_maps(maps: LobeMaps, key: str, environment: str = "") -> list[bytes | memoryview]:

@@ -40,7 +40,7 @@ _TAPER = (0.3, 0.6)
 
 
 class MirrorHarmonics:
-    """The rings about R with their weights, and the way from values on them to coefficients.
+    """Rings about R with quadrature weights, and the transform from their values to coefficients.
 
     ``gamma`` (rings,) angles from R, ``azimuth`` (48,) in 0 … π, from the normal's side; functions are even about
     the plane of incidence.

@@ -54,7 +54,7 @@ def typical_power(degrees: int) -> Floats:
 
 
 class LeastSquares:
-    """The tables of one sphere, and the best look-up for one target."""
+    """Tables of one sphere, with the least-squares look-up for a target."""
 
     def __init__(self) -> None:
         from scipy.special import sph_legendre_p_all  # only this search needs it

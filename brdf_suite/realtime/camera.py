@@ -33,7 +33,7 @@ OUTLINE_DIRECTIONS = 160
 
 @dataclass(frozen=True)
 class Bounds:
-    """An axis-aligned box in metres; ``outline`` (n, 3) holds the farthest points of what is in it.
+    """An axis-aligned box in metres; ``outline`` (n, 3) holds the extreme points of its content.
 
     A rounded object fills its box badly: framed by its own outline it fills the picture.
     """
@@ -77,7 +77,7 @@ class Bounds:
 
 @dataclass(frozen=True, eq=False)
 class CameraMatrices:
-    """What a frame needs of a camera.
+    """Camera matrices of a frame.
 
     ``view_to_world`` (3, 3) has the camera's right, up and backward axes as columns; ``half_tangents`` are
     those of half the horizontal and vertical field of view; ``near`` and ``far`` (m) enclose the bounds, but for

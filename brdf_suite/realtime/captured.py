@@ -64,7 +64,7 @@ _MATERIAL = "swatch"
 
 @dataclass(frozen=True, eq=False)
 class CapturedPaint:
-    """A paint of a batch: its weights, and the flakes that sparkle in it."""
+    """A paint of a batch: its weights and visible flakes."""
 
     weights: MaterialWeights
     flakes: Flakes | None = None
@@ -72,7 +72,7 @@ class CapturedPaint:
 
 @dataclass(frozen=True, eq=False)
 class DrawContext:
-    """What of a renderer a captured form is drawn with."""
+    """The renderer's resources needed to draw a captured form."""
 
     objects: GpuObjects
     programs: Programs
@@ -84,7 +84,7 @@ class DrawContext:
 
 
 class CapturedForm:
-    """The places of one view of the renderer's mesh, and the paints that they are shaded with.
+    """The G-buffer of one view of the renderer's mesh, with the paints for shading it.
 
     Made by :meth:`~.offscreen.OffscreenPictures.capture`; sound until the renderer's mesh, light or relief changes.
     """

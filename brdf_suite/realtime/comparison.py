@@ -34,7 +34,7 @@ _FIRST, _SECOND = "first", "second"
 
 @dataclass(frozen=True, eq=False)
 class ComparedPicture:
-    """A picture that takes the place of the second paint.
+    """A picture in place of the second paint.
 
     ``pixels`` is (h, w, 3), top row first: float, radiance in the working space, where it ``is_light``; otherwise
     uint8, encoded sRGB after a tone curve of its own.
@@ -45,7 +45,7 @@ class ComparedPicture:
 
 
 class ComparisonRenderer:
-    """Draws what :class:`~brdf_suite.documents.view_settings.Compare` says, in the renderer's context.
+    """Renderer of :class:`~brdf_suite.documents.view_settings.Compare` settings, in the renderer's context.
 
     Parameters
     ----------

@@ -100,7 +100,7 @@ def adopt_context(load: Callable[[str], int] | None = None) -> moderngl.Context:
 
 
 class _Loader:
-    """What moderngl asks of a context owned by another toolkit; it is current during our calls."""
+    """Function loader for moderngl of a context owned by another toolkit; it is current during our calls."""
 
     def __init__(self, load: Callable[[str], int]) -> None:
         self._load = load

@@ -9,7 +9,7 @@ from brdf_suite.appearance.display_space import DISPLAY_P3_SPACE, SRGB_SPACE, Di
 
 @dataclass(frozen=True, eq=False)
 class Display:
-    """What a pixel of the finished picture is.
+    """Output encoding of the finished picture.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ LINEAR = Display(dithered=False, linear=True)
 
 @dataclass(frozen=True)
 class Unshowable:
-    """How many pixels of the object a screen cannot show: too bright (cut off), too colourful (out of gamut)."""
+    """Counts of object pixels outside a screen's range: clipped highlights, out of gamut."""
 
     pixels: int
     too_bright: int

@@ -36,7 +36,7 @@ _UNEVEN = ("sqrt|h|",)
 
 @dataclass(frozen=True)
 class Slots:
-    """Where each map is bound: its number among the flat ones, and among the cube maps."""
+    """Texture units of the maps: indices among the flat ones and among the cube maps."""
 
     flat: tuple[str, ...]
     cubes: tuple[str, ...]

@@ -40,7 +40,7 @@ class _Factored:
 
 
 class FactorTextures:
-    """By material; one that has none is shaded with its lobes alone.
+    """Factor textures by material; a material without factors is shaded with its lobes alone.
 
     Parameters
     ----------

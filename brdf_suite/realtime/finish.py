@@ -18,7 +18,7 @@ _COUNTED = ("pixels", "too_bright", "too_colourful")
 
 
 class FinishPass:
-    """Runs finish.frag.glsl; keeps the table of the screen's codes while the screen stays the same."""
+    """Pass of finish.frag.glsl; keeps the screen's code table while the screen stays the same."""
 
     def __init__(self, objects: GpuObjects, programs: Programs) -> None:
         self._objects = objects

@@ -21,7 +21,7 @@ Floats = NDArray[np.float32]
 
 @dataclass(frozen=True, eq=False)
 class GeometryPicture:
-    """What the middle of each pixel shows, top row first.
+    """Surface positions and normals at pixel centres, top row first.
 
     ``positions`` and ``normals`` (h, w, 3): world metres, and unit vectors on the side that is seen, as the shaders
     have them; ``parts`` (h, w): number of the mesh's part, -1 past the surface. ``eye`` (3,): the camera.

@@ -19,7 +19,7 @@ _Object = TypeVar("_Object")
 
 @dataclass
 class Counters:
-    """Objects made since the start, and bytes written into textures and uniform buffers."""
+    """Counts of objects created, and of bytes written into textures and uniform buffers."""
 
     created: dict[str, int] = field(default_factory=dict)
     released: int = 0
@@ -38,7 +38,7 @@ class Counters:
 
 
 class GpuObjects:
-    """Makes objects in one context; :meth:`release_all` gives all of them back."""
+    """Factory of OpenGL objects in one context; :meth:`release_all` releases all of them."""
 
     def __init__(self, context: moderngl.Context) -> None:
         self.context = context

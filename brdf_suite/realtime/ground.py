@@ -64,7 +64,7 @@ def ground_ratio(transfer: NDArray[np.float32], light: Floats) -> Floats:
 
 
 class GroundShadow:
-    """The baked ground of one mesh in the light of one environment, as a texture that follows both."""
+    """The baked ground of one mesh in the light of one environment, as a texture updated with both."""
 
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects

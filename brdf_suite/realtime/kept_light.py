@@ -40,7 +40,7 @@ _Key = tuple[str, bytes]
 
 
 class KeptLight:
-    """The look-ups of one list of places."""
+    """Cached look-ups of one list of places."""
 
     def __init__(
         self,

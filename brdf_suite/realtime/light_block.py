@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class DistantLights:
-    """Lights of an environment, from infinitely far away; the one in which flakes glint most comes first.
+    """Directional lights of an environment, sorted by glint strength.
 
     Attributes
     ----------

@@ -21,7 +21,7 @@ _SMALLEST, _LARGEST = 33, 255  # OpenGL 3.3 grants 256 texels along the edge of 
 
 
 class LobeStack:
-    """The texture and the way into it."""
+    """The lobe stack texture and its uniforms."""
 
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects

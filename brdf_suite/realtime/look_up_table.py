@@ -30,7 +30,7 @@ RAMP_COSINES: Floats = (np.arange(RAMP_NODES) / (RAMP_NODES - 1)) ** 2
 
 @dataclass(frozen=True, eq=False)
 class LookUp:
-    """How a lobe is looked up at the ramp's 64 cosines c.
+    """Look-up parameters of a lobe at the ramp's 64 cosines c.
 
     Direction R + b N with ``b = toward_normal · (1, c, c²)``, the map of ``exponent`` (64,), times ``amplitude`` (64,),
     which is the integral of the target over light of 1.
@@ -42,7 +42,7 @@ class LookUp:
 
 
 class LookUpTable:
-    """The table, and its look-ups by target and exponent, kept."""
+    """The look-up table with a cache by target and exponent."""
 
     def __init__(self, plain_values: dict[str, Any]) -> None:
         self._logs = np.log(np.asarray(plain_values["exponents"], np.float64))

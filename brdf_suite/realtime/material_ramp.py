@@ -38,7 +38,7 @@ NEGLIGIBLE = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Ramp:
-    """``rows`` (n, 64, 4) float32 and what they stand for.
+    """Ramp rows ``rows`` (n, 64, 4) float32 and their meaning.
 
     ``base`` and ``coat`` are the numbers of broad look-ups; ``toward_normal`` (base + coat, 4) holds b's three
     coefficients and the lobe's exponent; ``sharp`` are the exponents of the sharp lobes.

@@ -21,7 +21,7 @@ from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
 
 @dataclass(frozen=True)
 class Modes:
-    """What of a view the ramps depend on."""
+    """View settings that the ramps depend on."""
 
     fresnel: FresnelMode = "raised"
     look_up: LookUp = "shifted"
@@ -29,7 +29,7 @@ class Modes:
 
 @dataclass
 class MaterialOnGpu:
-    """One material as the shader has it; ``sharp`` are the exponents that need a map of their own, bound in order.
+    """A material on the GPU; ``sharp`` are the exponents that need a map of their own, in binding order.
 
     ``numbers`` is the ramp that was written.
     """

@@ -35,7 +35,7 @@ AS_THEY_ARE: Mapping[str, str] = MappingProxyType({})
 
 
 class OffscreenPictures:
-    """What the renderer draws off screen, beside its frames; it gives the first pass and the targets."""
+    """Off-screen drawing of the renderer, with its first pass and targets."""
 
     context: moderngl.Context
     _tile: LightTarget

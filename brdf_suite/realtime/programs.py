@@ -67,7 +67,7 @@ BALL_SHARE = 0.98
 
 @dataclass(frozen=True)
 class LookUps:
-    """How many broad and sharp lobes a surface program looks up; 0 broad: as many as the material says, in a loop."""
+    """Numbers of broad and sharp lobes of a surface program; 0 broad: the material's number, in a loop."""
 
     broad: int
     sharp: int
@@ -95,7 +95,7 @@ PAINTS = (LookUps(4, 1), LookUps(6, 1), LookUps(4, 2), LookUps(6, 2))
 
 
 class Programs:
-    """Programs of one context; ``surface_shader`` takes the place of mesh.frag.glsl."""
+    """Shader programs of one context; ``surface_shader`` replaces mesh.frag.glsl."""
 
     def __init__(self, objects: GpuObjects, surface_shader: Path | None = None) -> None:
         self._objects = objects

@@ -29,7 +29,7 @@ BALL_EDGE = 384
 
 
 class ReflectanceBalls:
-    """The balls of one renderer; a picture is drawn anew where view direction, lamps or material are others."""
+    """Reflectance balls of one renderer, redrawn when view direction, lamps or material change."""
 
     def __init__(self, drawing: DrawContext, factors: FactorTextures) -> None:
         self._drawing, self._factors = drawing, factors

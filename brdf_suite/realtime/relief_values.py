@@ -30,7 +30,7 @@ class SlopeMap:
 
 @dataclass(frozen=True, eq=False)
 class TangentMap:
-    """Where the tangent lies: ``turns`` (h, w, 2), cosine and sine of the angle from the way of u towards that of v.
+    """Directions of the tangent: ``turns`` (h, w, 2), cosine and sine of the angle from u towards v.
 
     Rows go along v from its lower edge; it repeats. Where directions are mixed it is shorter than 1.
     """
@@ -61,7 +61,7 @@ class PeelTile:
 
 @dataclass(frozen=True, eq=False)
 class MaskImage:
-    """Where the second paint is: ``share`` (h, w), 0…1, rows from the lower edge; it repeats."""
+    """Mask of the second paint: ``share`` (h, w), 0…1, rows from the lower edge; it repeats."""
 
     share: NDArray[Any]
 

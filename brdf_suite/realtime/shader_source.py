@@ -30,7 +30,7 @@ _REPORTS = (
 
 @dataclass(frozen=True)
 class ShaderSource:
-    """The text for the compiler and the names of the files that its line numbers stand for."""
+    """Preprocessed shader text, and the file names behind its line numbers."""
 
     text: str
     files: tuple[str, ...]

@@ -72,7 +72,7 @@ class MeshPart:
 
 @dataclass(frozen=True, eq=False)
 class GroundField:
-    """The ground under a mesh and the light from above that each place of it sees.
+    """The ground under a mesh, and the visible light from above at each of its places.
 
     Attributes
     ----------

@@ -32,7 +32,7 @@ _FLOP_SLOPE = 0.3
 
 @dataclass(frozen=True, eq=False)
 class Aspecular:
-    """The twin of :class:`~brdf_suite.reflectance.aspecular_base.AspecularBase`."""
+    """Term of an :class:`~brdf_suite.reflectance.aspecular_base.AspecularBase`."""
 
     base: AspecularBase
     albedo: float
@@ -95,7 +95,7 @@ class Aspecular:
 
 @dataclass(frozen=True, eq=False)
 class Several:
-    """The twin of :class:`~brdf_suite.reflectance.several_lights.SeveralLights`.
+    """Term of :class:`~brdf_suite.reflectance.several_lights.SeveralLights`.
 
     For two lights the shares are worked out; for more they are tables over γ and θd, whose kinks lie along lines, so
     that they err by up to half a cell there.

@@ -15,7 +15,7 @@ from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
 
 @dataclass(frozen=True, eq=False)
 class UnderCoat:
-    """``base`` as it is seen through the coat of ``model``, and the coat."""
+    """``base`` seen through the coat of ``model``, and the coat."""
 
     model: Coated
     base: Any
@@ -50,7 +50,7 @@ class UnderCoat:
 
 @dataclass(frozen=True, eq=False)
 class SeenThroughTerm:
-    """A base as it is seen through a coat, without the coat."""
+    """A base seen through a coat, without the coat."""
 
     under: UnderCoat
 

@@ -57,7 +57,7 @@ def one_minus_mirror_cosine(light: Vector, view: Vector) -> Real:
 
 @dataclass(frozen=True)
 class Half:
-    """What the half vector of two directions above the horizon gives: cos θd, cos θh, tan² θh."""
+    """Terms of the half vector of two directions above the horizon: cos θd, cos θh, tan² θh."""
 
     cos_d: Real
     cos_h: Real

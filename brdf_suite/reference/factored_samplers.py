@@ -17,7 +17,7 @@ from brdf_suite.reflectance.factor_density import ring_bounds
 
 @dataclass(frozen=True, eq=False)
 class _Chances:
-    """Pieces of the disc of a parabolic map, drawn by their chance, as lights or as half vectors that mirror the view.
+    """Distribution over a parabolic map's disc, of lights or of half vectors that mirror the view.
 
     ``bounds``: sums of the chances; ``measure``: the density per area of the disc in each piece.
     """
@@ -83,7 +83,7 @@ class _Chances:
 
 
 class ParabolicMapSampler(_Chances):
-    """Draws texels (n, n) of a parabolic map."""
+    """Sampler of a parabolic map's texels (n, n)."""
 
     @classmethod
     def per_area(cls, density: Floats) -> Floats:
@@ -103,7 +103,7 @@ class ParabolicMapSampler(_Chances):
 
 
 class RingSampler(_Chances):
-    """Draws rings about the normal, even in the root of their radius."""
+    """Sampler of rings about the normal, uniform in the root of their radius."""
 
     @classmethod
     def per_area(cls, density: Floats) -> Floats:

@@ -46,7 +46,7 @@ def tint(word: Word, colour_spread: float) -> Colour:
 
 @dataclass(frozen=True, eq=False)
 class Spot:
-    """What one sample sees of a flake, as a density over where the flake lies; see ``flakes.footprint``."""
+    """Density of a flake's position as seen by one sample; see ``flakes.footprint``."""
 
     at: Any
     inverse: Any

@@ -82,7 +82,7 @@ def tilt_bell(slope2: Real, roughness: float) -> Real:
 
 @dataclass(frozen=True, eq=False)
 class _Field:
-    """The flakes that a place sees; see ``flakes.glints.GlintField``."""
+    """The flakes in the footprint of a place; see ``flakes.glints.GlintField``."""
 
     spot: Spot
     level: Real

@@ -33,7 +33,7 @@ _LIFT = 1e-4
 
 @dataclass(eq=False)
 class GroundGrid:
-    """A grid of places on the ground, and what is known of the light that arrives there.
+    """A grid of places on the ground, with their known irradiance.
 
     ``height`` in metres, ``low`` and ``high`` (x, z) of the grid's edges; ``arriving`` (rows along z, columns along x,
     3) the mean of ``samples`` directions a place, ``open_light`` (3,) that of an open place.
@@ -149,7 +149,7 @@ def ground_mesh(ground: GroundGrid, environment: Any) -> tuple[Any, Any]:
 @cache
 def _plug_in() -> Any:
     class GroundLight(mi.Emitter):
-        """The light of the environment that comes by way of the ground; it is met by paths and never drawn."""
+        """Emitter of the environment's light reflected by the ground; paths meet it, the camera does not see it."""
 
         def __init__(self, properties: Any) -> None:
             properties["sampling_weight"] = 0.0

@@ -24,7 +24,7 @@ from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 
 @dataclass(frozen=True, eq=False)
 class Measured:
-    """The twin of :class:`~brdf_suite.reflectance.tensor.tensor_reflectance.TensorReflectance`."""
+    """Term of a :class:`~brdf_suite.reflectance.tensor.tensor_reflectance.TensorReflectance`."""
 
     plug_in: Any
     samplers: Sequence[Sampler]

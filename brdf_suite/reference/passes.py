@@ -24,7 +24,7 @@ Pixels = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Estimate:
-    """What the passes so far give.
+    """Estimate from the passes so far.
 
     ``radiance`` (h, w, 3) of the working space and ``coverage`` (h, w) are means over all samples; ``squares``
     (h, w, 3) is the sum over the passes of their samples times the squared deviation of their radiance from it

@@ -22,7 +22,7 @@ _SAME_DIRECTION = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Viewpoint:
-    """The camera as the surface asks for it, in numbers that are read from memory: another one compiles nothing."""
+    """Camera data for surface evaluation, in device memory, so that a change needs no recompilation."""
 
     eye: Any
     right: Any
@@ -45,7 +45,7 @@ class Viewpoint:
 
 @dataclass(frozen=True, eq=False)
 class Place:
-    """Where a path meets a surface.
+    """A surface point met by a path.
 
     Attributes
     ----------

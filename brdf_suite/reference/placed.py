@@ -130,7 +130,7 @@ class LayeredPaintBsdf:
 
 @dataclass(frozen=True, eq=False)
 class Mask:
-    """The share of the second paint: an image over tiles of uv, or over a place in the world.
+    """The fraction of the second paint: an image over tiles of uv, or projected in world space.
 
     ``tiles`` are per millimetre; where they are 0, the coordinates are rows (4,) times (x, y, z, 1), metres.
     """

@@ -67,7 +67,7 @@ def table_bsdf(
 
 @dataclass(frozen=True, eq=False)
 class _Coloured:
-    """A reflectance by its colours alone, light and view exchanged.
+    """A three-channel reflectance with light and view exchanged, in Mitsuba's convention.
 
     Spectra have no place in a picture of three channels; and what the file calls incident is the view to Mitsuba.
     """
@@ -81,7 +81,7 @@ class _Coloured:
 
 @dataclass(frozen=True, eq=False)
 class LobesSeen:
-    """Lobe weights with the gains of the view's angle, in the core's numbers: :class:`.lobe_weights.LobeWeights`."""
+    """Lobe weights with the gains of the view's angle, in numpy: :class:`.lobe_weights.LobeWeightsTerm`."""
 
     exponents: Floats
     kd: Floats

@@ -52,7 +52,7 @@ class Eye:
 
 @dataclass(eq=False)
 class TracedScene:
-    """A scene in Mitsuba. What its methods change is changed in place: nothing is built or compiled anew.
+    """A scene in Mitsuba. Its methods change values in place, without rebuilding or recompiling.
 
     Attributes
     ----------

@@ -38,7 +38,7 @@ TABULATED = (
 
 @dataclass(frozen=True, eq=False)
 class Translated:
-    """The twin, and sentences for the user about how exact it is."""
+    """A translated term, with notices about its accuracy."""
 
     term: Any
     notices: tuple[str, ...] = ()
@@ -55,7 +55,7 @@ def translate(reflectance: Reflectance) -> Translated:
 
 @dataclass(frozen=True, eq=False)
 class Divided:
-    """The twins of a reflectance's base and coat: None where it has none, or where nothing divides it."""
+    """The terms of base and coat: None where absent, or where the layers cannot be separated."""
 
     base: Any
     coat: Any | None

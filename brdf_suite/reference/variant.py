@@ -41,7 +41,7 @@ _VERSION = re.compile(r"(?:llvm-|libLLVM[-.]|so\.)(\d+)")
 
 @dataclass(frozen=True)
 class Variant:
-    """A variant of Mitsuba that was seen to run; ``llvm_path`` is the library that it needs, "" where it needs none."""
+    """A working variant of Mitsuba; ``llvm_path`` is the library that it needs, "" where it needs none."""
 
     name: str
     llvm_path: str = ""
@@ -64,7 +64,7 @@ class Variant:
 
 @dataclass(frozen=True)
 class Probed:
-    """What became of a probe: whether it ran, the LLVM's version, and the last words where it did not."""
+    """Result of a probe: whether it ran, the LLVM version, and the last words of its error."""
 
     ran: bool
     version: str = ""

@@ -40,7 +40,7 @@ Outcome = Literal["held", "violated", "known violator", "declared, not seen", "m
 
 @dataclass(frozen=True)
 class CheckFinding:
-    """One check: ``size`` of the largest violation (0: none), where it was found, and what that means.
+    """Result of one check: ``size`` of the largest violation (0: none), its place, and its meaning.
 
     ``typical`` is the median over even pairs of directions, where that says more than the worst, else None.
     ``outcome`` is ``held`` or ``violated`` where the property is claimed, ``known violator`` or ``declared, not

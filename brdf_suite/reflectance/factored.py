@@ -57,7 +57,7 @@ Term = tuple[Floats, tuple[MapFactor, ...]]
 
 @dataclass(frozen=True)
 class MapSampler:
-    """How often (``share``) a direction is drawn by the ``density`` (n, n) or (rings,), ``mirrored`` at it or not."""
+    """A sampling map: ``share`` of the mixture, ``density`` (n, n) or (rings,), ``mirrored`` at it or not."""
 
     share: float
     density: Floats

@@ -62,7 +62,7 @@ class Sum:
 
 @dataclass(frozen=True)
 class SeenThrough:
-    """``part``, a share of the base of ``coated``, as it is seen through the clearcoat."""
+    """``part``, a fraction of the base of ``coated``, seen through the clearcoat."""
 
     coated: Coated
     part: Reflectance

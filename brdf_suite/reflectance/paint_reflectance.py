@@ -24,7 +24,7 @@ _FLOP_SLOPE = 0.3
 
 @dataclass(frozen=True)
 class PaintReflectance:
-    """Base and coat of a paint; ``notices`` are sentences for the user about how it was built."""
+    """Reflectance of a designed paint: base and coat; ``notices`` are sentences for the user about its construction."""
 
     base: AspecularBase | SeveralLights
     coat: CoatLobe

@@ -40,7 +40,7 @@ class SampledReflectance(Reflectance, Protocol):
 
 
 class Layered(Protocol):
-    """Two layers whose sum is the whole: f_r = base + coat."""
+    """A reflectance of two layers: f_r = base + coat."""
 
     @property
     def base(self) -> Reflectance:

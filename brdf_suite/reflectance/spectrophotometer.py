@@ -53,7 +53,7 @@ class Reading:
 
 @dataclass(frozen=True)
 class InstrumentReport:
-    """Everything that the instruments say. ``flop`` and ``travel`` are ``None`` where their angles are not read."""
+    """Readings of the virtual instruments. ``flop`` and ``travel`` are ``None`` where their angles are not read."""
 
     geometry_set: GeometrySet
     aperture: Aperture

@@ -33,7 +33,7 @@ _DARKEST = 1e-9
 
 @dataclass(frozen=True)
 class SolvedPaint:
-    """The paint whose single directions give the readings through the aperture, built.
+    """A paint whose readings through the aperture equal the given ones.
 
     ``delta_e`` is ΔE00 per reading between what the solved paint reads through the aperture and what the paint as
     it was reads without; ``missed`` that between the latter and the document: 0 where the rule passes through

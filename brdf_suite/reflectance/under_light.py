@@ -24,7 +24,7 @@ from brdf_suite.reflectance.spectrophotometer import InstrumentReport
 
 @runtime_checkable
 class SpectralReflectance(Protocol):
-    """A reflectance that may know its spectra; ``wavelengths_nm`` is ``None`` where it does not."""
+    """A reflectance with optional spectra; ``wavelengths_nm`` is ``None`` without them."""
 
     @property
     def wavelengths_nm(self) -> npt.NDArray[np.floating] | None:
@@ -38,7 +38,7 @@ class SpectralReflectance(Protocol):
 
 @dataclass(frozen=True)
 class _Bands:
-    """The bands of a spectral reflectance behind ``eval``, for the aperture's integral."""
+    """The bands of a spectral reflectance as an ``eval``, for the aperture's integral."""
 
     source: SpectralReflectance
 

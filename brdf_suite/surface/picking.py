@@ -14,7 +14,7 @@ Float64 = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class PickHit:
-    """A place on a mesh.
+    """A picked point on a mesh.
 
     ``part`` is its number among the mesh's parts, ``distance`` (m) the way from the ray's origin, ``position`` (3,)
     in metres, ``normal`` (3,) the interpolated unit normal as the mesh has it, ``uv`` (2,) in millimetres.

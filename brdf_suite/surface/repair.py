@@ -26,7 +26,7 @@ CREASE_DEG = 40.0
 
 @dataclass(frozen=True, eq=False)
 class RawPart:
-    """What a file holds of one part, unchecked.
+    """Unchecked data of one part from a file.
 
     ``positions`` (n, 3) metres, world axes; ``triangles`` (k, 3) indices; ``normals`` (n, 3) or ``None``;
     ``uvs`` (n, 2) in any unit, or ``None``.

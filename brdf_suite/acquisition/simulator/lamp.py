@@ -21,7 +21,7 @@ POST_RADIUS_M = 0.004
 
 @dataclass(frozen=True, eq=False)
 class SimulatedLamp:
-    """A point at ``place`` (3,) in the world that shines at the origin."""
+    """A point light at ``place`` (3,) in the world, aimed at the origin."""
 
     place: Floats
     has_profile: bool

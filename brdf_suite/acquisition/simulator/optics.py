@@ -24,7 +24,7 @@ _UNDISTORTED = 1e-13
 
 @dataclass(frozen=True, eq=False)
 class SimulatedCamera:
-    """Where the camera stands, (3,) in the world, how it is turned, and its lens.
+    """A simulated camera: its position (3,) in the world, its orientation, and its lens.
 
     ``turn`` (3, 3) has the camera's axes in the world as rows: right, down, into the scene.
     """

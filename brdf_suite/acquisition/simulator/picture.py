@@ -42,7 +42,7 @@ _BLOCK = 1 << 18
 
 @dataclass(frozen=True, eq=False)
 class SimulatedScene:
-    """A sphere before the camera; ``matrix`` (3, 3) turns reflectance into that of the camera's channels."""
+    """A sphere in front of the camera; ``matrix`` (3, 3) converts reflectance to the camera's channels."""
 
     optics: SimulatedCamera
     size: tuple[int, int]

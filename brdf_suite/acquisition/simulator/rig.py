@@ -44,7 +44,7 @@ _DARK_SHOT, _WHITE_SHOT, _FLAT_SHOT, _BOARD_SHOT = 10_000, 10_001, 10_002, 10_10
 
 
 class Simulator:
-    """A rig with a sphere of one paint. Nothing is written; photographs are made when asked for.
+    """A simulated rig with a sphere of one paint. It writes nothing; photographs are computed on demand.
 
     >>> from brdf_suite.reflectance.models.cook_torrance import CookTorrance
     >>> from brdf_suite.reflectance.models.table_1 import TABLE_1

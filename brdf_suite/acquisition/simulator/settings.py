@@ -46,7 +46,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 
 @dataclass(frozen=True)
 class SimulatorSettings:
-    """A rig to be simulated; the defaults are the one of Günther et al. 2005, section 3, as far as it is described.
+    """Settings of a simulated rig; the defaults follow Günther et al. 2005, section 3, as far as it is described.
 
     Attributes
     ----------

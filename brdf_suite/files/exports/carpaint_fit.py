@@ -46,7 +46,7 @@ Rgb = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class CarPaint:
-    """Parameters of the model, colours in linear Rec. 709; ``differences`` are ΔE00 at the paint's readings."""
+    """Fitted car paint parameters, colours in linear Rec. 709; ``differences`` are ΔE00 at the paint's readings."""
 
     kd: Rgb
     ks: tuple[Rgb, Rgb, Rgb]

@@ -171,7 +171,7 @@ def read(path: PathLike) -> Imported:
 
 
 class Table:
-    """Turns rows into paints; ``settings`` are the columns that were found to be a paint's."""
+    """Converter from rows to paints; ``settings`` are the columns recognised as a paint's."""
 
     def __init__(self, path: PathLike, angles: list[str], *, comma: bool) -> None:
         self._path, self._angles, self._comma = path, angles, comma

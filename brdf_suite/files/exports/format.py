@@ -33,7 +33,7 @@ class Spectra:
 
 @dataclass(frozen=True, eq=False)
 class Subject:
-    """A paint as it is handed over.
+    """A paint to be exported.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ class Subject:
 
 @dataclass(frozen=True)
 class Imported:
-    """Paints that were read back, and what was assumed, converted or left out on the way."""
+    """Imported paints, with notices of assumptions, conversions and omissions."""
 
     paints: tuple[AnyPaint, ...]
     notes: tuple[str, ...] = ()
@@ -96,7 +96,7 @@ Write = Callable[[Sequence[Subject], PathLike, Progress | None], tuple[str, ...]
 
 @dataclass(frozen=True)
 class ExportFormat:
-    """One format.
+    """An export format.
 
     Parameters
     ----------

@@ -50,7 +50,7 @@ Rgb = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class MetalRough:
-    """Parameters of the model, the colour in linear Rec. 709; ``differences`` are ΔE00 at the paint's readings."""
+    """Fitted metal-rough parameters, colour in linear Rec. 709; ``differences`` are ΔE00 at the paint's readings."""
 
     colour: Rgb
     metalness: float

@@ -103,7 +103,7 @@ _OUTPUTS = {"INV_STERADIAN", "INV_STERADIAN_COSINE_FACTOR", "RGB_COLOR", "XYZ_CO
 
 
 class _Header:
-    """The keys of the header; they must be complete when the first row comes."""
+    """The keys of the header, complete before the first row."""
 
     def __init__(self, path: PathLike) -> None:
         self.path = path

@@ -104,7 +104,7 @@ def read_bird(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
 
 
 class _Entries(SampleRows):
-    """Rows that stand in JSON lists rather than on lines."""
+    """Rows stored as JSON lists."""
 
     def place(self, row: int) -> str:
         return f"data, entry {self._lines[row]}"

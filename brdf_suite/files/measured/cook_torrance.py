@@ -17,7 +17,7 @@ from brdf_suite.reflectance.protocol import SampledReflectance
 
 @dataclass(frozen=True)
 class CookTorranceFile:
-    """The parameters of a file and the reflectance that they make."""
+    """The parameters of a file, with their reflectance."""
 
     paint: CookTorrancePaint
     reflectance: SampledReflectance

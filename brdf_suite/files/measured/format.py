@@ -15,7 +15,7 @@ PathLike = str | os.PathLike[str]
 
 
 class MeasuredReflectance(Protocol):
-    """What a reader returns: a Reflectance that knows where it came from."""
+    """A reflectance read from a file, with its origin."""
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3), working space, 1/sr, without the cosine."""
@@ -29,7 +29,7 @@ class MeasuredReflectance(Protocol):
 
 @dataclass(frozen=True)
 class ReadOptions:
-    """What a file does not say and the user may.
+    """Options for facts that a file does not state.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ class ReadOptions:
 
 @dataclass(frozen=True)
 class MeasuredFormat:
-    """One format.
+    """A format of measured reflectance.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ class MeasuredFormat:
 
 @dataclass(frozen=True)
 class WrittenMeasurement:
-    """In which format a value was written, and what of it that format could not hold."""
+    """Result of writing a reflectance: the format, and its losses."""
 
     format: MeasuredFormat
     notes: tuple[str, ...] = ()

@@ -70,7 +70,7 @@ def read_rgl(path: PathLike, options: ReadOptions | None = None) -> TensorReflec
 
 
 class _Fields:
-    """The arrays of one file; every complaint names the field."""
+    """The arrays of one file; errors name the field."""
 
     def __init__(self, path: PathLike, arrays: Arrays) -> None:
         self.path, self.arrays = path, arrays

@@ -33,7 +33,7 @@ _LARGEST_VALUE = 1e12
 
 
 class SampleRows:
-    """Numbers of the rows of one file, with the line that each came from."""
+    """Numbers of a file's rows, with the line of each."""
 
     def __init__(self, path: PathLike, width: int) -> None:
         self.path, self.width = path, width

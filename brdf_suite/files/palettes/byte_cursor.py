@@ -10,7 +10,7 @@ from brdf_suite.files.palettes.format import PathLike
 
 
 class ByteCursor:
-    """Reads numbers and texts one after the other; big-endian, as these formats are."""
+    """Sequential reader of big-endian numbers and texts."""
 
     def __init__(self, content: bytes, path: PathLike, at: int = 0, end: int | None = None) -> None:
         self.content, self.path, self.at = content, path, at

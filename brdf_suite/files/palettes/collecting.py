@@ -44,7 +44,7 @@ def written_here() -> Iterator[None]:
 
 
 class Collector:
-    """Takes entries and groups in the order of a file; every complaint has the file's name and a place.
+    """Collector of entries and groups in file order; errors name the file and the place.
 
     Names that are too long are cut, control characters become spaces, and a group of a name that was there already
     gets a number: all of this is counted, and reported by :meth:`finish`.

@@ -20,7 +20,7 @@ LARGEST = 64 << 20
 
 @dataclass(frozen=True)
 class ReadPalette:
-    """A palette that was read, with what was repaired, assumed or left out on the way, in sentences."""
+    """A palette read from a file, with notices of repairs, assumptions and omissions."""
 
     palette: Palette
     notes: tuple[str, ...]
@@ -29,7 +29,7 @@ class ReadPalette:
 
 @dataclass(frozen=True)
 class WrittenPalette:
-    """In which format a palette was written, how many bytes, and what that format could not hold, in sentences."""
+    """Result of writing a palette: the format, the number of bytes, and the losses, in sentences."""
 
     format: PaletteFormat
     size: int
@@ -38,7 +38,7 @@ class WrittenPalette:
 
 @dataclass(frozen=True)
 class PaletteFormat:
-    """One format.
+    """A palette format.
 
     Parameters
     ----------

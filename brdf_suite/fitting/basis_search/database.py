@@ -63,7 +63,7 @@ FINE_FIRST_RAD = 2e-4
 
 @dataclass(frozen=True, eq=False)
 class PaintTargets:
-    """One paint: samples for the fit, and what its lobes are compared with.
+    """Targets of one paint: samples for the fit, and validation data.
 
     ``base`` (n, 3) and ``coat`` (k, 3): ``f_r·(N·L)`` at the fit's samples, 1/sr, linear Rec. 2020; ``lab``
     (angles, 3) at :data:`BETWEEN_DEG`; ``inside`` (radii, 3): energy of the coat within each radius,

@@ -55,7 +55,7 @@ BASE_BATCH, COAT_BATCH = 6, 1
 
 
 class BasisError:
-    """The errors of a basis over a database, as a function of its exponents; same input, same bits."""
+    """The errors of a basis over a database, as a deterministic function of its exponents."""
 
     def __init__(self, database: Database) -> None:
         self.database = database

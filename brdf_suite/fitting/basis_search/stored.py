@@ -18,7 +18,7 @@ from brdf_suite.fitting.lobes.basis import STORED_FORMAT, STORED_VERSION
 
 @dataclass(frozen=True)
 class StoredSearch:
-    """Results by rising count, the paints' names in the order of their errors, and what they are of.
+    """Results by rising count, with the names of the paints in the order of their errors.
 
     ``default_count`` is None while the search runs; ``date`` is empty then. ``sha256`` is that of the database.
     """

@@ -44,7 +44,7 @@ _LOOKED_AT = 4
 
 
 class KeptStarts(Protocol):
-    """Where the ends of the starts are kept, so that a fit that was broken off goes on where it was."""
+    """Storage of finished starts, so that an interrupted fit can resume."""
 
     def load(self, key: str) -> Mapping[int, list[float]]:
         """Return the ends kept for the fit of this key, by the number of the start; none where it is another's."""
@@ -178,7 +178,7 @@ def _search_from_starts(
 
 
 class _Steps:
-    """Progress of work of unknown length: each step takes a share of what is left."""
+    """Progress of work of unknown length: each step takes a fixed fraction of the remainder."""
 
     def __init__(self, progress: Progress | None, start: float) -> None:
         self._progress, self._left = progress, 0.97 - start

@@ -20,7 +20,7 @@ from brdf_suite.geometry.directions import Floats
 
 @dataclass(frozen=True)
 class Cost:
-    """One of the three costs, of width ``delta`` > 0 in natural logarithms."""
+    """A loss function of width ``delta`` > 0 in natural logarithms."""
 
     kind: Literal["linear", "smooth", "cauchy"]
     delta: float = 1.0

@@ -51,7 +51,7 @@ Places = npt.NDArray[np.intp]
 
 @dataclass(frozen=True)
 class LobeModel:
-    """``lobes`` of one kind over a matt part; with ``coat`` the last of them is a clearcoat."""
+    """``lobes`` of one kind over a diffuse part; with ``coat`` the last of them is a clearcoat."""
 
     name: ModelName
     lobes: int

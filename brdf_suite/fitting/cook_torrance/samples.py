@@ -32,7 +32,7 @@ _MANY = 1e-3
 
 @dataclass(frozen=True)
 class Floor:
-    """What is added to every value, and to the fit, before the logarithm.
+    """Offset added to every value, and to the fit, before the logarithm.
 
     ``share`` of a sample's brightest channel, and ``dark``, 1/sr.
     """
@@ -55,7 +55,7 @@ class Floor:
 
 @dataclass(frozen=True, eq=False)
 class LobeSamples:
-    """What a fit looks at.
+    """Samples of a fit.
 
     ``wi``, ``wo`` (n, 3) unit directions; ``logs`` (3, n) natural logarithms of f_r in 1/sr and what is added to it,
     ``added`` (n,) by the ``floor``; 0 where ``known`` (3, n) is false; ``weights`` (n,) > 0 with mean 1.

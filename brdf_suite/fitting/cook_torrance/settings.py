@@ -18,7 +18,7 @@ MOST_LOBES = 6
 
 @dataclass(frozen=True)
 class Settings:
-    """How lobes are fitted.
+    """Settings of a fit.
 
     Attributes
     ----------

@@ -33,7 +33,7 @@ _TINY = 1e-300
 
 @dataclass(frozen=True, eq=False)
 class Terms:
-    """What the shapes need of n pairs of directions above the horizon, (n,) each, once for all lobes."""
+    """Precomputed terms of n direction pairs above the horizon, (n,) each, shared by all lobes."""
 
     cos_i: Floats
     cos_o: Floats

@@ -46,7 +46,7 @@ _BLOCK = 1500
 
 @dataclass(frozen=True, eq=False)
 class FitProblem:
-    """Samples, their terms and the model to be fitted to them."""
+    """Samples, their terms and the model fitted to them."""
 
     model: LobeModel
     samples: LobeSamples

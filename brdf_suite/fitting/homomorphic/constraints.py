@@ -21,7 +21,7 @@ from brdf_suite.geometry.map_look_up import bilinear
 
 @dataclass(frozen=True)
 class MapLayout:
-    """Where each map lies among the unknowns.
+    """Index ranges of the maps among the unknowns.
 
     ``shapes``: map name to (n,) or (n, n); ``starts``: to its first unknown; ``count``: of all unknowns.
     """

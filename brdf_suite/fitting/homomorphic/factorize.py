@@ -32,7 +32,7 @@ _COARSEST = 8
 
 @dataclass(frozen=True, eq=False)
 class Factorized:
-    """What was found.
+    """Result of a factorization.
 
     ``product``: the maps. ``mean_correction`` (3,): what α was multiplied by so that the approximation sends back as
     much over the samples as they do; 1 where it was not asked for. ``used``: samples that took part, ``left_out``:

@@ -74,7 +74,7 @@ _PEAK_FIT_BIAS = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class WithPeak:
-    """f_r = ``product`` + ``peak``, in 1/sr; ``peak`` is s(h) F(ω·h), or ``None`` where nothing stood out."""
+    """f_r = ``product`` + ``peak``, in 1/sr; ``peak`` is s(h) F(ω·h), or ``None`` without a peak."""
 
     product: Factorization
     peak: Factorization | None
@@ -177,7 +177,7 @@ class _Peak:
 
 @dataclass(frozen=True)
 class _Body:
-    """How the body is factored."""
+    """Factorization options of the body."""
 
     factors: tuple[Factor, ...]
     resolution: int

@@ -24,7 +24,7 @@ STORES: Mapping[str, int] = MappingProxyType({"8-bit": 1, "half": 2, "float": 4}
 
 @dataclass(frozen=True)
 class Stored:
-    """A factorization as it comes back from textures, and how many bytes all its maps take."""
+    """A factorization after quantization to textures, and the bytes of all its maps."""
 
     product: Factorization
     texture_bytes: int

@@ -25,7 +25,7 @@ OPTIMUM = "optimum"
 
 @dataclass(frozen=True, eq=False)
 class LimitedSolution:
-    """Weights for every part and channel, and how they came about.
+    """Weights for every part and channel, and the status of each.
 
     ``solutions``: per part ``(m, channels)`` ≥ 0, of scaled columns, for the targets that were given;
     ``objectives``: per part ``(channels,)`` the L1 error, and ``relative`` it over that of no weights at all (0 for
@@ -46,7 +46,7 @@ class LimitedSolution:
 
 @dataclass(frozen=True, eq=False)
 class NormalizedTargets:
-    """Targets of a size of 1 per part and channel, what they were divided by, and factors on the weights."""
+    """Targets normalized per part and channel, their scale factors, and factors on the weights."""
 
     targets: tuple[FloatArray, ...]
     sizes: tuple[FloatArray, ...]

@@ -45,7 +45,7 @@ MOST_TRIES = 2
 
 @dataclass(eq=False)
 class Work:
-    """A request in work. ``waited``: its caller waits, and takes the optimum as it is; ``answer`` is then here."""
+    """A request in progress. ``waited``: its caller waits, and takes the optimum as it is; ``answer`` is then here."""
 
     request: NormalizedTargets
     then: Then
@@ -56,7 +56,7 @@ class Work:
 
 
 class BackgroundSolver:
-    """Finishes one request at a time; ``last`` are the newest solutions of size 1, for the next start."""
+    """Background solver of one request at a time; ``last`` are the newest normalized solutions, for the next start."""
 
     def __init__(self, parts: Sequence[PartProgram], channels: int) -> None:
         # Deferred: 3 ms, with logging, on the start-up path of programs that may not fit.

@@ -53,7 +53,7 @@ class PartError:
 
 @dataclass(frozen=True, eq=False)
 class LobeFit:
-    """A fit and how it went.
+    """A lobe fit with its errors and status.
 
     ``seconds`` is the time from target samples in hand to weights; ``sampling_seconds`` that of evaluating
     the reflectance at the samples (0 when samples were given); ``time_limited``: the limit came first.
@@ -77,7 +77,7 @@ class LobeFit:
 
 @dataclass(frozen=True)
 class _Coat:
-    """What the weights say of the coat."""
+    """The weights' description of the coat."""
 
     ior: float
     base_under_coat: bool

@@ -69,7 +69,7 @@ def _same(answer: LimitedSolution) -> LimitedSolution:
 
 
 class LimitedSolver:
-    """A kept model over ``parts`` × ``channels`` that answers inside a limit and finishes in the background.
+    """A persistent model over ``parts`` × ``channels`` that answers within a limit and finishes in the background.
 
     Any sequence of :class:`PartProgram` will do; each is solved for every channel, all in one block-diagonal
     model. ``inline`` forces the caller's way (True) or the thread's (False); by size where left out. ``fallbacks``,

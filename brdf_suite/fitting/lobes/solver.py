@@ -40,7 +40,7 @@ NO_ITERATION_LIMIT = 2**31 - 1
 
 
 class SolverOutcome(Enum):
-    """How a run ended."""
+    """Status of a solver run."""
 
     OPTIMAL = "optimal"
     STOPPED = "stopped"  # time or iterations ran out; the next run goes on from the basis
@@ -49,14 +49,14 @@ class SolverOutcome(Enum):
 
 @dataclass(frozen=True, eq=False)
 class BlockSolution:
-    """What the solver holds: per part scaled columns ≥ 0 ``(m, channels)`` and duals y ``(n, channels)``."""
+    """Solution of the solver: per part scaled columns ≥ 0 ``(m, channels)`` and duals y ``(n, channels)``."""
 
     solutions: tuple[FloatArray, ...]
     duals: tuple[FloatArray, ...]
 
 
 class BlockSolver:
-    """A kept model over ``parts`` × ``channels``; not safe to call from two threads at once."""
+    """A persistent model over ``parts`` × ``channels``; not thread-safe."""
 
     def __init__(self, parts: Sequence[PartProgram], channels: int = 3) -> None:
         # Deferred: 17 ms beside numpy, more from a cold disk, on the start-up path of programs that may not fit.

@@ -59,7 +59,7 @@ _POOR = 0.3
 
 @dataclass(frozen=True, eq=False)
 class UndividedFit:
-    """Weights of undivided data, and how the fit went.
+    """Weights of undivided data, with errors and notices.
 
     ``relative_error`` ``(3,)``: Σ w·|M x - b| over Σ w·b per channel, of the rows that were fitted (0 where that is
     0). ``split_determined``: gloss and directional-diffuse parts were separated. ``incidences_rad``: the different

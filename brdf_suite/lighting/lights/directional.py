@@ -14,7 +14,7 @@ Float64 = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class DirectionalLights:
-    """Lights that replace an environment; reflected radiance is ``Σ_d f_r(ω_d, ω_o)·strength_d·max(0, N·ω_d)``.
+    """Directional lights of an environment; reflected radiance is ``Σ_d f_r(ω_d, ω_o)·strength_d·max(0, N·ω_d)``.
 
     (Günther et al. 2005, equation 4.) The cells cover the sphere once; the strongest light comes first.
 

@@ -52,7 +52,7 @@ def _of_turbidity(table: Float64, turbidity: float) -> Float64:
 
 
 class HosekWilkieSky:
-    """The sky for one sun.
+    """The Hošek-Wilkie sky for one position of the sun.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ _TREE_LIGHT = REC709_TO_WORKING @ [0.085, 0.108, 0.052]
 
 @dataclass(frozen=True, eq=False)
 class Skyline:
-    """Fixed shapes; azimuths and heights in radians."""
+    """Fixed silhouettes; azimuths and heights in radians."""
 
     waves: Float64  # (w, 3): amplitude, whole periods around, phase
     crowns: Float64  # (t, 4): azimuth, half width, height, tone 0…1

@@ -13,7 +13,7 @@ from brdf_suite.reference.scene import Eye
 
 @dataclass(frozen=True, eq=False)
 class Pinhole:
-    """An eye and the size of its picture, as the renderer has them: moving it compiles nothing anew."""
+    """An eye and its picture size in device memory, so that a change needs no recompilation."""
 
     place: Vector
     right: Vector

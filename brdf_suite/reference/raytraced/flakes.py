@@ -36,7 +36,7 @@ _SALT, _TINT, _GOLDEN = 0x51ED270B, 0x3C6EF372, 0x9E3779B9
 
 @dataclass(frozen=True)
 class SparkleField:
-    """What flakes there are, in a coat of index ``ior``; ``strength`` is a factor on their light."""
+    """Flake parameters in a coat of index ``ior``; ``strength`` is a factor on their light."""
 
     flakes: Flakes
     ior: float
@@ -51,7 +51,7 @@ class SparkleField:
 
 @dataclass
 class FlakesSeen:
-    """The four flakes that a pixel may see: how much of each, their slopes and tints, and what ``contrast`` is left."""
+    """The four candidate flakes of a pixel: coverage of each, slopes and tints, and the remaining ``contrast``."""
 
     covers: tuple[Real, ...]
     slopes: tuple[Any, ...]

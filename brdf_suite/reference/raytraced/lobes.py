@@ -73,7 +73,7 @@ def log_one_plus(x: Real) -> Real:
 
 @dataclass(frozen=True, eq=False)
 class FacetGlint:
-    """A narrow lobe of facets: a ``term`` with its value, the ``slope`` that it is sampled by, and its ``share``.
+    """A narrow microfacet lobe: a ``term`` with its value, the sampling ``slope``, and its ``share``.
 
     ``share`` is how much the lobe sends of what all narrow ones do, as a luminance; with ``ior`` it follows Fresnel.
     """
@@ -108,7 +108,7 @@ class FacetGlint:
 
 @dataclass(frozen=True, eq=False)
 class MirrorLobe:
-    """A narrow cosine lobe about the mirror direction, sampled by itself: those of fitted weights."""
+    """A narrow cosine lobe of fitted weights about the mirror direction, sampled by itself."""
 
     term: Any
     exponent: float
@@ -139,7 +139,7 @@ class MirrorLobe:
 
 @dataclass(frozen=True, eq=False)
 class WideFacets:
-    """A broad lobe of facets, which a light of some extent sees widened by it.
+    """A broad microfacet lobe, widened by the extent of a light.
 
     A light's directions of standard deviation σ along an axis spread the half vector by σ/2; Beckmann's facets of slope
     m spread it by m/√2. Together they are facets of m² + σ²/2. So the l lights make one highlight together, where

@@ -82,7 +82,7 @@ class Split:
 
 @dataclass(frozen=True, eq=False)
 class Mirrored:
-    """A split whose narrow lobes are mirrored at the normal, each direction with all that they send."""
+    """A split whose narrow lobes are replaced by mirror reflection with their whole albedo."""
 
     split: Split
     albedo: Any
@@ -129,7 +129,7 @@ class Mirrored:
 
 @dataclass(frozen=True, eq=False)
 class Broad:
-    """The broad parts of a material together; none: it sends nothing so."""
+    """The sum of a material's broad parts; zero without any."""
 
     parts: tuple[Any, ...]
 
@@ -150,7 +150,7 @@ class Broad:
 
 @dataclass(frozen=True, eq=False)
 class ThroughCoat:
-    """A part of a base as it is seen through the coat."""
+    """A part of a base seen through the coat."""
 
     coated: UnderCoat
     part: Any
@@ -169,7 +169,7 @@ class ThroughCoat:
 
 @dataclass(frozen=True, eq=False)
 class PartOfWeights(LobeWeightsTerm):
-    """Some lobes of fitted weights, with the gains that all of them have together."""
+    """A subset of fitted lobes, with the gains common to all of them."""
 
     whole: LobeWeightsTerm | None = None
 

@@ -64,7 +64,7 @@ class SurfaceHit:
 
 
 class Surface:
-    """The mesh in Mitsuba, and its arrays beside it."""
+    """The Mitsuba mesh with its arrays."""
 
     def __init__(self, arrays: SurfaceArrays) -> None:
         mesh = mi.Mesh("surface", len(arrays.positions), len(arrays.triangles))

@@ -56,7 +56,7 @@ Floats = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class OverDifference:
-    """Values (65, 3) over the cosine of θd, even steps from 0 to 1, as the renderer has them."""
+    """Values (65, 3) over the cosine of θd, at even steps from 0 to 1, in the renderer's memory."""
 
     table: Any
 
@@ -77,7 +77,7 @@ class OverDifference:
 
 @dataclass(frozen=True, eq=False)
 class AtMost:
-    """A term, no higher than ``cap``: a clamped one, or what of it is within a lobe."""
+    """A term clamped to ``cap``."""
 
     term: Any
     cap: OverDifference | FittedPeak
@@ -89,7 +89,7 @@ class AtMost:
 
 @dataclass(frozen=True, eq=False)
 class Above:
-    """What a term has above ``cap``, or without a lobe."""
+    """The excess of a term over ``cap``."""
 
     term: Any
     cap: OverDifference | FittedPeak
@@ -101,7 +101,7 @@ class Above:
 
 @dataclass(frozen=True, eq=False)
 class Between:
-    """What a term has between two caps."""
+    """The part of a term between two caps."""
 
     term: Any
     low: OverDifference
@@ -128,7 +128,7 @@ class FittedPeak:
 
 @dataclass(frozen=True, eq=False)
 class FacetMixture:
-    """A narrow part that is sampled by several cosine lobes: (share, slope) of each, the shares of sum 1."""
+    """A narrow part sampled by several cosine lobes: (share, slope) of each, the shares of sum 1."""
 
     term: Any
     lobes: tuple[tuple[float, float], ...]

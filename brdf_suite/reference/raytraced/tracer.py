@@ -42,7 +42,7 @@ DEFAULT_DEPTH = 4
 
 @dataclass(frozen=True, eq=False)
 class LightArrays:
-    """Lights as the renderer has them; see :class:`~.light_set.LightSet`.
+    """Lights in the renderer's memory; see :class:`~.light_set.LightSet`.
 
     ``entries`` (2 × 2^``entry_bits``) and ``factors`` (2 × n) are those of :meth:`~.light_set.LightSet.draws`;
     ``open_ground`` (3,) is the irradiance of a level ground with nothing on it.
@@ -94,7 +94,7 @@ class Deal:
 
 @dataclass(frozen=True, eq=False)
 class TracerScene:
-    """All that is traced. ``materials`` are splits, by their numbers; the ground's ``height`` is None for none.
+    """The traced scene. ``materials`` are splits, by their numbers; the ground's ``height`` is None for none.
 
     ``sparkle`` is of the material number ``paint``.
     """
@@ -111,7 +111,7 @@ class TracerScene:
 
 @dataclass
 class Traced:
-    """Sums over samples: radiance of the object, its coverage, and how much darker the ground is than an open one."""
+    """Sums over samples: radiance of the object, its coverage, and the ground's darkening."""
 
     radiance: Colour
     coverage: Real

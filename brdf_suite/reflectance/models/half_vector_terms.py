@@ -14,7 +14,7 @@ _TINY = 1e-60
 
 @dataclass(frozen=True)
 class HalfVectorTerms:
-    """Terms (n,) of pairs of directions; where ``above`` is False the others are finite but mean nothing."""
+    """Terms (n,) of direction pairs; where ``above`` is False the others are finite but meaningless."""
 
     cos_i: Floats
     cos_o: Floats

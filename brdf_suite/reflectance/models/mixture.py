@@ -17,10 +17,10 @@ from brdf_suite.geometry.directions import Floats, mirror
 
 @dataclass(frozen=True)
 class MixturePart:
-    """One part: its ``weight``, ``draw(wo, u)`` from u (n, 2), and the density ``pdf(wi, wo)``; all on (n, 3)."""
+    """One part: its ``weight``, ``sample(wo, u)`` from u (n, 2), and ``pdf(wi, wo)``; all on (n, 3)."""
 
     weight: float
-    draw: Callable[[Floats, Floats], Floats]
+    sample: Callable[[Floats, Floats], Floats]
     pdf: Callable[[Floats, Floats], Floats]
 
 
@@ -34,7 +34,7 @@ def sample(parts: Sequence[MixturePart], wo: npt.ArrayLike, u: npt.ArrayLike) ->
     for index, part in enumerate(parts):
         mine = choice == index
         if mine.any():
-            out[mine] = part.draw(view[mine], even[mine, :2])
+            out[mine] = part.sample(view[mine], even[mine, :2])
     return out.reshape(shape)
 
 

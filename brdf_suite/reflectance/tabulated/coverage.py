@@ -14,7 +14,7 @@ Singles = npt.NDArray[np.float32]
 
 @dataclass(frozen=True, eq=False)
 class Coverage:
-    """Readings and uncertainty of each bin; where there are no readings, the table's value was filled in.
+    """Number of readings and uncertainty of each bin; without readings, the table's value was filled in.
 
     Attributes
     ----------

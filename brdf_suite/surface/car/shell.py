@@ -39,7 +39,7 @@ MERGE = 0.026
 
 @dataclass(frozen=True)
 class TrimArea:
-    """An area that is not paint: its material, its border, and whether it is an opening.
+    """An area of the body without paint: its material, its border, and whether it is an opening.
 
     ``border`` is a ring of that width (m) round the area, of material ``border_material``. Areas lie flush;
     an opening lies ``depth`` (m) below the surface instead, with dark walls.

@@ -33,7 +33,7 @@ class BakedPart:
 
 @dataclass(frozen=True, eq=False)
 class GroundLight:
-    """How the floor sees the light around the mesh.
+    """The floor's view of the light around the mesh.
 
     Attributes
     ----------

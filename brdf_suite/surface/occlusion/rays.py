@@ -29,7 +29,7 @@ _GOLDEN = 0.6180339887498949
 
 @dataclass(frozen=True, eq=False)
 class OcclusionFloor:
-    """A level floor at ``height`` (m) and the light that it sees: ``share`` (rows along z, columns along x), 0…1.
+    """A level floor at ``height`` (m) and its visible light: ``share`` (rows along z, columns along x), 0…1.
 
     ``low`` and ``high`` are the lowest and highest (x, z) of the texels' outer edges, metres.
     """

@@ -20,7 +20,7 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True, eq=False)
 class Cut:
-    """Triangles (k', 3) of a mesh with some edges cut.
+    """Triangles (k', 3) of a mesh after some edges were cut.
 
     ``parents`` (v, 2) are the two vertices between which each new one lies; the first new one has the number of
     old vertices. ``origin`` (k',) is the triangle that each was; ``whole`` (k',) whether it still is.

@@ -50,7 +50,7 @@ SAME = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class AngleFit:
-    """A fit at K incidences and how it went.
+    """A fit at K incidences with its errors and status.
 
     ``base_error`` and ``coat_error`` sum over all incidences, in units of the largest incidence's target, and leave
     out what smoothness costs; ``seconds`` from samples in hand to weights; ``sampling_seconds`` that of evaluating the

@@ -30,7 +30,7 @@ NEAREST_READING_RAD = np.deg2rad(15.0) - 1e-9
 
 @dataclass(frozen=True, eq=False)
 class AngleSamples:
-    """What a fit looks at: f_r of the base and of the coat at ``base_samples`` (N, 3), and the coat's ring means.
+    """Samples of a fit: f_r of the base and of the coat at ``base_samples`` (N, 3), and the coat's ring means.
 
     ``rings`` ``(K, n, 3)`` are means of ``f_r·(N·L)`` at ``coat_samples``; ``seconds`` is what sampling took.
     """
