@@ -22,7 +22,7 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, LightColour, Relief, Sparkle, SurfaceLook, TwoTone
 from brdf_suite.files.png import write_png
 from brdf_suite.fitting.homomorphic.factorize import factorize
-from brdf_suite.fitting.homomorphic.samples import samples_of
+from brdf_suite.fitting.homomorphic.samples import sample_reflectance
 from brdf_suite.pipeline.any_fit import fit_reflectance
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_environment, load_surface
@@ -53,7 +53,7 @@ def metal(colour: tuple[float, float, float]) -> Factored:
     """Return brushed metal as a product of maps; the grain lies along x."""
     base = np.array(colour)
     model = PoulinFournier(kd=0.04 * base, ks=0.9 * base, exponent=60.0, spacing=2.0, floor=0.9)
-    samples = samples_of(model)
+    samples = sample_reflectance(model)
     found = factorize(samples.wi, samples.wo, samples.values, resolution=48).product
     maps = {name: np.exp(log).astype(np.float32) for name, log in found.logs.items()}
     return Factored(maps["p"], maps["q"], found.alpha, logarithmic=True)

@@ -20,7 +20,7 @@ import numpy as np
 
 from brdf_suite.appearance.colorimetry import LUMINANCE, WORKING_TO_SRGB, srgb_encode
 from brdf_suite.fitting.homomorphic.plane import factor_picture
-from brdf_suite.fitting.homomorphic.samples import samples_of
+from brdf_suite.fitting.homomorphic.samples import sample_reflectance
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.pipeline.factor_pictures import factor_pictures
@@ -227,7 +227,7 @@ def measured(shared: Path) -> None:
         return
     figure, axes = plt.subplots(1, len(files), figsize=(5.2 * len(files), 3.8), squeeze=False)
     for axis, path in zip(axes[0], files, strict=True):
-        samples = samples_of(load_measurable(path).reflectance)
+        samples = sample_reflectance(load_measurable(path).reflectance)
         alone, apart = factor_any(path, FactoringOptions(peak="off")).value, factor_any(path).value
         h = warps.half_vector(samples.wi, samples.wo)
         theta_h = np.degrees(np.arccos(np.clip(h[:, 2], -1.0, 1.0)))

@@ -20,7 +20,7 @@ import numpy as np
 
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.lights import METHODS, DirectionalLights, directional_lights
-from brdf_suite.lighting.lights.cells import cells_of
+from brdf_suite.lighting.lights.cells import sum_cells
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.scene import environment_names, find_environment
 
@@ -47,7 +47,7 @@ def directions(count: int = 400) -> np.ndarray:
 
 def errors_of(environment: Environment) -> Errors:
     """Return for each lobe and method the error in per cent for each of ``COUNTS``."""
-    cells = cells_of(environment.radiance)
+    cells = sum_cells(environment.radiance)
     wanted = directions()
     # The cells are turned against the map: asking along directions turned alike asks the same.
     back = (
@@ -146,7 +146,7 @@ def main() -> int:
         environment = read_environment(path)
         every[name] = errors_of(environment)
         print_table(name, every[name])
-        whole = cells_of(environment.radiance).energy.sum(axis=(0, 1))
+        whole = sum_cells(environment.radiance).energy.sum(axis=(0, 1))
         for method in METHODS:
             for count in (1, 16, 1024):
                 start = perf_counter()

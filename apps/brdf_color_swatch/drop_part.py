@@ -50,7 +50,7 @@ class DropPart:
         """Make the order that is shown the palette's own."""
         shown = self._desk.shown[self._desk.front]
         ids = [shown.rows.ids[place] for place in shown.places]
-        if self._desk.edit(tr("Keep an order"), lambda palette: edits.reordered(palette, ids)):
+        if self._desk.edit(tr("Keep an order"), lambda palette: edits.reorder_entries(palette, ids)):
             self._desk.set_state(replace(self._desk.state, sort="own", descending=False))
 
     def step(self, by: int) -> None:
@@ -135,7 +135,7 @@ class DropPart:
             ids, what = list(carried.ids), what_words(carried.entries)
             desk.edit(
                 tr("Tag {what}").format(what=what),
-                lambda palette: dated(edits.tagged(palette, ids, [scope.tag]), ids),
+                lambda palette: dated(edits.tag_entries(palette, ids, [scope.tag]), ids),
                 target,
             )
             return
@@ -156,13 +156,13 @@ class DropPart:
             entries = [replace(e, tags=tuple(dict.fromkeys((*e.tags, scope.tag)))) for e in entries]
         fall = () if group is None else group
         changes: dict[str, Callable[[Palette], Palette]] = {
-            target: lambda palette: edits.added(palette, entries, fall, before)
+            target: lambda palette: edits.add_entries(palette, entries, fall, before)
         }
         if moves:
             source = desk.library.palette(carried.source)
             there = [key for key in carried.ids if source is not None and key in source.by_id]
             if there:
-                changes[carried.source] = lambda palette: edits.removed(palette, there)
+                changes[carried.source] = lambda palette: edits.remove_entries(palette, there)
         if desk.edit_many(name, changes):
             after = desk.library.palette(target)
             fresh = tuple(key for key in after.by_id if key not in known) if after is not None else ()
@@ -174,7 +174,7 @@ class DropPart:
         self, name: str, pane: int, ids: list[str], group: GroupPath | None, before: str | None
     ) -> None:
         key = self._desk.states[pane].scope.palette
-        if self._desk.edit(name, lambda palette: edits.moved(palette, ids, group, before), key):
+        if self._desk.edit(name, lambda palette: edits.move_entries(palette, ids, group, before), key):
             self._desk.reveal(tuple(ids), pane)
 
     def _enable(self) -> None:

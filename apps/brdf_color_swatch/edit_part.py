@@ -124,7 +124,7 @@ class EditPart:
             name = tr("Duplicate {what}").format(what=what_words(entries))
             copies = [replace(entry, id="") for entry in entries]
             known = set(palette.by_id)
-            if self._desk.edit(name, lambda old: edits.added(old, copies, None, before)):
+            if self._desk.edit(name, lambda old: edits.add_entries(old, copies, None, before)):
                 after = self._desk.palette
                 assert after is not None
                 self._desk.reveal(tuple(key for key in after.by_id if key not in known))
@@ -139,7 +139,7 @@ class EditPart:
         ids = self._desk.selected
         pane = self._window.panes[self._desk.front]
         rows = [row for key in ids if (row := pane.model.row_of(key)) is not None]
-        self._desk.edit(name, lambda palette: edits.removed(palette, ids))
+        self._desk.edit(name, lambda palette: edits.remove_entries(palette, ids))
         # What comes in their place is selected, so that the keys go on from there.
         count = pane.model.rowCount()
         if rows and count:
@@ -190,7 +190,7 @@ class EditPart:
             if text:
                 self._desk.edit(
                     tr("Rename to “{name}”").format(name=text[:40]),
-                    lambda palette: dated(edits.renamed(palette, id_, text), [id_]),
+                    lambda palette: dated(edits.rename_entry(palette, id_, text), [id_]),
                 )
         else:
             self._change(tr("Change the code"), [id_], lambda entry: replace(entry, code=text))
@@ -220,13 +220,13 @@ class EditPart:
         relative = len(ids) > 1 and all(word[0] in "+-" for word in words) and bool(words)
         name = tr("Change the tags of {what}").format(what=count_words(len(ids)))
         if relative:
-            self._desk.edit(name, lambda palette: dated(edits.tagged(palette, ids, add, drop), ids))
+            self._desk.edit(name, lambda palette: dated(edits.tag_entries(palette, ids, add, drop), ids))
         else:
             tags = tuple(dict.fromkeys(word for word in add if word))
             self._change(name, ids, lambda entry: replace(entry, tags=tags))
 
     def _change(self, name: str, ids: list[str], change: Callable[[Entry], Entry]) -> None:
-        self._desk.edit(name, lambda palette: dated(edits.changed(palette, ids, change), ids))
+        self._desk.edit(name, lambda palette: dated(edits.change_entries(palette, ids, change), ids))
 
     # Menus.
 

@@ -32,7 +32,7 @@ def add_entries(
         # What is put where a tag is shown has that tag; otherwise it would vanish as it comes.
         entries = [replace(e, tags=tuple(dict.fromkeys((*e.tags, tag)))) for e in entries]
     dated = [entry if entry.date else replace(entry, date=today()) for entry in entries]
-    if not desk.edit(name, lambda old: edits.added(old, dated, group, before)):
+    if not desk.edit(name, lambda old: edits.add_entries(old, dated, group, before)):
         return False
     after = desk.palette
     assert after is not None
@@ -43,7 +43,7 @@ def add_entries(
 def dated(palette: Palette, ids: Sequence[str]) -> Palette:
     """Note when these entries were changed."""
     moment = today()
-    return edits.changed(palette, ids, lambda entry: replace(entry, date=moment))
+    return edits.change_entries(palette, ids, lambda entry: replace(entry, date=moment))
 
 
 def count_words(count: int) -> str:

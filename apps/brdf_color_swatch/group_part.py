@@ -48,7 +48,7 @@ class GroupPart:
         if group:
             self._desk.edit(
                 name,
-                lambda palette: edits.changed_group(palette, group, lambda one: replace(one, **{key: text})),
+                lambda palette: edits.change_group(palette, group, lambda one: replace(one, **{key: text})),
             )
         else:
             self._desk.edit(name, lambda palette: replace(palette, **{key: text}))
@@ -68,7 +68,11 @@ class GroupPart:
 
         def make(old: Palette) -> Palette:
             with_it = edits.with_group(old, Group(path))
-            return edits.changed(with_it, ids, lambda entry: replace(entry, group=path)) if ids else with_it
+            return (
+                edits.change_entries(with_it, ids, lambda entry: replace(entry, group=path))
+                if ids
+                else with_it
+            )
 
         if self._desk.edit(tr("New group"), make):
             self._window.tree.rename(Scope(scope.palette, path))
@@ -89,7 +93,7 @@ class GroupPart:
     def _drop_group(self, name: str, *, keep: bool) -> None:
         path = self._desk.state.scope.group
         if path:
-            self._desk.edit(name, lambda palette: edits.without_group(palette, path, keep_entries=keep))
+            self._desk.edit(name, lambda palette: edits.remove_group(palette, path, keep_entries=keep))
 
     def rename_scope(self, scope: Scope, name: str) -> None:
         """Rename a palette, a group or a tag."""
@@ -106,11 +110,11 @@ class GroupPart:
                 if palette is not None
                 else []
             )
-            done = self._desk.edit(told, lambda old: edits.changed(old, ids, retag), scope.palette)
+            done = self._desk.edit(told, lambda old: edits.change_entries(old, ids, retag), scope.palette)
             new = replace(scope, tag=name)
         elif scope.group:
             done = self._desk.edit(
-                told, lambda old: edits.renamed_group(old, scope.group, name), scope.palette
+                told, lambda old: edits.rename_group(old, scope.group, name), scope.palette
             )
             new = replace(scope, group=(*scope.group[:-1], name))
         else:
@@ -133,7 +137,7 @@ class GroupPart:
         to = (*onto.group, moved.group[-1])
         if to != moved.group:
             self._desk.edit(
-                tr("Move a group"), lambda palette: edits.moved_group(palette, moved.group, to), moved.palette
+                tr("Move a group"), lambda palette: edits.move_group(palette, moved.group, to), moved.palette
             )
 
     def _carry_group(self, moved: Scope, onto: Scope) -> None:
@@ -157,11 +161,11 @@ class GroupPart:
             known = {group.path for group in palette.groups}
             fresh = [replace(group, path=there(group.path)) for group in groups]
             fresh = [group for group in fresh if group.path not in known]
-            return edits.added(replace(palette, groups=(*palette.groups, *fresh)), entries)
+            return edits.add_entries(replace(palette, groups=(*palette.groups, *fresh)), entries)
 
         self._desk.edit_many(
             tr("Move the group “{name}”").format(name=moved.group[-1][:40]),
-            {onto.palette: take, moved.palette: lambda palette: edits.without_group(palette, moved.group)},
+            {onto.palette: take, moved.palette: lambda palette: edits.remove_group(palette, moved.group)},
         )
 
     def _enable(self) -> None:

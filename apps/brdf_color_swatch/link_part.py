@@ -16,7 +16,7 @@ from brdf_color_swatch.entry_edits import add_entries
 from brdf_color_swatch.near_part import near_of
 from brdf_color_swatch.view_state import Near, Scope
 from brdf_color_swatch.window import SwatchWindow
-from brdf_suite.appearance.flat_colours import paint_of
+from brdf_suite.appearance.flat_colours import to_paint
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry, Palette, new_id
 from brdf_suite.documents.store import paint_from_json, paint_to_json
@@ -79,7 +79,7 @@ class LinkPart:
         entries = self._desk.selected_entries
         if not entries:
             return
-        paint = paint_of(entries[0].content)
+        paint = to_paint(entries[0].content)
         package, name, *_ = _PROGRAMS[role]
         if not isinstance(paint, Paint):
             text = tr("“{paint}” is of Cook-Torrance lobes, and the live link carries designed paints.")

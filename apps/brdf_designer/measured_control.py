@@ -24,7 +24,7 @@ from brdf_suite.pipeline.measured_start import START_SET, MeasuredStart
 from brdf_suite.progress import Progress
 
 if TYPE_CHECKING:
-    from brdf_suite.files.exports import Imported
+    from brdf_suite.files.exports import ImportedPaints
 
 KEY = "measured"
 _SET = "measured/angles"
@@ -98,7 +98,7 @@ class MeasuredControl(QObject):
         self.open(path)
         return True
 
-    def _open_all(self, path: Path, handed: Imported) -> None:
+    def _open_all(self, path: Path, handed: ImportedPaints) -> None:
         """Open the paints of a hand-over, each in a tab of its own."""
         paints = [paint for paint in handed.paints if isinstance(paint, Paint)]
         for paint in paints[:MOST_TABS]:
@@ -182,7 +182,7 @@ def _read(request: _Request, progress: Progress) -> MeasuredStart:
     return load_start(request.path, GEOMETRY_SETS[request.geometry], progress)
 
 
-def _handed_over(path: Path) -> Imported | None:
+def _handed_over(path: Path) -> ImportedPaints | None:
     """Read the paints of a file that was handed over (CxF3, CSV, JSON), known by its content; None for any other."""
     if path.suffix.lower() == PAINT_ENDING:
         return None

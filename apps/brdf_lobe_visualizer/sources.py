@@ -192,9 +192,9 @@ def _shown_of_palette(
 def _of_entry(entry: Entry, origin: str) -> Subject:
     if not entry.is_flat:
         return _of_paint(entry.content, origin)
-    from brdf_suite.appearance.flat_colours import paint_of
+    from brdf_suite.appearance.flat_colours import to_paint
 
-    subject = _of_paint(paint_of(entry.content), origin)
+    subject = _of_paint(to_paint(entry.content), origin)
     flat = "A flat colour has no gloss and no angles; it is shown as a solid paint of that colour."
     return replace(subject, title=entry.name or entry.id, notes=(flat, *subject.notes))
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from brdf_suite.appearance.flat_colours import paint_of
+from brdf_suite.appearance.flat_colours import to_paint
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.store import AnyPaint
 
@@ -32,7 +32,7 @@ class OpenPalette:
     @property
     def paints(self) -> dict[str, AnyPaint]:
         """The paints by their keys."""
-        return dict(zip(self.keys, (paint_of(entry.content) for entry in self.palette), strict=True))
+        return dict(zip(self.keys, (to_paint(entry.content) for entry in self.palette), strict=True))
 
     def words(self, key: str) -> str:
         """Return which of the palette's paints this is, as in ``Summer, 3 of 12``; empty for none of them.

@@ -17,7 +17,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.hole_filling import filled
+from brdf_suite.acquisition.hole_filling import fill_table_holes
 from brdf_suite.acquisition.parameterization import Parameterization
 
 Singles = npt.NDArray[np.float32]
@@ -30,7 +30,7 @@ _STEEPEST = 2.0
 """ln f per bin. A steeper neighbour is noise, or the horizon."""
 
 
-def centred(
+def centre_means(
     means: Singles,
     samples: Singles,
     trust: Singles,
@@ -50,7 +50,7 @@ def centred(
     first = np.log(means[at])
     values = means.copy()
     for _ in range(rounds):
-        whole, _known = filled(values, trust, parameterization)
+        whole, _known = fill_table_holes(values, trust, parameterization)
         np.log(whole, out=whole, where=whole > 0.0)
         moved, bent = np.zeros_like(first), np.zeros_like(first)
         for axis in range(3):

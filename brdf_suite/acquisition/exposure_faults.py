@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.merge import Merged
+from brdf_suite.acquisition.merge import MergedRadiance
 from brdf_suite.errors import FileError
 
 Floats = npt.NDArray[np.float64]
@@ -37,7 +37,9 @@ class ExposureFault:
         return FileError(self.name, self.reason)
 
 
-def exposure_faults(merged: Merged, exposures_s: npt.ArrayLike, names: Sequence[str]) -> list[ExposureFault]:
+def exposure_faults(
+    merged: MergedRadiance, exposures_s: npt.ArrayLike, names: Sequence[str]
+) -> list[ExposureFault]:
     """Return what is wrong with the photographs ``names`` (n) of one position, merged by :func:`.merge.merge`."""
     times = np.asarray(exposures_s, float)
     faults = _time_faults(merged, times, names)
@@ -79,7 +81,7 @@ def time_errors(time_ratios: Floats, times: Floats) -> Floats:
     return errors
 
 
-def _time_faults(merged: Merged, times: Floats, names: Sequence[str]) -> list[ExposureFault]:
+def _time_faults(merged: MergedRadiance, times: Floats, names: Sequence[str]) -> list[ExposureFault]:
     errors = time_errors(merged.time_ratios, times)
     wrong = np.flatnonzero(np.abs(np.nan_to_num(errors)) > TIME_TOLERANCE)
     faults = []

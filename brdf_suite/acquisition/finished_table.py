@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.bin_centring import centred
-from brdf_suite.acquisition.hole_filling import filled
+from brdf_suite.acquisition.bin_centring import centre_means
+from brdf_suite.acquisition.hole_filling import fill_table_holes
 from brdf_suite.acquisition.parameterization import Parameterization
 from brdf_suite.acquisition.table import GEOMETRIC_ERROR, TableSums
 from brdf_suite.errors import ValueRangeError
@@ -108,7 +108,9 @@ def bin_means(sums: TableSums, colour: npt.ArrayLike | None = None, *, centre: b
     deviation = _deviation(rows, there).reshape(shape)
     if centre:
         offsets = (rows[:, 8:11] / one).astype(np.float32).reshape(*shape, 3)
-        means = centred(means, samples, trusted(samples, deviation), offsets, sums.parameterization)
+        means = centre_means(
+            means, samples, neighbour_weight(samples, deviation), offsets, sums.parameterization
+        )
     if colour is not None:
         matrix = np.asarray(colour, np.float32)
         if matrix.shape != (3, 3) or not np.isfinite(matrix).all():
@@ -151,21 +153,25 @@ def half_angle_table(
     if not means.measured.any():
         raise ValueRangeError("table", "no bin has a reading; nothing was measured")
     report(progress, 0.0, "filling holes")
-    values, known = filled(
-        means.values, trusted(means.coverage.samples, means.coverage.deviation), means.parameterization
+    values, known = fill_table_holes(
+        means.values,
+        neighbour_weight(means.coverage.samples, means.coverage.deviation),
+        means.parameterization,
     )
     return IsotropicTable(values, ~known, True, source, facts or {}, means.coverage)
 
 
-def compared_table(means: BinMeans) -> ParameterizedTable:
+def tabulate_means(means: BinMeans) -> ParameterizedTable:
     """Return the table of ``means`` in its own layout, its holes filled."""
-    values, known = filled(
-        means.values, trusted(means.coverage.samples, means.coverage.deviation), means.parameterization
+    values, known = fill_table_holes(
+        means.values,
+        neighbour_weight(means.coverage.samples, means.coverage.deviation),
+        means.parameterization,
     )
     return ParameterizedTable(values, ~known, means.parameterization)
 
 
-def trusted(samples: Singles, deviation: Singles) -> Singles:
+def neighbour_weight(samples: Singles, deviation: Singles) -> Singles:
     """Return how much a bin counts as a neighbour, by its ``deviation``; 0 in a hole."""
     # A single reading has no spread; the geometric part remains.
     return np.where(samples > 0.0, 1.0 / (deviation**2 + np.float32(GEOMETRIC_ERROR**2)), np.float32(0.0))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.merge import DARK, GOOD, Merged
+from brdf_suite.acquisition.merge import DARK, GOOD, MergedRadiance
 from brdf_suite.acquisition.noise_shrinking import shrunk
 from brdf_suite.errors import AcquisitionError
 
@@ -16,7 +16,7 @@ _CENTRE_SHARE = 0.05
 _LEAST = 0.02
 
 
-def flat_field(merged: Merged) -> Floats32:
+def flat_field(merged: MergedRadiance) -> Floats32:
     """Return (h, w, channels) the flat field, 1 at the picture's centre, from photographs of an evenly lit screen.
 
     The screen's photographs must not stamp their noise on every other: see :mod:`.noise_shrinking`.

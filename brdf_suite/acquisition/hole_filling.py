@@ -27,7 +27,9 @@ _LEAST = 1e-3
 """Of one reading: what a bell gathers below that lies in its tail."""
 
 
-def filled(values: Singles, weights: Singles, parameterization: Parameterization) -> tuple[Singles, Bools]:
+def fill_table_holes(
+    values: Singles, weights: Singles, parameterization: Parameterization
+) -> tuple[Singles, Bools]:
     """Return values (a, b, c, 3) with holes filled, and which bins were known (a, b, c).
 
     ``weights`` (a, b, c) say how well each bin is known, in readings or in 1/variance; 0 is a hole. Holes where no

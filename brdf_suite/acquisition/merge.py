@@ -36,7 +36,7 @@ _FEWEST_PAIRS = 20
 
 
 @dataclass(frozen=True, eq=False)
-class Merged:
+class MergedRadiance:
     """Merged radiances of one position of the lamp.
 
     Attributes
@@ -93,7 +93,7 @@ def merge(
     flat: npt.NDArray[np.float32] | None = None,
     mask: npt.ArrayLike | None = None,
     threads: int | None = None,
-) -> Merged:
+) -> MergedRadiance:
     """Return the radiances that a series of photographs shows.
 
     Parameters
@@ -153,7 +153,7 @@ def _merge_codes(
     gain: Floats32,
     allowed: npt.NDArray[np.bool_],
     threads: int | None,
-) -> Merged:
+) -> MergedRadiance:
     from brdf_suite.acquisition import compiled_merge  # numba takes half a second to import
 
     count, height, width, channels = stack.shape
@@ -201,7 +201,7 @@ def _merge_codes(
     known = every[:, 0] >= _FEWEST_PAIRS
     amount = np.where(known, every[:, 0], 1.0)
     pixels = max(1, int(dark[:, count].sum()))
-    return Merged(
+    return MergedRadiance(
         radiance,
         variance,
         state,
@@ -225,7 +225,9 @@ def _each(work: Callable[[int], None], count: int, threads: int | None) -> None:
             pass
 
 
-def _merge_floats(stack: Floats32, times: Floats, gain: Floats32, allowed: npt.NDArray[np.bool_]) -> Merged:
+def _merge_floats(
+    stack: Floats32, times: Floats, gain: Floats32, allowed: npt.NDArray[np.bool_]
+) -> MergedRadiance:
     """Return the mean of float pictures weighted by exposure time; they have no detectable clipping."""
     if not np.all(np.isfinite(stack)):
         place = np.argwhere(~np.isfinite(stack))[0]
@@ -235,7 +237,7 @@ def _merge_floats(stack: Floats32, times: Floats, gain: Floats32, allowed: npt.N
     value = np.tensordot(np.ones(len(times), np.float32), stack, 1) / np.float32(times.sum()) / gain
     value = np.where(allowed[..., None], value, np.float32(0.0))
     none = np.zeros(len(times))
-    return Merged(
+    return MergedRadiance(
         value,
         np.asarray((_FLOAT_NOISE * value) ** 2, np.float32),
         np.where(allowed[..., None], np.uint8(GOOD), np.uint8(OUTSIDE)) * np.ones(value.shape, np.uint8),

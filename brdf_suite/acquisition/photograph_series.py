@@ -142,7 +142,7 @@ def read_series(
     for k in wanted:
         path = Path(folder) / names[k]
         try:
-            codes = checked_codes(read_photograph(path), bit_depth, path)
+            codes = check_codes(read_photograph(path), bit_depth, path)
             if stack is None:
                 # One block for all: a list of pictures and its stack would be twice as large.
                 stack = np.empty((len(wanted), *codes.shape), codes.dtype)
@@ -168,7 +168,7 @@ def read_series(
     )
 
 
-def checked_codes(photograph: Photograph, bit_depth: int, path: _Path) -> NDArray[Any]:
+def check_codes(photograph: Photograph, bit_depth: int, path: _Path) -> NDArray[Any]:
     """Return a photograph's codes where they fit the session's depth; :class:`FileError` where they do not."""
     codes, bits = photograph.codes, photograph.facts.bits
     if bits is None:

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from brdf_suite.acquisition.jpeg_pixels import jpeg_parts, jpeg_pixels
 from brdf_suite.acquisition.png_pixels import SIGNATURE, Content, png_parts, png_pixels
 from brdf_suite.acquisition.raw_pixels import RAW_ENDINGS, raw_facts, raw_pixels
-from brdf_suite.acquisition.tiff_pages import exposure_of, first_page
+from brdf_suite.acquisition.tiff_pages import first_page, read_exposure
 from brdf_suite.acquisition.tiff_pixels import tiff_facts, tiff_pixels
 from brdf_suite.errors import FileError
 from brdf_suite.files.made_size import within_memory
@@ -157,7 +157,7 @@ def _exposure(block: bytes, path: _Path) -> float | None:
     """Return the time in an EXIF block; None for a damaged block, as the pixels do not depend on it."""
     try:
         with first_page(block, path) as page:
-            return exposure_of(page)
+            return read_exposure(page)
     except FileError:
         return None
 

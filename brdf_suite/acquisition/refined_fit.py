@@ -119,7 +119,7 @@ def stray(off: Floats, sigma: Floats) -> Valid:
     return stray
 
 
-def outliers_of(off: Floats, sigma: Floats, kept: Valid) -> Valid:
+def find_outliers(off: Floats, sigma: Floats, kept: Valid) -> Valid:
     """Return the highlights (n,) that are off by far more than those ``kept`` usually are."""
     length = np.linalg.norm(off, axis=-1)
     middle = _SPREAD * float(np.median(length[kept]))

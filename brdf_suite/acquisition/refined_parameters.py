@@ -24,7 +24,7 @@ _DISTANCE = 0.01
 
 
 @dataclass(frozen=True)
-class Refined:
+class RefinedValue:
     """A fitted parameter before and after the refinement.
 
     Attributes
@@ -55,7 +55,7 @@ class Refined:
         return dict(vars(self))
 
     @classmethod
-    def from_json(cls, value: Mapping[str, Any]) -> Refined:
+    def from_json(cls, value: Mapping[str, Any]) -> RefinedValue:
         """Return what :meth:`to_json` gave as plain values."""
         return cls(**value)
 
@@ -69,9 +69,11 @@ class RefinedParameter:
     of: Callable[[RigGeometry], float]
     why: str
 
-    def refined(self, before: RigGeometry, after: RigGeometry, prior: float, posterior: float) -> Refined:
+    def refined(
+        self, before: RigGeometry, after: RigGeometry, prior: float, posterior: float
+    ) -> RefinedValue:
         """Return the number before and after, with standard deviations in its own unit."""
-        return Refined(
+        return RefinedValue(
             self.name,
             self.unit,
             self.of(before),

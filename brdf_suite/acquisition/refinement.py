@@ -21,9 +21,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.refined_fit import HighlightSeries, fit_rig, outliers_of, stray
+from brdf_suite.acquisition.refined_fit import HighlightSeries, find_outliers, fit_rig, stray
 from brdf_suite.acquisition.refined_movement import Movement, find_movements
-from brdf_suite.acquisition.refined_parameters import PARAMETERS, Refined, apply, priors
+from brdf_suite.acquisition.refined_parameters import PARAMETERS, RefinedValue, apply, priors
 from brdf_suite.acquisition.sphere_geometry import RigGeometry, unit
 from brdf_suite.acquisition.sphere_highlight import Highlight
 from brdf_suite.acquisition.sphere_outline import SphereOutline
@@ -68,7 +68,7 @@ class Refinement:
     """
 
     geometry: RigGeometry
-    parameters: tuple[Refined, ...]
+    parameters: tuple[RefinedValue, ...]
     positions: npt.NDArray[np.intp]
     pixels: Floats
     residuals_px: Floats
@@ -121,7 +121,7 @@ class Refinement:
         """Return the refinement that :meth:`to_json` gave as plain values."""
         return cls(
             geometry=RigGeometry.from_json(value["geometry"]),
-            parameters=tuple(Refined.from_json(row) for row in value["parameters"]),
+            parameters=tuple(RefinedValue.from_json(row) for row in value["parameters"]),
             positions=np.array(value["positions"], np.intp),
             pixels=np.array(value["pixels"], float).reshape(-1, 2),
             residuals_px=np.array(value["residuals_px"], float).reshape(-1, 2),
@@ -185,12 +185,12 @@ def refine(
         prior[:3, :3] += shift**2 * np.diag((1.0, 1.0, (start.centre_m[2] / start.radius_m) ** 2))
         if np.count_nonzero(kept) >= _LEAST_HIGHLIGHTS:
             fit = fit_rig(series, prior, kept, progress)
-    outliers = outliers_of(fit.off, series.sigma, kept)
+    outliers = find_outliers(fit.off, series.sigma, kept)
     if np.any(outliers & kept) and np.count_nonzero(kept & ~outliers) >= _LEAST_HIGHLIGHTS:
         # Huber's weights leave a stray highlight some pull; without it the fit is what the others say.
         kept &= ~outliers
         fit = fit_rig(series, prior, kept, progress)
-        outliers = outliers_of(fit.off, series.sigma, kept)
+        outliers = find_outliers(fit.off, series.sigma, kept)
     length = np.linalg.norm(fit.off, axis=-1)
     found = apply(start, fit.x)
     degrees = _degrees(found, series.angles, series.seen)
@@ -234,7 +234,7 @@ def calibrate_geometry(
     return refine(outline.geometry, outline, find(first.geometry), subrange(progress, 0.5, 1.0))
 
 
-def moved_sphere(refinement: Refinement, names: Sequence[str]) -> str:
+def format_movement_notice(refinement: Refinement, names: Sequence[str]) -> str:
     """Return the notice about the sphere's movements, ``names`` (K,) being those of the positions; "" for none."""
     sentences = [movement.sentence(names) for movement in refinement.movements]
     if not sentences:

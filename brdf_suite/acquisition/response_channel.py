@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from brdf_suite.acquisition.response import MIDDLE_EXPOSURE, linear_response, middle_code
 from brdf_suite.acquisition.response_curve import CurveBasis, curve_basis, whole_table
-from brdf_suite.acquisition.response_noise import OTHERS_SIGNAL, exposure_variance, measured_noise
+from brdf_suite.acquisition.response_noise import OTHERS_SIGNAL, estimate_noise, exposure_variance
 from brdf_suite.acquisition.response_samples import ResponseSamples
 from brdf_suite.progress import Progress, report
 
@@ -48,8 +48,8 @@ def known_channel(
 ) -> Channel:
     """Measure the noise of a channel whose curve is known."""
     low, inside = _measurable(samples.bit_depth, black, high)
-    first = measured_noise(codes, samples.times, curve, inside, None)
-    read, shot = measured_noise(codes, samples.times, curve, inside, first)
+    first = estimate_noise(codes, samples.times, curve, inside, None)
+    read, shot = estimate_noise(codes, samples.times, curve, inside, first)
     return Channel(curve, read, shot, 0.0, low, 0)
 
 
@@ -88,7 +88,7 @@ def fit_channel(
     for steps in range(1, _STEPS + 1):
         report(progress, steps / _STEPS, "response of the camera")
         curve = _curve(basis, theta, black, middle)
-        read, shot = measured_noise(codes, samples.times, curve, inside, None if read < 0.0 else (read, shot))
+        read, shot = estimate_noise(codes, samples.times, curve, inside, None if read < 0.0 else (read, shot))
         variance = exposure_variance(curve, read, shot)
         weight = np.where(inside & (curve > OTHERS_SIGNAL * np.sqrt(variance)), 1.0 / variance, 0.0)
         matrix[:], right[:] = 0.0, 0.0
@@ -115,7 +115,7 @@ def fit_channel(
         if np.abs(change @ matrix @ change) < _CLOSE**2 * np.trace(matrix) and steps > _RELAXED:
             break
     curve = _curve(basis, theta, black, middle)
-    read, shot = measured_noise(codes, samples.times, curve, inside, (read, shot))
+    read, shot = estimate_noise(codes, samples.times, curve, inside, (read, shot))
     measured = inside & (curve > 2.0 * _LEAST_SIGNAL * np.sqrt(exposure_variance(curve, read, shot)))
     apart = np.log(curve[measured] / line[measured])
     apart -= apart.mean()

@@ -30,7 +30,7 @@ def exposure_variance(curve: Floats, read: float, shot: float) -> Floats:
     )
 
 
-def measured_noise(
+def estimate_noise(
     codes: npt.NDArray[np.uint16],
     times: Floats,
     curve: Floats,

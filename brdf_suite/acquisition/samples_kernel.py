@@ -78,7 +78,7 @@ def reading(
 
 
 @compiled
-def hidden(point: Array, view: Array, lamp: Array, down: Array, housing: float, post: float) -> bool:
+def is_occluded(point: Array, view: Array, lamp: Array, down: Array, housing: float, post: float) -> bool:
     """Return whether the lamp's housing, or the post below it, stands between the camera and a point."""
     reach = math.sqrt(point[0] * point[0] + point[1] * point[1] + point[2] * point[2])
     along = -(lamp[0] * view[0] + lamp[1] * view[1] + lamp[2] * view[2])
@@ -144,7 +144,7 @@ def read_pixels(
         received = reading(points[k], normals[k], tangents[k], views[k], lamp, lamp_table, scratch)
         if received <= 0.0 or scratch[2] < least:
             continue
-        if hidden(points[k], views[k], lamp, down, hiding[0], hiding[1]):
+        if is_occluded(points[k], views[k], lamp, down, hiding[0], hiding[1]):
             continue
         finite = True
         for c in range(3):

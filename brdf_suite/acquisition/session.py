@@ -27,9 +27,9 @@ from brdf_suite.acquisition.session_values import (
     Point,
     Rgb,
     check_name,
-    checked_series,
-    checked_times,
-    checked_whole,
+    check_series,
+    check_times,
+    check_whole,
     refuse_twice,
     set_numbers,
     set_vector,
@@ -155,14 +155,14 @@ class WhiteReference:
     exposures_s: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
-        files = checked_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
+        files = check_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
         object.__setattr__(self, "photographs", files)
         if not isinstance(self.region, (tuple, list)) or len(self.region) != 4:
             raise ValueRangeError(
                 "region", f"left, top, width, height are wanted, not {describe(self.region)}"
             )
         lowest = (0, 0, 1, 1)
-        region = tuple(checked_whole(v, f"region[{i}]", lowest[i], 65_535) for i, v in enumerate(self.region))
+        region = tuple(check_whole(v, f"region[{i}]", lowest[i], 65_535) for i, v in enumerate(self.region))
         object.__setattr__(self, "region", region)
         set_vector(self, PARAMETERS["reflectance"], "reflectance")
         set_numbers(self, PARAMETERS["angle_deg"], "angle_deg")
@@ -170,9 +170,7 @@ class WhiteReference:
         set_vector(self, PARAMETERS["normal"], "normal")
         if math.hypot(*self.normal) < 1e-9:
             raise ValueRangeError("normal", "a vector of length 0 has no direction")
-        object.__setattr__(
-            self, "exposures_s", checked_times(self.exposures_s, "exposures_s", MOST_EXPOSURES)
-        )
+        object.__setattr__(self, "exposures_s", check_times(self.exposures_s, "exposures_s", MOST_EXPOSURES))
 
 
 @dataclass(frozen=True)
@@ -183,11 +181,9 @@ class FlatField:
     exposures_s: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
-        files = checked_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
+        files = check_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
         object.__setattr__(self, "photographs", files)
-        object.__setattr__(
-            self, "exposures_s", checked_times(self.exposures_s, "exposures_s", MOST_EXPOSURES)
-        )
+        object.__setattr__(self, "exposures_s", check_times(self.exposures_s, "exposures_s", MOST_EXPOSURES))
 
 
 @dataclass(frozen=True)
@@ -203,7 +199,7 @@ class Position:
 
     def __post_init__(self) -> None:
         set_numbers(self, PARAMETERS["angle_deg"], "angle_deg")
-        files = checked_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
+        files = check_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
         object.__setattr__(self, "photographs", files)
         if self.mask is not None:
             check_name(self.mask, "mask")
@@ -242,11 +238,11 @@ class Session:
         check_text(self.name, "name", longest=200, lines=False, empty=False)
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
         check_text(self.date, "date", longest=100, lines=False, empty=True)
-        times = checked_times(self.exposures_s, "exposures_s", MOST_EXPOSURES)
+        times = check_times(self.exposures_s, "exposures_s", MOST_EXPOSURES)
         if not times:
             raise ValueRangeError("exposures_s", "the list is empty")
         object.__setattr__(self, "exposures_s", times)
-        object.__setattr__(self, "dark", checked_series(self.dark, "dark", 0, MOST_EXPOSURES))
+        object.__setattr__(self, "dark", check_series(self.dark, "dark", 0, MOST_EXPOSURES))
         if self.mask is not None:
             check_name(self.mask, "mask")
         self._check_positions()

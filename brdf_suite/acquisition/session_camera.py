@@ -8,9 +8,9 @@ from typing import Literal, get_args
 from brdf_suite.acquisition.session_values import (
     PARAMETERS,
     Matrix,
-    checked_numbers,
-    checked_series,
-    checked_whole,
+    check_numbers,
+    check_series,
+    check_whole,
     set_numbers,
 )
 from brdf_suite.documents.parameter import check_choice, describe
@@ -58,9 +58,9 @@ class Board:
 
     def __post_init__(self) -> None:
         for name in ("columns", "rows"):
-            checked_whole(getattr(self, name), name, 3, 100)
+            check_whole(getattr(self, name), name, 3, 100)
         set_numbers(self, PARAMETERS["board.square_m"], "square_m")
-        files = checked_series(self.photographs, "photographs", 1, _MOST_BOARDS)
+        files = check_series(self.photographs, "photographs", 1, _MOST_BOARDS)
         object.__setattr__(self, "photographs", files)
 
 
@@ -98,7 +98,7 @@ class SessionCamera:
         set_numbers(self, PARAMETERS["camera.distance_m"], "distance_m")
         set_numbers(self, PARAMETERS["height_m"], "height_m")
         set_numbers(self, PARAMETERS["tilt_deg"], "tilt_deg")
-        checked_whole(self.bit_depth, "bit_depth", 8, 16)
+        check_whole(self.bit_depth, "bit_depth", 8, 16)
         check_choice(self.response, "response", RESPONSES)
         if self.to_working is not None:
             if not isinstance(self.to_working, (tuple, list)) or len(self.to_working) != 3:
@@ -106,7 +106,7 @@ class SessionCamera:
                     "to_working", f"three rows of three numbers are wanted, not {describe(self.to_working)}"
                 )
             rows = [
-                checked_numbers(row, f"to_working[{i}]", PARAMETERS["matrix"], 3)
+                check_numbers(row, f"to_working[{i}]", PARAMETERS["matrix"], 3)
                 for i, row in enumerate(self.to_working)
             ]
             for i, row in enumerate(rows):

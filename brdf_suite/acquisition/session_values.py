@@ -51,17 +51,17 @@ def set_numbers(owner: object, parameter: Parameter, *names: str) -> None:
 
 def set_vector(owner: object, parameter: Parameter, name: str) -> None:
     """Check a field of three numbers and store it as a tuple of floats."""
-    object.__setattr__(owner, name, checked_numbers(getattr(owner, name), name, parameter, 3))
+    object.__setattr__(owner, name, check_numbers(getattr(owner, name), name, parameter, 3))
 
 
-def checked_numbers(value: object, place: str, parameter: Parameter, count: int) -> tuple[float, ...]:
+def check_numbers(value: object, place: str, parameter: Parameter, count: int) -> tuple[float, ...]:
     """Return ``count`` numbers in the parameter's range; the error names the one that is not."""
     if not isinstance(value, (tuple, list)) or len(value) != count:
         raise ValueRangeError(place, f"a list of {count} numbers is wanted, not {describe(value)}")
     return tuple(parameter.check(item, f"{place}[{i}]") for i, item in enumerate(value))
 
 
-def checked_whole(value: object, place: str, low: int, high: int) -> int:
+def check_whole(value: object, place: str, low: int, high: int) -> int:
     """Return a whole number from ``low`` to ``high``."""
     if isinstance(value, bool) or not isinstance(value, int):
         raise ValueRangeError(place, f"a whole number is wanted, not {describe(value)}")
@@ -70,7 +70,7 @@ def checked_whole(value: object, place: str, low: int, high: int) -> int:
     return value
 
 
-def checked_times(value: object, place: str, most: int) -> tuple[float, ...]:
+def check_times(value: object, place: str, most: int) -> tuple[float, ...]:
     """Return exposure times in seconds, which must grow from one to the next; empty is allowed."""
     if not isinstance(value, (tuple, list)):
         raise ValueRangeError(place, f"a list of times is wanted, not {describe(value)}")
@@ -86,7 +86,7 @@ def checked_times(value: object, place: str, most: int) -> tuple[float, ...]:
     return times
 
 
-def checked_series(value: object, place: str, least: int, most: int) -> tuple[str, ...]:
+def check_series(value: object, place: str, least: int, most: int) -> tuple[str, ...]:
     """Return the names of files in a list of ``least`` to ``most``."""
     if not isinstance(value, (tuple, list)):
         raise ValueRangeError(place, f"a list of names of files is wanted, not {describe(value)}")

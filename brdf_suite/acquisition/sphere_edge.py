@@ -22,7 +22,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.sphere_geometry import RigGeometry, unit
-from brdf_suite.acquisition.sphere_union import Union
+from brdf_suite.acquisition.sphere_union import PhotographUnion
 from brdf_suite.geometry.directions import Floats
 
 _OUTSIDE = 5.0
@@ -62,7 +62,7 @@ def circle(count: int) -> Floats:
     return np.linspace(half, 2.0 * math.pi - half, count)
 
 
-def lit_share(geometry: RigGeometry, union: Union, azimuths: Floats) -> Floats:
+def lit_share(geometry: RigGeometry, union: PhotographUnion, azimuths: Floats) -> Floats:
     """Return the largest cosine (n,) of the light at the outline's azimuths (n,) over the union's positions."""
     normals = _outline_normals(geometry, azimuths)
     points = geometry.centre + geometry.radius_m * normals
@@ -72,7 +72,9 @@ def lit_share(geometry: RigGeometry, union: Union, azimuths: Floats) -> Floats:
     return largest
 
 
-def find_edge(union: Union, geometry: RigGeometry, mask: npt.NDArray[np.bool_] | None = None) -> Edge:
+def find_edge(
+    union: PhotographUnion, geometry: RigGeometry, mask: npt.NDArray[np.bool_] | None = None
+) -> Edge:
     """Return points of the outline near that of ``geometry``, one for each sector in which it can be seen."""
     radius = math.tan(geometry.outline_angle) * geometry.lens.fx
     count = int(np.clip(2.0 * math.pi * radius / _ARC, 48, 240))
@@ -115,7 +117,7 @@ def _inward(geometry: RigGeometry, azimuths: Floats) -> Floats:
 
 
 def _sectors(
-    union: Union, geometry: RigGeometry, mask: npt.NDArray[np.bool_] | None, count: int
+    union: PhotographUnion, geometry: RigGeometry, mask: npt.NDArray[np.bool_] | None, count: int
 ) -> list[tuple[Floats, Floats]]:
     """Return (distance to the outline inward, radiance) of the pixels of each sector."""
     picture = union.picture

@@ -19,7 +19,7 @@ import numpy.typing as npt
 
 from brdf_suite.acquisition.sphere_edge import LEAST_LIT, Edge, circle, find_edge, lit_share
 from brdf_suite.acquisition.sphere_geometry import RigGeometry, Triple, triple, unit
-from brdf_suite.acquisition.sphere_union import Union
+from brdf_suite.acquisition.sphere_union import PhotographUnion
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.progress import Progress, report
@@ -78,7 +78,7 @@ class SphereOutline:
 
 
 def find_outline(
-    union: Union, geometry: RigGeometry, mask: Valid | None = None, progress: Progress | None = None
+    union: PhotographUnion, geometry: RigGeometry, mask: Valid | None = None, progress: Progress | None = None
 ) -> SphereOutline:
     """Return the sphere's outline in a sum of photographs.
 
@@ -132,7 +132,7 @@ def _require(edge: Edge, geometry: RigGeometry) -> None:
         )
 
 
-def _coarse(union: Union, geometry: RigGeometry, mask: Valid | None) -> RigGeometry:
+def _coarse(union: PhotographUnion, geometry: RigGeometry, mask: Valid | None) -> RigGeometry:
     """Return the geometry with the outline that most pixels between bright and dark lie on."""
     points = _border(union, mask)
     rays = geometry.lens.rays(points)
@@ -175,7 +175,7 @@ def _azimuth_bins(rays: Floats, axis: Floats) -> npt.NDArray[np.intp]:
     return np.minimum((turn * _BINS).astype(np.intp), _BINS - 1)
 
 
-def _border(union: Union, mask: Valid | None) -> Floats:
+def _border(union: PhotographUnion, mask: Valid | None) -> Floats:
     """Return pixels (n, 2) of bright beside dark at several thresholds.
 
     The outline is a step and lies on the border at each of them; a highlight's slope and the sphere's own shadow do

@@ -11,7 +11,7 @@ from brdf_suite.acquisition.session import Session
 from brdf_suite.acquisition.sphere_geometry import RigGeometry, Triple, triple
 
 
-def geometry_of_session(session: Session, shape: tuple[int, int], lens: Lens | None = None) -> RigGeometry:
+def nominal_geometry(session: Session, shape: tuple[int, int], lens: Lens | None = None) -> RigGeometry:
     """Return the stated geometry.
 
     Parameters

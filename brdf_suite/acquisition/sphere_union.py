@@ -12,7 +12,7 @@ Picture = npt.NDArray[np.float32]
 Valid = npt.NDArray[np.bool_]
 
 
-class Union:
+class PhotographUnion:
     """Sum of merged photographs over light positions; add as many as are available, 6 to 40.
 
     Attributes

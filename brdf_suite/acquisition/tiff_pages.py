@@ -53,7 +53,7 @@ def first_page(source: _Path | bytes, path: _Path) -> Iterator[TiffPage]:
         raise FileError(path, f"is a damaged TIFF; its fields contradict each other ({error})") from error
 
 
-def exposure_of(page: TiffPage) -> float | None:
+def read_exposure(page: TiffPage) -> float | None:
     """Return the exposure time in seconds that a page or its EXIF folder names, or None where they name none."""
     folder = page.tags.valueof(_EXIF)
     named: dict[str, Any] = folder if isinstance(folder, dict) else {}

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.tiff_pages import exposure_of, first_page
+from brdf_suite.acquisition.tiff_pages import first_page, read_exposure
 from brdf_suite.errors import ExtraError, FileError
 from brdf_suite.extras import import_extra
 from brdf_suite.files.made_size import check_made
@@ -49,7 +49,7 @@ def tiff_facts(path: _Path) -> tuple[int, int, int | None, float | None]:
     with first_page(path, path) as page:
         _check_layout(page, path)
         try:
-            time = exposure_of(page)
+            time = read_exposure(page)
         except (ArithmeticError, LookupError, TypeError, ValueError):
             time = None  # a damaged block has none, as the pixels do not depend on it
         bits = None if int(page.sampleformat) == 3 else int(page.bitspersample)

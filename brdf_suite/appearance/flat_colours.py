@@ -84,7 +84,7 @@ def flat_labs(colours: Sequence[FlatColour]) -> Floats:
     return found
 
 
-def paint_of(
+def to_paint(
     content: Paint | CookTorrancePaint | FactoredPaint | FlatColour,
 ) -> Paint | CookTorrancePaint | FactoredPaint:
     """Return a palette entry's content as a paint: a flat colour becomes solid, the same at all angles.
@@ -143,7 +143,7 @@ def _labs(like: FlatColour, values: Floats) -> Floats:
     if model == "spectrum":
         return spectrum_to_lab(values, np.array(like.wavelengths_nm))
     if model in ("Lab", "LCh", "XYZ"):
-        white = white_of(like)
+        white = reference_white(like)
         lab = lch_to_lab(values) if model == "LCh" else values
         if (like.illuminant, like.observer_deg) == ("D65", 10) and model != "XYZ":
             return lab
@@ -171,13 +171,13 @@ def _decoded(encoded: Floats, power: float | None) -> Floats:
     return np.asarray(np.copysign(curved, encoded), np.float64)
 
 
-def white_of(colour: FlatColour) -> Floats:
+def reference_white(colour: FlatColour) -> Floats:
     """Return the white, XYZ, that a Lab, LCh or XYZ colour is of; D50 and 2° where nothing known is named."""
     key = (colour.illuminant, colour.observer_deg or 2)
     return np.array(WHITES.get(key, WHITES["D50", 2]))
 
 
-def encoded_rgb(colour: FlatColour) -> tuple[float, float, float] | None:
+def decode_rgb(colour: FlatColour) -> tuple[float, float, float] | None:
     """Return R, G, B of a colour whose own numbers are RGB or a rule of RGB (HSB, HSL, CMY, CMYK, Gray), else None."""
     if colour.model in ("Lab", "LCh", "XYZ", "spectrum"):
         return None

@@ -71,7 +71,7 @@ def _constants(angle_deg: int) -> tuple[float, float, float, float, float, float
     return a, b, s1, s2, 2.0 * math.cos(math.radians(angle_deg)) ** 2, smooth
 
 
-def captured(angle_deg: int, roughness: float) -> float:
+def receptor_fraction(angle_deg: int, roughness: float) -> float:
     """Return A, the share of the lobe in the receptor relative to a smooth surface's, 0 to 1."""
     a, b, s1, s2, across, smooth = _constants(angle_deg)
     square = roughness * roughness
@@ -85,7 +85,9 @@ def gloss_units(angle_deg: int, ior: float, roughness: float) -> float:
     >>> round(gloss_units(20, 1.53, 0.0), 1)
     90.0
     """
-    return 100.0 * fresnel_at(angle_deg, ior) / black_glass(angle_deg) * captured(angle_deg, roughness)
+    return (
+        100.0 * fresnel_at(angle_deg, ior) / black_glass(angle_deg) * receptor_fraction(angle_deg, roughness)
+    )
 
 
 def solve_coat(
@@ -182,7 +184,7 @@ def _from_two(gu_20: float, gu_60: float, base_20: float, base_60: float) -> tup
 
 def _ior_for(wanted_20: float, roughness: float, lowest: float) -> float:
     """The index that gives ``wanted_20`` at this roughness, held to the range."""
-    target = wanted_20 / 100.0 * black_glass(20) / captured(20, roughness)
+    target = wanted_20 / 100.0 * black_glass(20) / receptor_fraction(20, roughness)
     if target <= fresnel_at(20, lowest):
         return lowest
     if target >= fresnel_at(20, HIGHEST_IOR):
@@ -193,14 +195,14 @@ def _ior_for(wanted_20: float, roughness: float, lowest: float) -> float:
 def _roughness_for(wanted_20: float, ior: float) -> float:
     """The roughness that gives ``wanted_20`` with this index, held to the range."""
     share = wanted_20 / gloss_units(20, ior, 0.0)
-    if share >= captured(20, LOWEST_ROUGHNESS):
+    if share >= receptor_fraction(20, LOWEST_ROUGHNESS):
         return LOWEST_ROUGHNESS
-    if share <= captured(20, HIGHEST_ROUGHNESS):
+    if share <= receptor_fraction(20, HIGHEST_ROUGHNESS):
         return HIGHEST_ROUGHNESS
     # In logarithms the curve is close to a line, which the root finder likes.
     return math.exp(
         bracketed_root(
-            lambda x: math.log(captured(20, math.exp(x)) / share),
+            lambda x: math.log(receptor_fraction(20, math.exp(x)) / share),
             math.log(LOWEST_ROUGHNESS),
             math.log(HIGHEST_ROUGHNESS),
             tolerance=1e-10,

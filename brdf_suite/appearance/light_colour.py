@@ -50,7 +50,7 @@ class ColourUnderLight:
         return f"{self.illuminant}, {self.observer_deg}°: {LABELS[self.road]}"
 
 
-def adapted_colour(
+def adapt_colour(
     lab: npt.ArrayLike, illuminant: str, transform: AdaptationTransform = "CAT16"
 ) -> ColourUnderLight:
     """Return the colour under ``illuminant`` of L*a*b* (..., 3) measured under D65 with the 10° observer."""
@@ -62,7 +62,7 @@ def adapted_colour(
     return ColourUnderLight(adapted, xyz_to_lab(adapted, white), illuminant, 10, "adapted")
 
 
-def recomputed_colour(
+def colour_from_spectra(
     values: npt.ArrayLike, wavelengths_nm: npt.ArrayLike, illuminant: str, observer_deg: int = 10
 ) -> ColourUnderLight:
     """Return the colour under ``illuminant`` of reflectance spectra (..., k)."""

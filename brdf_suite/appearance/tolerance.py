@@ -43,7 +43,7 @@ _CMC = re.compile(r"cmc:(\d{1,3}(?:\.\d{1,6})?):(\d{1,3}(?:\.\d{1,6})?)")
 _SAME_DEG = 1e-6
 
 
-def difference_named(name: str) -> Difference:
+def find_difference(name: str) -> Difference:
     """Return the formula called ``name``: a key of :data:`DIFFERENCES`, or ``cmc:l:c`` with weights of one's own.
 
     >>> float(difference_named("cmc:2:1")([50.0, 0.0, 0.0], [51.0, 0.0, 0.0])) == float(
@@ -63,7 +63,7 @@ def difference_named(name: str) -> Difference:
 
 
 def difference_title(name: str) -> str:
-    """Return what stands beside the number: ``ΔE00``, ``CMC(1.4:1)``; errors as :func:`difference_named`."""
+    """Return what stands beside the number: ``ΔE00``, ``CMC(1.4:1)``; errors as :func:`find_difference`."""
     if name in TITLES:
         return TITLES[name]
     lightness, chroma = _cmc_weights(name)
@@ -152,7 +152,7 @@ class Tolerances:
     """The largest differences that pass, per aspecular angle in degrees; ``otherwise`` for angles not named.
 
     A bare number is the limit of the whole difference. ``otherwise`` is ``None`` where an angle that is not named
-    shall not be judged. ``difference`` names the formula (:func:`difference_named`).
+    shall not be judged. ``difference`` names the formula (:func:`find_difference`).
     """
 
     by_angle: Mapping[float, float | Limits]
@@ -160,7 +160,7 @@ class Tolerances:
     difference: str = "2000"
 
     def __post_init__(self) -> None:
-        difference_named(self.difference)
+        find_difference(self.difference)
         for angle, value in self.by_angle.items():
             _checked(f"tolerance at {angle:g}°", value)
         if self.otherwise is not None:
@@ -235,7 +235,7 @@ def judge(
             "readings",
             f"{len(aspecular_deg)} L*a*b* values of each are wanted, not shapes {first.shape} and {second.shape}",
         )
-    differences = difference_named(tolerances.difference)(first, second)
+    differences = find_difference(tolerances.difference)(first, second)
     return Verdict(
         tuple(
             _row(angle, float(differences[i]), tolerances.limits_at(angle), first[i], second[i])

@@ -56,7 +56,7 @@ def in_english(text: str) -> str:
 
 
 @dataclass(frozen=True)
-class Named:
+class NamedDifference:
     """One word for a difference; ``size`` in units of about one ΔE00."""
 
     word: str
@@ -89,9 +89,9 @@ def hue_word(hue_deg: float, turn: float) -> str:
     return _AXES[next_axis % 4]
 
 
-def named_differences(
+def name_differences(
     standard: Lab, sample: Lab, weights: Sequence[float] | None = None
-) -> tuple[Named, ...]:
+) -> tuple[NamedDifference, ...]:
     """Return the words for a sample's L*a*b* (3,) against the standard's, the largest first; empty where none is.
 
     ``weights`` are S_L, S_C and S_H of the two (:func:`~brdf_suite.appearance.difference.weights_2000`), for callers
@@ -103,29 +103,29 @@ def named_differences(
     lightness, chroma, hue = difference_parts(standard, sample)
     s_l, s_c, s_h = weights_2000(standard, sample).tolist() if weights is None else weights
     c1, c2 = math.hypot(standard[1], standard[2]), math.hypot(sample[1], sample[2])
-    found = [Named("lighter" if lightness > 0.0 else "darker", abs(lightness) / s_l)]
+    found = [NamedDifference("lighter" if lightness > 0.0 else "darker", abs(lightness) / s_l)]
     if min(c1, c2) < GREY_BELOW:
         delta_a, delta_b = float(sample[1]) - float(standard[1]), float(sample[2]) - float(standard[2])
-        found.append(Named("redder" if delta_a > 0.0 else "greener", abs(delta_a) / s_c))
-        found.append(Named("yellower" if delta_b > 0.0 else "bluer", abs(delta_b) / s_c))
+        found.append(NamedDifference("redder" if delta_a > 0.0 else "greener", abs(delta_a) / s_c))
+        found.append(NamedDifference("yellower" if delta_b > 0.0 else "bluer", abs(delta_b) / s_c))
     else:
-        found.append(Named("cleaner" if chroma > 0.0 else "dirtier", abs(chroma) / s_c))
+        found.append(NamedDifference("cleaner" if chroma > 0.0 else "dirtier", abs(chroma) / s_c))
         place = math.degrees(math.atan2(standard[2], standard[1]))
-        found.append(Named(hue_word(place, hue), abs(hue) / s_h))
+        found.append(NamedDifference(hue_word(place, hue), abs(hue) / s_h))
     least = max(NAMED_FROM, _SHARE_NAMED * max(named.size for named in found))
     return tuple(sorted((named for named in found if named.size >= least), key=lambda named: -named.size))
 
 
-def named_flop(standard: float, sample: float) -> Named | None:
+def name_flop(standard: float, sample: float) -> NamedDifference | None:
     """Return "more flop" or "less flop" for two flop indices; ``None`` where they are alike or one is NaN."""
     change = sample - standard
     if not abs(change) >= FLOP_NAMED_FROM:
         return None
     # The degree of words for colours: a change of about 2 of the index is plain to see, of 6 much.
-    return Named("more flop" if change > 0.0 else "less flop", abs(change) / 2.0)
+    return NamedDifference("more flop" if change > 0.0 else "less flop", abs(change) / 2.0)
 
 
-def joined(texts: Sequence[str], say: Say = in_english) -> str:
+def join_words(texts: Sequence[str], say: Say = in_english) -> str:
     """Return texts as a list in a sentence: ``a, b and c``; empty for none."""
     if len(texts) < 2:
         return "".join(texts)
@@ -135,17 +135,17 @@ def joined(texts: Sequence[str], say: Say = in_english) -> str:
     return say("{first} and {second}").format(first=head, second=texts[-1])
 
 
-def words_text(named: Sequence[Named], say: Say = in_english) -> str:
+def words_text(named: Sequence[NamedDifference], say: Say = in_english) -> str:
     """Return the words of one angle as they stand under a patch: ``darker and slightly bluer``."""
     if not named:
         return say("no visible difference")
-    return joined([one.text(say) for one in named], say)
+    return join_words([one.text(say) for one in named], say)
 
 
 def sentence(
     angles: Sequence[str],
-    words: Sequence[tuple[Named, ...]],
-    flop: Named | None = None,
+    words: Sequence[tuple[NamedDifference, ...]],
+    flop: NamedDifference | None = None,
     say: Say = in_english,
 ) -> str:
     """Return all angles in one line: ``lighter at 15° and 25°; darker and bluer at 110°; more flop``.
@@ -155,7 +155,7 @@ def sentence(
     angles
         What each angle is called, as in ``15°``.
     words
-        Per angle its words, as :func:`named_differences` gives them; angles without any are left out.
+        Per angle its words, as :func:`name_differences` gives them; angles without any are left out.
 
     >>> sentence(["15°", "110°"], [(), named_differences((25.0, 4.0, -38.0), (22.0, 4.0, -38.0))])
     'darker at 110°'
@@ -170,7 +170,7 @@ def sentence(
         if len(members) == len(angles) > 1:
             clauses.append(say("{words} at every angle").format(words=text))
         else:
-            named_angles = joined([angles[index] for index in members], say)
+            named_angles = join_words([angles[index] for index in members], say)
             clauses.append(say("{words} at {angles}").format(words=text, angles=named_angles))
     if flop is not None:
         clauses.append(flop.text(say))

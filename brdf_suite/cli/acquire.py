@@ -63,7 +63,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Reconstruct, write the table and print a summary."""
-    if acquire_simulate.wanted(options):
+    if acquire_simulate.is_requested(options):
         return acquire_simulate.run(options)
     from brdf_suite.errors import SuiteError
     from brdf_suite.pipeline.acquiring import Acquisition

@@ -60,7 +60,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     rig.add_argument("--tiff", action="store_true", help="write TIFF instead of PNG")
 
 
-def wanted(options: argparse.Namespace) -> bool:
+def is_requested(options: argparse.Namespace) -> bool:
     """Say whether a template or a simulation is asked for, and no reconstruction."""
     return bool(options.template or options.simulate)
 

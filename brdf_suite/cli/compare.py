@@ -6,7 +6,7 @@ import argparse
 
 from brdf_suite.cli.measure import ANYTHING, add_instrument
 from brdf_suite.cli.output import print_json
-from brdf_suite.cli.tolerances import add_tolerances, tolerances_of, verdict_text
+from brdf_suite.cli.tolerances import add_tolerances, parse_tolerances, verdict_text
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -35,7 +35,7 @@ def run(options: argparse.Namespace) -> int:
     from brdf_suite.reflectance.aperture import aperture
 
     geometry = geometry_set(options.geometry)
-    tolerances = tolerances_of(options, [one.aspecular_deg for one in geometry.geometries])
+    tolerances = parse_tolerances(options, [one.aspecular_deg for one in geometry.geometries])
     first, second = (load_measurable(what, observer_deg=options.observer) for what in (options.a, options.b))
     result = compare(first, second, geometry, aperture(options.aperture), tolerances)
     failed = result.verdict is not None and result.verdict.passes is False

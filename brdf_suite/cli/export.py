@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from brdf_suite.cli.export_progress import add_export, export_progress
 from brdf_suite.cli.output import print_json
-from brdf_suite.cli.tolerances import add_tolerances, tolerances_of
+from brdf_suite.cli.tolerances import add_tolerances, parse_tolerances
 
 if TYPE_CHECKING:
     from brdf_suite.files.exports import ExportFormat, Subject
@@ -68,7 +68,7 @@ def run(options: argparse.Namespace) -> int:
     read = [m.aspecular_deg for subject in subjects for m in subject.paint.measurements]
     report = ReportOptions(
         standard=None if options.standard is None else load_standards(options.standard)[0],
-        tolerances=tolerances_of(options, read) or Tolerances({}, None, options.difference),
+        tolerances=parse_tolerances(options, read) or Tolerances({}, None, options.difference),
         view=None if options.view is None else load_view(options.view),
         pictures=not options.no_pictures,
     )

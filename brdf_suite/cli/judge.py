@@ -6,7 +6,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from brdf_suite.cli.output import print_json
-from brdf_suite.cli.tolerances import add_tolerances, tolerances_of, verdict_text
+from brdf_suite.cli.tolerances import add_tolerances, parse_tolerances, verdict_text
 from brdf_suite.errors import SuiteError
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
     standard = _chosen(load_standards(options.standard), options.name, options.standard)
     batches = _batches(options.batch, standard)
     angles = [m.aspecular_deg for paint in batches for m in paint.measurements]
-    tolerances = tolerances_of(options, angles) or Tolerances({}, None, options.difference)
+    tolerances = parse_tolerances(options, angles) or Tolerances({}, None, options.difference)
     reports = judge_all(standard, batches, tolerances)
     failed = any(report.passes is False for report in reports)
     if options.json:

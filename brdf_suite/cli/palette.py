@@ -69,10 +69,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run_convert(options: argparse.Namespace) -> int:
     """Convert and print lines or a JSON object."""
-    from brdf_suite.files.palettes import format_for, format_named, losses, read_palette, write_palette
+    from brdf_suite.files.palettes import find_format, format_for, losses, read_palette, write_palette
 
     found = read_palette(options.source)
-    known = format_for(options.target) if options.format is None else format_named(options.format)
+    known = format_for(options.target) if options.format is None else find_format(options.format)
     shown = _display_notes(found.palette)
     if options.list_losses:
         lost, size = losses(found.palette, known, options.target), None

@@ -7,7 +7,7 @@ import math
 
 from brdf_suite.cli.export_progress import export_progress
 from brdf_suite.cli.output import print_json, progress_bar
-from brdf_suite.cli.picture_options import settings_of
+from brdf_suite.cli.picture_options import parse_settings
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 
@@ -95,7 +95,7 @@ def run_reference(options: argparse.Namespace, view: View) -> int:
             view,
             options.size,
             options.output,
-            settings=settings_of(options),
+            settings=parse_settings(options),
             denoise=options.denoise,
             samples=options.spp,
             seconds=options.time,

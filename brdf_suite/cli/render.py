@@ -8,9 +8,9 @@ from pathlib import Path
 
 from brdf_suite.cli.export_progress import add_export, export_progress
 from brdf_suite.cli.output import print_json
-from brdf_suite.cli.picture_options import add_picture, settings_of
+from brdf_suite.cli.picture_options import add_picture, parse_settings
 from brdf_suite.cli.reference_options import add_reference, check_renderer, run_raytraced, run_reference
-from brdf_suite.cli.scene_options import add_scene, view_of
+from brdf_suite.cli.scene_options import add_scene, parse_view
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -48,14 +48,14 @@ def run(options: argparse.Namespace) -> int:
     from brdf_suite.pipeline.still import render_to_file
 
     check_renderer(options)
-    view = view_of(options)
+    view = parse_view(options)
     if options.renderer == "reference":
         return run_reference(options, view)
     if options.renderer == "raytraced":
         return run_raytraced(options, view)
     with export_progress("rendering", options) as progress:
         picture = render_to_file(
-            options.paint, view, options.size, options.output, settings_of(options), progress=progress
+            options.paint, view, options.size, options.output, parse_settings(options), progress=progress
         )
     if options.json:
         facts = asdict(picture)

@@ -14,7 +14,7 @@ from brdf_suite.errors import ValueRangeError
 
 
 def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = (1280, 720)) -> None:
-    """Declare what :func:`view_of` reads, and ``--size``."""
+    """Declare what :func:`parse_view` reads, and ``--size``."""
     command.add_argument(
         "--view", type=Path, default=None, metavar="FILE", help="a .brdfview file; other options change it"
     )
@@ -147,7 +147,7 @@ def _point_light(text: str) -> Lamp:
         raise argparse.ArgumentTypeError(f"{text!r}: {error}") from error
 
 
-def view_of(options: argparse.Namespace) -> View:
+def parse_view(options: argparse.Namespace) -> View:
     """Return the view that the options ask for.
 
     Raises

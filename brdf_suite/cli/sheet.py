@@ -7,8 +7,8 @@ from pathlib import Path
 
 from brdf_suite.cli.export_progress import add_export, export_progress
 from brdf_suite.cli.output import print_json
-from brdf_suite.cli.picture_options import add_picture, settings_of
-from brdf_suite.cli.scene_options import add_scene, view_of
+from brdf_suite.cli.picture_options import add_picture, parse_settings
+from brdf_suite.cli.scene_options import add_scene, parse_view
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -47,7 +47,7 @@ def run(options: argparse.Namespace) -> int:
 
     from brdf_suite.pipeline.contact_sheet import write_sheet
 
-    view = view_of(options)
+    view = parse_view(options)
     with export_progress("sheet", options) as progress:
         made = write_sheet(
             options.source,
@@ -55,7 +55,7 @@ def run(options: argparse.Namespace) -> int:
             options.size,
             options.output,
             options.columns,
-            settings_of(options),
+            parse_settings(options),
             form=None if options.form == "surface" else options.form,
             progress=progress,
         )

@@ -65,7 +65,7 @@ def tolerance(text: str) -> tuple[float | None, dict[str, float]]:
     return at, found
 
 
-def tolerances_of(options: argparse.Namespace, read: Sequence[float]) -> Tolerances | None:
+def parse_tolerances(options: argparse.Namespace, read: Sequence[float]) -> Tolerances | None:
     """Return what the options ask for at the angles that are ``read``; ``None`` where nothing shall be judged.
 
     Raises
@@ -73,9 +73,9 @@ def tolerances_of(options: argparse.Namespace, read: Sequence[float]) -> Toleran
     SuiteError
         There is no such formula, a limit is no size, or an angle is not read.
     """
-    from brdf_suite.appearance.tolerance import Limits, Tolerances, difference_named
+    from brdf_suite.appearance.tolerance import Limits, Tolerances, find_difference
 
-    difference_named(options.difference)
+    find_difference(options.difference)
     if not options.tolerance:
         return None
     known = [(angle, Limits(**parts, ellipsoid=options.ellipsoid)) for angle, parts in options.tolerance]

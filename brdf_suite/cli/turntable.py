@@ -7,9 +7,9 @@ from pathlib import Path
 
 from brdf_suite.cli.export_progress import add_export, export_progress
 from brdf_suite.cli.output import print_json
-from brdf_suite.cli.picture_options import add_picture, settings_of
+from brdf_suite.cli.picture_options import add_picture, parse_settings
 from brdf_suite.cli.reference_options import RENDERERS, add_raytraced, samples
-from brdf_suite.cli.scene_options import add_scene, view_of
+from brdf_suite.cli.scene_options import add_scene, parse_view
 from brdf_suite.errors import SuiteError
 
 
@@ -62,7 +62,7 @@ def run(options: argparse.Namespace) -> int:
     from brdf_suite.pipeline.turntable import Turn, write_turntable
 
     _check_renderer(options)
-    view = view_of(options)
+    view = parse_view(options)
     turn = Turn(options.frames, options.fps, options.clockwise)
     with export_progress("turntable", options) as progress:
         if options.renderer == "realtime":
@@ -72,7 +72,7 @@ def run(options: argparse.Namespace) -> int:
                 options.size,
                 options.output,
                 turn,
-                settings_of(options),
+                parse_settings(options),
                 progress=progress,
             )
         else:

@@ -43,7 +43,7 @@ class CookTorranceLobe:
     r: float
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "ks", checked_rgb(self.ks, "ks", PARAMETERS["lobes[].ks"]))
+        object.__setattr__(self, "ks", check_rgb(self.ks, "ks", PARAMETERS["lobes[].ks"]))
         for name in ("m", "r"):
             object.__setattr__(self, name, PARAMETERS[f"lobes[].{name}"].check(getattr(self, name), name))
 
@@ -83,7 +83,7 @@ class CookTorrancePaint:
 
     def __post_init__(self) -> None:
         check_text(self.name, "name", longest=200, lines=False, empty=False)
-        object.__setattr__(self, "kd", checked_rgb(self.kd, "kd", PARAMETERS["kd"]))
+        object.__setattr__(self, "kd", check_rgb(self.kd, "kd", PARAMETERS["kd"]))
         if not isinstance(self.lobes, (tuple, list)):
             raise ValueRangeError("lobes", f"a list is wanted, not {describe(self.lobes)}")
         if len(self.lobes) > _MOST_LOBES:
@@ -103,7 +103,7 @@ class CookTorrancePaint:
         check_text(self.source, "source", longest=10_000, lines=True, empty=True)
 
 
-def checked_rgb(value: object, place: str, parameter: Parameter) -> Rgb:
+def check_rgb(value: object, place: str, parameter: Parameter) -> Rgb:
     """Return three numbers in the parameter's range; raise :class:`ValueRangeError` naming the channel."""
     if not isinstance(value, (tuple, list)) or len(value) != 3:
         raise ValueRangeError(place, f"three numbers red, green, blue are wanted, not {describe(value)}")

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from brdf_suite.documents.cook_torrance import Clearcoat, Rgb, checked_rgb
+from brdf_suite.documents.cook_torrance import Clearcoat, Rgb, check_rgb
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.parameter import Parameter, check_text, describe
 from brdf_suite.errors import ValueRangeError
@@ -70,7 +70,7 @@ class FactoredPaint:
                 parse_factors(text)
             except ValueRangeError as error:
                 raise ValueRangeError(place, error.reason) from error
-        object.__setattr__(self, "alpha", checked_rgb(self.alpha, "alpha", PARAMETERS["alpha"]))
+        object.__setattr__(self, "alpha", check_rgb(self.alpha, "alpha", PARAMETERS["alpha"]))
         if not isinstance(self.logarithmic, bool):
             raise ValueRangeError("logarithmic", f"true or false is wanted, not {describe(self.logarithmic)}")
         largest = Parameter("Largest", "1/sr", 0.0, 1e12, 0.0, "").check(self.largest, "largest")

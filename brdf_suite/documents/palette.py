@@ -79,7 +79,7 @@ class Entry:
         # Most fields of most entries have their default, and a file may hold a hundred thousand entries.
         check_text(self.id, "id", longest=64, lines=False, empty=True)
         if self.group != ():
-            _set(self, "group", checked_path(self.group, "group"))
+            _set(self, "group", check_path(self.group, "group"))
         if self.code != "":
             check_text(self.code, "code", longest=200, lines=False, empty=True)
         if self.tags != ():
@@ -122,7 +122,7 @@ class Group:
     foreign: Foreign = ()
 
     def __post_init__(self) -> None:
-        _set(self, "path", checked_path(self.path, "path"))
+        _set(self, "path", check_path(self.path, "path"))
         if not self.path:
             raise ValueRangeError("path", "a group has a name")
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
@@ -241,7 +241,7 @@ def new_id() -> str:
     return secrets.token_hex(8)
 
 
-def checked_path(value: object, place: str) -> GroupPath:
+def check_path(value: object, place: str) -> GroupPath:
     """Return the path of a group, checked."""
     names = _items(value, place, str, DEEPEST_GROUP)
     for index, name in enumerate(names):

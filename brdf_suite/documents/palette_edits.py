@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
 
-from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette, checked_path, new_id
+from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette, check_path, new_id
 from brdf_suite.errors import ValueRangeError
 
 
-def added(
+def add_entries(
     palette: Palette, entries: Iterable[Entry], group: GroupPath | None = None, before: str | None = None
 ) -> Palette:
     """Return the palette with further entries, before the entry of id ``before`` or at the end.
@@ -32,13 +32,13 @@ def added(
     return replace(palette, entries=(*items[:place], *fresh, *items[place:]))
 
 
-def removed(palette: Palette, ids: Collection[str]) -> Palette:
+def remove_entries(palette: Palette, ids: Collection[str]) -> Palette:
     """Return the palette without the entries of these ids; their groups stay."""
     gone = _known(palette, ids)
     return replace(palette, entries=tuple(entry for entry in palette.entries if entry.id not in gone))
 
 
-def moved(
+def move_entries(
     palette: Palette, ids: Collection[str], group: GroupPath | None = None, before: str | None = None
 ) -> Palette:
     """Return the palette with entries moved before the entry of id ``before``, or to the end, in their order.
@@ -60,7 +60,7 @@ def moved(
     return replace(palette, entries=(*rest[:place], *chosen, *rest[place:]))
 
 
-def changed(palette: Palette, ids: Collection[str], change: Callable[[Entry], Entry]) -> Palette:
+def change_entries(palette: Palette, ids: Collection[str], change: Callable[[Entry], Entry]) -> Palette:
     """Return the palette with ``change`` made to the entries of these ids; their ids stay."""
     wanted = _known(palette, ids)
     return replace(
@@ -71,12 +71,14 @@ def changed(palette: Palette, ids: Collection[str], change: Callable[[Entry], En
     )
 
 
-def renamed(palette: Palette, id_: str, name: str) -> Palette:
+def rename_entry(palette: Palette, id_: str, name: str) -> Palette:
     """Return the palette with an entry, paint or colour, under another name."""
-    return changed(palette, (id_,), lambda entry: replace(entry, content=replace(entry.content, name=name)))
+    return change_entries(
+        palette, (id_,), lambda entry: replace(entry, content=replace(entry.content, name=name))
+    )
 
 
-def tagged(
+def tag_entries(
     palette: Palette, ids: Collection[str], add: Sequence[str] = (), drop: Collection[str] = ()
 ) -> Palette:
     """Return the palette with tags given to entries, and others taken from them."""
@@ -85,10 +87,10 @@ def tagged(
         kept = [tag for tag in entry.tags if tag not in drop]
         return replace(entry, tags=tuple(dict.fromkeys((*kept, *add))))
 
-    return changed(palette, ids, change)
+    return change_entries(palette, ids, change)
 
 
-def reordered(palette: Palette, ids: Sequence[str]) -> Palette:
+def reorder_entries(palette: Palette, ids: Sequence[str]) -> Palette:
     """Return the palette with these entries in this order, in the places that they have among all others."""
     places = sorted(_place(palette, id_) for id_ in ids)
     if len(set(places)) != len(places):
@@ -107,14 +109,14 @@ def with_group(palette: Palette, group: Group, before: GroupPath | None = None) 
     return replace(palette, groups=(*palette.groups[:place], group, *palette.groups[place:]))
 
 
-def changed_group(palette: Palette, path: GroupPath, change: Callable[[Group], Group]) -> Palette:
+def change_group(palette: Palette, path: GroupPath, change: Callable[[Group], Group]) -> Palette:
     """Return the palette with notes, colour or whatever else of a group changed; its path stays."""
     place = _group_place(palette, path)
     group = replace(change(palette.groups[place]), path=path)
     return replace(palette, groups=(*palette.groups[:place], group, *palette.groups[place + 1 :]))
 
 
-def without_group(palette: Palette, path: GroupPath, *, keep_entries: bool = False) -> Palette:
+def remove_group(palette: Palette, path: GroupPath, *, keep_entries: bool = False) -> Palette:
     """Return the palette without a group and those in it; its entries go with it, or move to the group around it."""
     _group_place(palette, path)
     groups = tuple(group for group in palette.groups if not _inside(group.path, path))
@@ -128,17 +130,17 @@ def without_group(palette: Palette, path: GroupPath, *, keep_entries: bool = Fal
     return replace(palette, groups=groups, entries=entries)
 
 
-def renamed_group(palette: Palette, path: GroupPath, name: str) -> Palette:
+def rename_group(palette: Palette, path: GroupPath, name: str) -> Palette:
     """Return the palette with a group under another name, all that is in it with it."""
-    return moved_group(palette, path, (*path[:-1], name))
+    return move_group(palette, path, (*path[:-1], name))
 
 
-def moved_group(palette: Palette, path: GroupPath, to: GroupPath, before: GroupPath | None = None) -> Palette:
+def move_group(palette: Palette, path: GroupPath, to: GroupPath, before: GroupPath | None = None) -> Palette:
     """Return the palette with a group, all that is in it with it, at another path and before another group.
 
     Where there is a group at ``to`` already the two become one, and its notes and colour stay.
     """
-    to = checked_path(to, "to")
+    to = check_path(to, "to")
     place = _group_place(palette, path)
     if not to or (_inside(to, path) and to != path):
         raise ValueRangeError("to", "a group cannot go into itself")

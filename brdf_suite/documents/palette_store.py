@@ -21,7 +21,7 @@ from brdf_suite.documents.migrations import VERSIONS, open_envelope
 from brdf_suite.documents.palette import MOST_ENTRIES, Entry, Group, Palette
 from brdf_suite.documents.parameter import describe
 from brdf_suite.documents.quick_paint import quick_paint
-from brdf_suite.documents.reading import FieldReader, fill, json_of_bytes, read_json
+from brdf_suite.documents.reading import FieldReader, fill, json_from_bytes, read_json
 from brdf_suite.documents.store import any_paint_from_json, paint_to_json
 from brdf_suite.errors import DocumentError, ValueRangeError
 
@@ -38,10 +38,10 @@ def load_palette(path: _Path) -> Palette:
         return palette_from_json(read_json(path, LARGEST_PALETTE), path)
 
 
-def palette_of_bytes(content: bytes, path: _Path) -> Palette:
+def palette_from_bytes(content: bytes, path: _Path) -> Palette:
     """Return the palette in the content of a ``.brdfpalette`` file; errors as :func:`load_palette`."""
     with _no_collection():
-        return palette_from_json(json_of_bytes(content, path), path)
+        return palette_from_json(json_from_bytes(content, path), path)
 
 
 def save_palette(palette: Palette, path: _Path) -> None:

@@ -123,10 +123,10 @@ def read_json(path: str | os.PathLike[str], largest: int = LARGEST_FILE) -> obje
     DocumentError
         It is not UTF-8, not JSON, too large or nested too deep; with line and column where they are known.
     """
-    return json_of_bytes(_read_bytes(path, largest), path)
+    return json_from_bytes(_read_bytes(path, largest), path)
 
 
-def json_of_bytes(content: bytes, path: str | os.PathLike[str]) -> object:
+def json_from_bytes(content: bytes, path: str | os.PathLike[str]) -> object:
     """Return the value in the content of a JSON file; errors as :func:`read_json`."""
     try:
         text = content.decode("utf-8-sig")

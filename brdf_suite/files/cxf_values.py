@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.documents.paint import Gloss, Lab, Paint
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.files.paint_fields import Setting, paint_of
+from brdf_suite.files.paint_fields import Setting, build_paint
 
 UNKNOWN_GLOSS = Gloss(90.0)
 """What stands in where a file says nothing of gloss: a usual clearcoat."""
@@ -72,7 +72,7 @@ class CxfSample:
             raise ValueRangeError(
                 self.name, f"a paint needs readings at 3 angles at least, there are {len(self.readings)}"
             )
-        return paint_of(
+        return build_paint(
             plain_name(self.name, "unnamed"),
             [(r.illumination_deg, r.aspecular_deg, r.lab) for r in self.readings],
             self.gloss or gloss,

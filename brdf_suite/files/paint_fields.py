@@ -23,7 +23,7 @@ _OWN_PLACE = {
 }  # fmt: skip
 
 
-def settings_of(paint: Paint) -> dict[str, Setting]:
+def flatten_paint(paint: Paint) -> dict[str, Setting]:
     """Return the fields by their names in the paint's file, those of parts after a dot; what is not there is left out.
 
     >>> from brdf_suite.documents.paint import solid_paint
@@ -60,7 +60,7 @@ def setting_text(value: Setting) -> str:
     return value if isinstance(value, str) else repr(float(value))
 
 
-def paint_of(
+def build_paint(
     name: str,
     readings: Sequence[Reading],
     gloss: Gloss,

@@ -50,7 +50,7 @@ def low_harmonics(directions: Floats, degree: int) -> Floats:
     return result
 
 
-def turned(coefficients: Floats, angle: Floats | float) -> Floats:
+def rotate_harmonics(coefficients: Floats, angle: Floats | float) -> Floats:
     """Return the coefficients (..., (degree + 1)²) of a function turned about y by ``angle`` (...), radians.
 
     Positive is counter-clockwise seen from above: what was at φ comes to φ + angle.

@@ -32,7 +32,7 @@ def cosine_lobe(u: npt.ArrayLike, axis: npt.ArrayLike, exponent: npt.ArrayLike) 
     """Return directions (..., 3) about unit ``axis`` (..., 3) with density (n+1)/(2π) cosⁿ."""
     u = np.asarray(u, float)
     power = 1.0 / (np.asarray(exponent, float) + 1.0)
-    return about(axis, _from_cosine((1.0 - u[..., 0]) ** power, u[..., 1]))
+    return rotate_to_axis(axis, _from_cosine((1.0 - u[..., 0]) ** power, u[..., 1]))
 
 
 def cosine_lobe_pdf(w: npt.ArrayLike, axis: npt.ArrayLike, exponent: npt.ArrayLike) -> Floats:
@@ -91,14 +91,14 @@ def ggx_visible_normal_pdf(h: npt.ArrayLike, wo: npt.ArrayLike, alpha: npt.Array
     return np.where((h[..., 2] > 0.0) & (wo[..., 2] > 0.0), seen * dot * facets, 0.0)
 
 
-def mirrored_at(wo: npt.ArrayLike, h: npt.ArrayLike) -> Floats:
+def mirror_at(wo: npt.ArrayLike, h: npt.ArrayLike) -> Floats:
     """Return ``wo`` (..., 3) mirrored about unit half vectors ``h`` (..., 3)."""
     wo, h = np.asarray(wo, float), np.asarray(h, float)
     return np.asarray(2.0 * np.einsum("...i,...i", wo, h)[..., None] * h - wo)
 
 
 def mirrored_pdf(half_pdf: npt.ArrayLike, wo: npt.ArrayLike, h: npt.ArrayLike) -> Floats:
-    """Return the density (...) of :func:`mirrored_at` for the half vectors' density."""
+    """Return the density (...) of :func:`mirror_at` for the half vectors' density."""
     dot = np.abs(np.einsum("...i,...i", np.asarray(wo, float), np.asarray(h, float)))
     return np.asarray(np.asarray(half_pdf, float) / (4.0 * np.maximum(dot, 1e-12)))
 
@@ -110,7 +110,7 @@ def half_vector(wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
     return np.where(length > 1e-12, total / np.maximum(length, 1e-12), np.array([0.0, 0.0, 1.0]))
 
 
-def about(axis: npt.ArrayLike, local: npt.ArrayLike) -> Floats:
+def rotate_to_axis(axis: npt.ArrayLike, local: npt.ArrayLike) -> Floats:
     """Return directions (..., 3) given about z turned to lie about the unit ``axis`` (..., 3).
 
     The frame is that of Duff et al. 2017, continuous but where the axis crosses the horizon.

@@ -128,7 +128,7 @@ class MapCache:
 
     def unfinished(self) -> list[Path]:
         """Return the files that are being written, or that a killed program left."""
-        return cache_folder.unfinished(self.folder)
+        return cache_folder.find_unfinished(self.folder)
 
     def clear(self) -> int:
         """Remove all entries and what killed programs left; return how many entries could not be removed."""

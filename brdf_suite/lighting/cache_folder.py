@@ -76,7 +76,7 @@ def entries(folder: Path) -> list[CacheEntry]:
     return sorted(found, key=lambda entry: (entry.last_used, entry.path.name))
 
 
-def unfinished(folder: Path) -> list[Path]:
+def find_unfinished(folder: Path) -> list[Path]:
     """Return the files that are being written, or that a killed program left."""
     return [path for path in _listed(folder) if path.name.startswith(".") and path.name.endswith(_UNFINISHED)]
 
@@ -127,7 +127,7 @@ def remove_unfinished(folder: Path, held_key: str | None = None) -> int:
     ``held_key`` is an entry whose lock the caller holds itself.
     """
     count = 0
-    for path in unfinished(folder):
+    for path in find_unfinished(folder):
         key = path.name[1:].split("-")[0]
         try:
             old = time.time() - path.stat().st_mtime > _FORGOTTEN_SECONDS
@@ -170,7 +170,7 @@ def check(
     if remove_damaged:
         remove_unfinished(folder)
     report(progress, 1.0, "checked")
-    return CacheCheck(sound, outdated, tuple(damaged), len(unfinished(folder)), remove_damaged and gone)
+    return CacheCheck(sound, outdated, tuple(damaged), len(find_unfinished(folder)), remove_damaged and gone)
 
 
 def remove(path: Path) -> bool:

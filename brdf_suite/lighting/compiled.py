@@ -68,7 +68,7 @@ def kernels(progress: Progress | None = None, *, wait: bool = False) -> ModuleTy
         return _State.kernels
 
 
-def loaded() -> ModuleType | None:
+def loaded_kernels() -> ModuleType | None:
     """Return what :func:`kernels` returned last; nothing is started."""
     return _State.kernels
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.lighting import compiled_cube, compiled_legendre, compiled_pack, compiled_resample
 from brdf_suite.lighting.compiled_cube import MARGIN
-from brdf_suite.lighting.face_array import FaceArray, scale_of
+from brdf_suite.lighting.face_array import FaceArray, choose_scale
 from brdf_suite.lighting.harmonics import legendre_starts, worker_count
 from brdf_suite.lighting.latlong import column_angles, ring_angles
 from brdf_suite.lighting.ring_to_cube import WIDTH, fast_even, kernel, kernel_transform, rings_for
@@ -96,7 +96,7 @@ def cube(
         return _faces(pool, orders, _within(room, size), subrange(progress, 0.5, 1.0))
 
 
-def resampled(pixels: Singles, size: int, room: Singles | None = None) -> Singles:
+def resample_to_cube(pixels: Singles, size: int, room: Singles | None = None) -> Singles:
     """Return a map (h, w, 3) itself as a cube map (6, size, size, 3), looked up bilinearly; ``room`` as above."""
     faces = _within(room, size)
     readable = pixels.view()
@@ -110,7 +110,7 @@ def resampled(pixels: Singles, size: int, room: Singles | None = None) -> Single
     return faces
 
 
-def packed(faces: Singles, bend_share: float, changes: Singles | None) -> FaceArray:
+def pack_faces(faces: Singles, bend_share: float, changes: Singles | None) -> FaceArray:
     """Return faces (6, F, F, 3) as half floats, less a share of their second differences and less ``changes``.
 
     ``changes``: see :func:`.cube_edges.edge_changes`.
@@ -121,7 +121,7 @@ def packed(faces: Singles, bend_share: float, changes: Singles | None) -> FaceAr
     if changes is None:
         changes = np.zeros((6, 4, size, 3), dtype=np.float32)
     with ThreadPoolExecutor(worker_count()) as pool:
-        scale = scale_of(max(pool.map(lambda face: float(face.max()), faces)))
+        scale = choose_scale(max(pool.map(lambda face: float(face.max()), faces)))
 
         def work(first: int, less: Singles = changes) -> None:
             compiled_pack.pack_rows(

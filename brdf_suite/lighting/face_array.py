@@ -42,7 +42,7 @@ class FaceArray:
         return self.faces.astype(np.float32) * np.float32(self.scale)
 
 
-def scale_of(largest: float) -> float:
+def choose_scale(largest: float) -> float:
     """Return the scale for a map whose largest value is this: a power of two."""
     exponent = np.ceil(np.log2(largest / _HALF_CEILING)) if largest > 0.0 else 0.0
     return float(2.0 ** max(exponent, -100.0))
@@ -59,7 +59,7 @@ def pack_faces(radiance: NDArray[np.floating]) -> FaceArray:
         raise ValueError(f"radiance must have the shape (6, F, F, 3), not {values.shape}")
     with ThreadPoolExecutor(worker_count()) as pool:
         largest = max(pool.map(lambda face: float(face.max()), values))
-        scale = scale_of(largest)
+        scale = choose_scale(largest)
         faces = np.empty(values.shape, dtype=np.float16)
 
         def pack(face: int) -> None:

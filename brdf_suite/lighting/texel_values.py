@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from brdf_suite.lighting.compiled import loaded
+from brdf_suite.lighting.compiled import loaded_kernels
 from brdf_suite.lighting.cube_edges import Faces, balance_edges, edge_changes
 from brdf_suite.lighting.face_array import FaceArray, pack_faces
 from brdf_suite.lighting.harmonics import worker_count
@@ -29,7 +29,7 @@ BEND_SHARE = 1.0 / 16.0
 def pack_lobe(faces: Faces) -> FaceArray:
     """Pack the map (6, F, F, 3) of a lobe, F ≥ 4, for look-ups."""
     changes = edge_changes(faces)
-    kernels = loaded()
+    kernels = loaded_kernels()
     if kernels is not None and faces.dtype == np.float32:
         packed: FaceArray = kernels.packed(faces, BEND_SHARE, changes)
         return packed
@@ -47,7 +47,7 @@ def pack_lobe(faces: Faces) -> FaceArray:
 
 def pack_background(faces: Faces) -> FaceArray:
     """Pack the environment itself (6, F, F, 3), F ≥ 3, as it is."""
-    kernels = loaded()
+    kernels = loaded_kernels()
     if kernels is not None and faces.dtype == np.float32:
         packed: FaceArray = kernels.packed(faces, 0.0, None)
         return packed

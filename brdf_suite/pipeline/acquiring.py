@@ -35,7 +35,7 @@ from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 if TYPE_CHECKING:
     from brdf_suite.acquisition.intrinsics import CameraCalibration
-    from brdf_suite.acquisition.merge import Merged
+    from brdf_suite.acquisition.merge import MergedRadiance
     from brdf_suite.acquisition.refinement import Refinement
     from brdf_suite.acquisition.response import Response
     from brdf_suite.acquisition.response_fit import ResponseFit
@@ -237,7 +237,7 @@ class Acquisition:
         self.calibrate_geometry(subrange(progress, 0.35, 1.0))
         return self.calibration
 
-    def merged(self, k: int, progress: Progress | None = None) -> Merged:
+    def merged(self, k: int, progress: Progress | None = None) -> MergedRadiance:
         """Return the radiance of position ``k``, whole picture."""
         report(progress, 0.0, "reading")
         stack = self.stack(k)
@@ -305,7 +305,9 @@ class Acquisition:
 
         return write_acquired(found, path, overwrite=overwrite)
 
-    def merged_stack(self, stack: Stack, k: int | None, box: tuple[slice, slice] | None = None) -> Merged:
+    def merged_stack(
+        self, stack: Stack, k: int | None, box: tuple[slice, slice] | None = None
+    ) -> MergedRadiance:
         """Return the radiance of photographs that were read, of the pixels in ``box`` (rows, columns) alone if given.
 
         ``k`` is the position whose mask holds; None: no mask at all.

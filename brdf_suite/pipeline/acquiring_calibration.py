@@ -11,7 +11,7 @@ import numpy as np
 if TYPE_CHECKING:
     from brdf_suite.acquisition.dark import Dark
     from brdf_suite.acquisition.intrinsics import CameraCalibration
-    from brdf_suite.acquisition.merge import Merged
+    from brdf_suite.acquisition.merge import MergedRadiance
     from brdf_suite.acquisition.response import Response
     from brdf_suite.acquisition.sphere_geometry import RigGeometry
     from brdf_suite.pipeline.acquiring_source import Bools, SeriesKind, Stack
@@ -82,7 +82,7 @@ class Corrections:
         response: Response | None,
         mask: Bools | None,
         box: tuple[slice, slice] | None = None,
-    ) -> Merged:
+    ) -> MergedRadiance:
         """Return the radiance of a stack, of the pixels in ``box`` (rows, columns) where it is given."""
         from brdf_suite.acquisition.merge import merge
 

@@ -13,12 +13,12 @@ from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, report, subrange
 
 if TYPE_CHECKING:
-    from brdf_suite.acquisition.merge import Merged
+    from brdf_suite.acquisition.merge import MergedRadiance
     from brdf_suite.acquisition.refinement import Refinement
     from brdf_suite.acquisition.sphere_geometry import RigGeometry
     from brdf_suite.acquisition.sphere_highlight import Highlight
     from brdf_suite.acquisition.sphere_outline import SphereOutline
-    from brdf_suite.acquisition.sphere_union import Union
+    from brdf_suite.acquisition.sphere_union import PhotographUnion
     from brdf_suite.pipeline.acquiring import Acquisition
 
 HIGHLIGHT_STEP_DEG = 5.0
@@ -50,7 +50,7 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
     from brdf_suite.acquisition.refinement import calibrate_geometry
     from brdf_suite.acquisition.sphere_highlight import find_highlight
     from brdf_suite.acquisition.sphere_outline import find_outline
-    from brdf_suite.acquisition.sphere_session import geometry_of_session
+    from brdf_suite.acquisition.sphere_session import nominal_geometry
     from brdf_suite.acquisition.white_reference import with_refined_white
 
     angles = tuple(position.angle_deg for position in road.session.positions)
@@ -60,7 +60,7 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
     picture = np.asarray(union.picture, np.float32)
     lens = None if road.intrinsics is None else Lens.of(road.intrinsics.intrinsics)
     irradiance, notices = _irradiance(road)
-    geometry = geometry_of_session(road.session, (picture.shape[0], picture.shape[1]), lens)
+    geometry = nominal_geometry(road.session, (picture.shape[0], picture.shape[1]), lens)
     geometry = replace(geometry, irradiance_rgb=irradiance)
     highlights: list[Highlight] = []
 
@@ -135,7 +135,7 @@ def _where_it_stood(
     shiny: tuple[int, ...],
     find: Callable[[RigGeometry, tuple[int, ...]], list[Highlight]],
     progress: Progress | None,
-) -> tuple[Union, SphereOutline, Refinement]:
+) -> tuple[PhotographUnion, SphereOutline, Refinement]:
     """Return what the longest part without movement tells alone: a sum over two places has a blurred outline."""
     from brdf_suite.acquisition.refinement import calibrate_geometry
     from brdf_suite.acquisition.sphere_outline import find_outline
@@ -153,11 +153,11 @@ def _where_it_stood(
 
 def _read(
     road: Acquisition, wide: tuple[int, ...], shiny: tuple[int, ...], progress: Progress | None
-) -> tuple[Union, dict[int, Merged]]:
-    from brdf_suite.acquisition.sphere_union import Union
+) -> tuple[PhotographUnion, dict[int, MergedRadiance]]:
+    from brdf_suite.acquisition.sphere_union import PhotographUnion
 
-    union: Union | None = None
-    kept: dict[int, Merged] = {}
+    union: PhotographUnion | None = None
+    kept: dict[int, MergedRadiance] = {}
     wanted = sorted({*wide, *shiny})
     for n, k in enumerate(wanted):
         report(progress, n / len(wanted), "reading for the geometry")
@@ -167,7 +167,7 @@ def _read(
         merged = road.merged_stack(stack, k)
         if k in wide:
             rows, columns = merged.radiance.shape[:2]
-            union = union or Union((rows, columns))
+            union = union or PhotographUnion((rows, columns))
             union.add(k, merged.radiance, merged.good)
         if k in shiny and (len(kept) + 1) * merged.radiance.nbytes <= _KEPT_BYTES:
             # The variance is not asked for: it would double what is kept.
@@ -203,9 +203,11 @@ def _irradiance(road: Acquisition) -> tuple[tuple[float, float, float] | None, t
 def _movements(road: Acquisition, refinement: Refinement) -> tuple[str, ...]:
     if not refinement.movements:
         return ()
-    from brdf_suite.acquisition.refinement import moved_sphere
+    from brdf_suite.acquisition.refinement import format_movement_notice
 
-    return (moved_sphere(refinement, [position.photographs[0] for position in road.session.positions]),)
+    return (
+        format_movement_notice(refinement, [position.photographs[0] for position in road.session.positions]),
+    )
 
 
 def highlight_positions(angles_deg: tuple[float, ...], chosen: tuple[int, ...]) -> tuple[int, ...]:

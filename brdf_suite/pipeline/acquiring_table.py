@@ -16,8 +16,8 @@ import numpy as np
 from brdf_suite.acquisition.finished_table import (
     ParameterizedTable,
     bin_means,
-    compared_table,
     half_angle_table,
+    tabulate_means,
 )
 from brdf_suite.acquisition.parameterization import LAYOUTS, Parameterization
 from brdf_suite.acquisition.table import PositionSums, TableSums, position_sums, reading_weights
@@ -185,7 +185,7 @@ class _Reconstruction:
         with self.road.clock.step("finish"):
             table = self._table()
             compared: dict[str, ParameterizedTable] = {
-                layout: compared_table(bin_means(sums, self._colour()))
+                layout: tabulate_means(bin_means(sums, self._colour()))
                 for layout, sums in self.sums.items()
                 if layout != "half-angle"
             }

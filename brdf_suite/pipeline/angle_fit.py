@@ -19,7 +19,7 @@ from brdf_suite.pipeline.measuring import is_measured_file
 from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S
 from brdf_suite.pipeline.scene import find_any_paint
 from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.layers import split_layers
 
 #: Where the errors are told: incidences, each at the judged aspecular angles as far as a view stands no lower.
 JUDGED_INCIDENCES_DEG = (10.0, 20.0, 30.0, 45.0, 60.0, 65.0, 75.0, 80.0)
@@ -116,7 +116,7 @@ def fit_at_angles(
     paint = find_any_paint(name_or_path)
     try:
         reflectance = build_reflectance(paint)
-        layers = layered(reflectance)
+        layers = split_layers(reflectance)
         if layers is None:
             raise FittingError(
                 "it has no coat and base to be fitted at several angles; leave out the number of angles."

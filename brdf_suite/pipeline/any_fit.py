@@ -40,14 +40,14 @@ from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit, fit_patien
 from brdf_suite.pipeline.scene import find_any_paint
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.layers import split_layers
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Layered, Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
-#: ``layered`` is what has a coat and a base but is neither of the two kinds of paint.
+#: ``split_layers`` is what has a coat and a base but is neither of the two kinds of paint.
 Kind = Literal["designed", "cook_torrance", "layered", "measured"]
 
 
@@ -218,7 +218,7 @@ def fit_reflectance(
     Raises :class:`FittingError` where a value is negative or not finite, or nothing lies above the horizon, and
     :class:`Cancelled` where the progress callback asked for it.
     """
-    layers = layered(reflectance)
+    layers = split_layers(reflectance)
     found = (
         _undivided(name, reflectance, basis, progress)
         if layers is None

@@ -26,7 +26,7 @@ from brdf_suite.fitting.basis_search.error import MEASURED_UNIT, BasisError
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.progress import Progress, report
-from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.layers import split_layers
 from brdf_suite.reflectance.protocol import Reflectance
 
 Exponents = tuple[float, ...]
@@ -54,7 +54,7 @@ def errors_over_count(
         The progress callback asked for it.
     """
     counts = tuple(sorted(bases))
-    layers = layered(reflectance)
+    layers = split_layers(reflectance)
     error = None if layers is None else BasisError(reflectances({"": layers}))
     errors = []
     for number, count in enumerate(counts):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from brdf_suite.appearance.flat_colours import paint_of
+from brdf_suite.appearance.flat_colours import to_paint
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.store import PAINT_ENDING, load_any_paint
 from brdf_suite.errors import FileError
@@ -48,7 +48,7 @@ def palette_items(palette: Palette) -> list[SheetItem]:
     items = []
     for group, entries in palette.sections():
         title = "" if group is None else ", ".join(group.path)
-        items += [SheetItem(paint.name, title, paint) for paint in (paint_of(e.content) for e in entries)]
+        items += [SheetItem(paint.name, title, paint) for paint in (to_paint(e.content) for e in entries)]
     return items
 
 

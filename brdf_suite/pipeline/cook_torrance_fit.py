@@ -12,7 +12,7 @@ import numpy as np
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.cook_torrance.fit import fit_checked
+from brdf_suite.fitting.cook_torrance.fit import fit_checked_samples
 from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.geometry.directions import spherical
@@ -116,7 +116,7 @@ def fit_reflectance_lobes(
     report(progress, 0.0, "samples")
     samples = samples_of(reflectance, settings)
     kept = None if state is None else StartsFile(state)
-    fit = fit_checked(samples, settings, kept=kept, progress=subrange(progress, 0.02, 0.8))
+    fit = fit_checked_samples(samples, settings, kept=kept, progress=subrange(progress, 0.02, 0.8))
     errors, within = errors_of(
         fit, reflectance, (90.0, settings.grazing_deg), samples.floor, subrange(progress, 0.8, 1.0)
     )

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.fitting.cook_torrance.samples import Floor, LobeSamples, checked_samples, even_weights, spread
+from brdf_suite.fitting.cook_torrance.samples import Floor, LobeSamples, check_samples, even_weights, spread
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates
 from brdf_suite.progress import Progress, report
@@ -62,10 +62,10 @@ def samples_of(reflectance: Reflectance, settings: Settings) -> LobeSamples:
     if isinstance(reflectance, ScatteredSamples):
         wi, wo = reflectance.wi, reflectance.wo
         weights = even_weights(wi, wo) if len(wi) <= settings.samples else None
-        found = checked_samples(wi, wo, reflectance.values, weights, settings.grazing_deg)
+        found = check_samples(wi, wo, reflectance.values, weights, settings.grazing_deg)
         return found.fewer(settings.samples, settings.seed)
     wi, wo = even_pairs(settings.samples, settings.seed, settings.grazing_deg)
-    return checked_samples(wi, wo, reflectance.eval(wi, wo), None, settings.grazing_deg)
+    return check_samples(wi, wo, reflectance.eval(wi, wo), None, settings.grazing_deg)
 
 
 def even_pairs(count: int, seed: int, grazing_deg: float) -> tuple[Floats, Floats]:
@@ -187,4 +187,4 @@ def _of_table(table: IsotropicTable, settings: Settings) -> LobeSamples:
     weights = None
     if table.coverage is not None:
         weights = 1.0 / np.hypot(table.coverage.deviation[h, d, p].astype(np.float64), MISFIT)
-    return checked_samples(wi, wo, table.values[h, d, p], weights)
+    return check_samples(wi, wo, table.values[h, d, p], weights)

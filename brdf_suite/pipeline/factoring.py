@@ -19,15 +19,15 @@ from brdf_suite.fitting.homomorphic.factorization import Factorization
 from brdf_suite.fitting.homomorphic.factorize import (
     BIAS,
     DEFAULT_RESOLUTION,
-    Factorized,
-    corrected_mean,
+    FactorizationResult,
+    correct_mean,
     factorize,
 )
 from brdf_suite.fitting.homomorphic.peak import (
     MEASURED_SMOOTHNESS,
     PEAK_BIAS,
+    FactorizationWithPeak,
     PeakForm,
-    WithPeak,
     factorize_with_peak,
 )
 from brdf_suite.fitting.homomorphic.radial import as_radial, asymmetries
@@ -35,8 +35,8 @@ from brdf_suite.fitting.homomorphic.samples import (
     DEFAULT_PAIRS,
     DEFAULT_SEED,
     FactorizationSamples,
+    sample_reflectance,
     samples_near_peak,
-    samples_of,
 )
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_words import (
@@ -50,7 +50,7 @@ from brdf_suite.pipeline.measuring import load_measurable
 from brdf_suite.pipeline.reflectance_figures import is_isotropic
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.factored import Factored
-from brdf_suite.reflectance.factored_build import factored_of
+from brdf_suite.reflectance.factored_build import build_factored
 from brdf_suite.reflectance.protocol import Reflectance
 
 PeakChoice = Literal["auto", "off", "radial", "map"]
@@ -174,7 +174,7 @@ def factor_reflectance(
     """Factor a reflectance in hand; otherwise as :func:`factor_any`."""
     chosen = options or FactoringOptions()
     report(progress, 0.0, "sampling")
-    samples = samples_of(reflectance, chosen.pairs, chosen.seed)
+    samples = sample_reflectance(reflectance, chosen.pairs, chosen.seed)
     isotropic = is_isotropic(reflectance)
     words = (
         chosen.factors if chosen.factors is not None else MEASURED_FACTORS if isotropic else DEFAULT_FACTORS
@@ -218,7 +218,7 @@ def _alone(
     factors: tuple[Factor, ...],
     chosen: FactoringOptions,
     progress: Progress | None,
-) -> tuple[Factorized, WithPeak]:
+) -> tuple[FactorizationResult, FactorizationWithPeak]:
     found = factorize(
         samples.wi,
         samples.wo,
@@ -230,7 +230,7 @@ def _alone(
         keep_mean=False,
         progress=progress,
     )
-    return found, WithPeak(found.product, None)
+    return found, FactorizationWithPeak(found.product, None)
 
 
 def _apart(
@@ -240,7 +240,7 @@ def _apart(
     chosen: FactoringOptions,
     reflectance: Reflectance,
     progress: Progress | None,
-) -> tuple[Factorized, WithPeak]:
+) -> tuple[FactorizationResult, FactorizationWithPeak]:
     near = samples_near_peak(reflectance, chosen.pairs // 4, chosen.seed) if samples.even else None
     whole, found = factorize_with_peak(
         samples if near is None else samples.and_those(near),
@@ -266,12 +266,14 @@ def _smoothness(samples: FactorizationSamples, chosen: FactoringOptions) -> floa
     return MODEL_SMOOTHNESS if samples.even else MEASURED_SMOOTHNESS
 
 
-def _mean(whole: WithPeak, samples: FactorizationSamples, choice: MeanChoice) -> tuple[WithPeak, Floats]:
+def _mean(
+    whole: FactorizationWithPeak, samples: FactorizationSamples, choice: MeanChoice
+) -> tuple[FactorizationWithPeak, Floats]:
     """Correct α for the mean, and tell by what."""
     if choice == "off":
         return whole, np.ones(3)
     alone = samples.values if whole.peak is None else samples.values - whole.peak.eval(samples.wi, samples.wo)
-    corrected, correction = corrected_mean(whole.product, samples.wi, samples.wo, alone)
+    corrected, correction = correct_mean(whole.product, samples.wi, samples.wo, alone)
     better = replace(whole, product=corrected)
     if choice == "auto" and not all(
         after <= before
@@ -281,7 +283,7 @@ def _mean(whole: WithPeak, samples: FactorizationSamples, choice: MeanChoice) ->
     return better, correction
 
 
-def _distances(one: WithPeak, samples: FactorizationSamples) -> tuple[float, float]:
+def _distances(one: FactorizationWithPeak, samples: FactorizationSamples) -> tuple[float, float]:
     """Return the RMS error, times √(cosθi cosθo), and the median relative error of the luminance.
 
     Where few samples hold most of the light, as in a peak, the first alone would brighten or darken all the rest.
@@ -296,7 +298,11 @@ def _distances(one: WithPeak, samples: FactorizationSamples) -> tuple[float, flo
 
 
 def _value(
-    whole: WithPeak, samples: FactorizationSamples, found: Factorized, chosen: FactoringOptions, name: str
+    whole: FactorizationWithPeak,
+    samples: FactorizationSamples,
+    found: FactorizationResult,
+    chosen: FactoringOptions,
+    name: str,
 ) -> tuple[Factored, dict[str, Floats]]:
     """Return the textures: each map of the product over its largest value, and α with what that takes (equation 20)."""
     maps, alpha = _normalized(whole.product)
@@ -313,7 +319,7 @@ def _value(
         maps |= added
     tiny = float(np.finfo(np.float32).tiny)
     maps = {key: np.maximum(values, tiny) for key, values in maps.items()}
-    value = factored_of(
+    value = build_factored(
         whole.product.factors,
         {key: values.astype(np.float32) for key, values in maps.items()},
         alpha,

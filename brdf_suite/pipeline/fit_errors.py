@@ -18,10 +18,10 @@ from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.documents.paint import Lab
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.raised import RaisedWeights
-from brdf_suite.fitting.lobes.undivided import UndividedFit, fit_rows, values_of_scattered
+from brdf_suite.fitting.lobes.undivided import UndividedFit, fit_rows, scattered_values
 from brdf_suite.fitting.lobes.undivided_samples import (
     measured_pairs,
-    rows_of_scattered,
+    scattered_rows,
     used_samples,
     views_with_light_at_minus_x,
 )
@@ -169,7 +169,7 @@ def _by_folds(
     samples: ScatteredSamples, basis: LobeBasis | None, progress: Progress | None
 ) -> HeldOut | None:
     """Every sample by a fit that did not see it; of very many, such a fit sees a share."""
-    rows, values = rows_of_scattered(samples), values_of_scattered(samples)
+    rows, values = scattered_rows(samples), scattered_values(samples)
     if len(values) < _FEWEST_FOR_FOLDS:
         return None
     random = np.random.default_rng(0)

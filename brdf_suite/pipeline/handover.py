@@ -13,7 +13,7 @@ from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Measurement, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import FileError, SuiteError, UnreachableError, ValueRangeError
-from brdf_suite.files.exports import FORMATS, ExportFormat, Imported, Spectra, Subject
+from brdf_suite.files.exports import FORMATS, ExportFormat, ImportedPaints, Spectra, Subject
 from brdf_suite.files.exports import read_paints as read_known_paints
 from brdf_suite.files.exports.format import PathLike
 from brdf_suite.pipeline.measuring import is_measured_file, load_measurable
@@ -153,6 +153,6 @@ def export(
     return Exported(Path(path), known.name, len(subjects), losses, notes)
 
 
-def read_paints(path: PathLike) -> Imported:
+def read_paints(path: PathLike) -> ImportedPaints:
     """Return the paints in a file of any format that is read back, reports among them; errors as the core's."""
     return read_known_paints(path, formats())

@@ -14,8 +14,8 @@ import numpy as np
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
 from brdf_suite.appearance.light_colour import ColourUnderLight
 from brdf_suite.appearance.spaces import in_display_gamut
-from brdf_suite.appearance.tolerance import DIFFERENCES, Tolerances, Verdict, difference_named, judge
-from brdf_suite.appearance.words import Named, named_differences, named_flop, sentence
+from brdf_suite.appearance.tolerance import DIFFERENCES, Tolerances, Verdict, find_difference, judge
+from brdf_suite.appearance.words import NamedDifference, name_differences, name_flop, sentence
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.metrics import ErrorFigures, error_figures
@@ -201,16 +201,16 @@ class Comparison:
     metamerism: Mapping[str, tuple[float, ...]] | None
 
     @property
-    def words(self) -> tuple[tuple[Named, ...], ...]:
+    def words(self) -> tuple[tuple[NamedDifference, ...], ...]:
         """The trade's words for the second against the first, per geometry."""
         pairs = zip(self.first.readings, self.second.readings, strict=True)
-        return tuple(named_differences(one.lab, two.lab) for one, two in pairs)
+        return tuple(name_differences(one.lab, two.lab) for one, two in pairs)
 
     @property
     def sentence(self) -> str:
         """All geometries in words: ``darker at 110°; more flop``."""
         flops = self.first.flop, self.second.flop
-        word = None if flops[0] is None or flops[1] is None else named_flop(flops[0].value, flops[1].value)
+        word = None if flops[0] is None or flops[1] is None else name_flop(flops[0].value, flops[1].value)
         return sentence([_angle(reading) for reading in self.first.readings], self.words, word)
 
     def to_json(self) -> dict[str, object]:
@@ -268,7 +268,7 @@ def compare(
     one, two = (measure(item.reflectance, geometry_set, aperture) for item in (first, second))
     differences = {name: tuple(formula(one.lab, two.lab).tolist()) for name, formula in DIFFERENCES.items()}
     if tolerances is not None and tolerances.difference not in DIFFERENCES:
-        own = difference_named(tolerances.difference)
+        own = find_difference(tolerances.difference)
         differences[tolerances.difference] = tuple(own(one.lab, two.lab).tolist())
     wi, wo, weight = hemisphere_pairs()
     near = angle_between(mirror(wi), wo) < math.radians(NEAR_MIRROR_DEG)

@@ -57,9 +57,9 @@ class PaintAngles:
 
     def of(self, fit: PaintFit | AnyFit) -> FitOverAngle | None:
         """Return what the renderer asks for the weights of ``fit``; None where nothing divides it into layers."""
-        from brdf_suite.reflectance.layers import layered  # with models that no start needs
+        from brdf_suite.reflectance.layers import split_layers  # with models that no start needs
 
-        layers = layered(fit.reflectance)
+        layers = split_layers(fit.reflectance)
         return None if layers is None else FitOverAngle(self, layers, tuple(fit.weights.exponents.tolist()))
 
     def by_view(self, fit: PaintFit | AnyFit) -> SeenWeights | None:

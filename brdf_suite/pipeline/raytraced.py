@@ -37,7 +37,7 @@ from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.backdrop import plain_backdrop
 from brdf_suite.realtime.tone_curves import to_display
-from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, PRESETS, Quality, quality_of
+from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, PRESETS, Quality, find_quality
 from brdf_suite.surface.mesh import Mesh
 
 if TYPE_CHECKING:
@@ -197,7 +197,7 @@ class RaytracedSession:
         ValueRangeError
             There is no such quality.
         """
-        wanted = self._load(paint, view, size, quality_of(quality), tables, environment, mesh, progress)
+        wanted = self._load(paint, view, size, find_quality(quality), tables, environment, mesh, progress)
         report(progress, 0.9, "building the scene")
         shaped, bounds = self._parts.mesh(wanted)
         wanted = replace(wanted, view=placed(view, bounds, size))
@@ -254,7 +254,7 @@ class RaytracedSession:
         """
         from brdf_suite.reference.raytraced.frames import Film, trace_samples
         from brdf_suite.reference.raytraced.picture import Sums
-        from brdf_suite.reference.raytraced.tracer import Deal
+        from brdf_suite.reference.raytraced.tracer import SampleBudget
 
         scene, wanted = self.scene, self._wanted
         assert wanted is not None
@@ -273,7 +273,7 @@ class RaytracedSession:
             count = max(1, min(fitting, per_round - done))
             count = count if end is None else min(count, end - sums.samples)
             stage = self._stage(turn)
-            deal = Deal.of(scene.quality, len(stage.lights.kinds))
+            deal = SampleBudget.of(scene.quality, len(stage.lights.kinds))
             start = perf_counter()
             values = trace_samples(
                 stage, scene.camera, deal, film, sums.samples, count, rays_a_sample=rays, between=between

@@ -17,7 +17,7 @@ from brdf_suite.pipeline.raytraced import RaytracedImage, RaytracedSession, too_
 from brdf_suite.pipeline.raytraced_parts import Size
 from brdf_suite.pipeline.traced_picture import TracedPicture, told_of
 from brdf_suite.progress import Progress, report, subrange
-from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, Quality, quality_of
+from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, Quality, find_quality
 
 if TYPE_CHECKING:
     from brdf_suite.reference.raytraced.table_split import TableSplit
@@ -65,7 +65,7 @@ def render_raytraced(
     if path.suffix.lower() not in (".png", ".exr"):
         raise FileError(path, "pictures are written as PNG or EXR; give a name that ends in .png or .exr")
     check_target(path)
-    chosen = quality_of(quality)
+    chosen = find_quality(quality)
     report(progress, 0.0, "starting the ray tracer")
     session = RaytracedSession()
     scene = session.show(paint, view, size, chosen, subrange(progress, 0.0, 0.05), tables=tables)

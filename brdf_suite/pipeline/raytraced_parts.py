@@ -127,7 +127,7 @@ class Parts:
 
     def backdrop(self, wanted: Wanted) -> TracedSky:
         """Return the sky that is seen behind the object: the light's, or blurred where the view has it so."""
-        from brdf_suite.reference.backdrop import blurred
+        from brdf_suite.reference.backdrop import blur_map
         from brdf_suite.reference.raytraced.sky import TracedSky
 
         view = wanted.view
@@ -137,7 +137,7 @@ class Parts:
 
         def make() -> TracedSky:
             around = direction(ring_angles(_BLURRED_ROWS)[:, None], column_angles(2 * _BLURRED_ROWS)[None])
-            return TracedSky.of(blurred(radiance, BLUR_EXPONENT)(around))
+            return TracedSky.of(blur_map(radiance, BLUR_EXPONENT)(around))
 
         soft = self.keep("blurred", (Same(wanted.environment), view.light_colour), make)
         return soft.turned(view.rotation_deg)
@@ -173,10 +173,10 @@ class Parts:
     def camera(self, view: View, bounds: Bounds, size: Size) -> Pinhole:
         """Return the eye of a view whose camera is placed, and its picture's size."""
         from brdf_suite.reference.raytraced.camera import Pinhole
-        from brdf_suite.reference.scene import Eye
+        from brdf_suite.reference.scene import PinholeCamera
 
         seen = matrices(view.camera, bounds, size)
-        return Pinhole.of(Eye(seen.eye, seen.view_to_world, seen.half_tangents[0]), size)
+        return Pinhole.of(PinholeCamera(seen.eye, seen.view_to_world, seen.half_tangents[0]), size)
 
 
 class Same:

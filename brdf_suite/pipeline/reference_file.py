@@ -48,13 +48,13 @@ def write_reference(
         ``denoise`` is asked for where there is no denoiser.
     """
     from brdf_suite.files.images import write_png_strips
-    from brdf_suite.reference.denoise import denoised
+    from brdf_suite.reference.denoise import denoise_picture
     from brdf_suite.reference.estimate_file import write_estimate
 
     bits, space = check_settings(path, settings)
     picture: Pixels = estimate.radiance if settings.transparent else scene.whole(estimate)
     if denoise:
-        picture = denoised(picture)
+        picture = denoise_picture(picture)
     told = _told(scene, estimate, denoise=denoise)
     if path.suffix.lower() == ".exr":
         write_estimate(path, estimate, picture, scene.key, {"comments": told["Description"]})
@@ -85,6 +85,6 @@ def _told(scene: ReferenceScene, estimate: Estimate, *, denoise: bool) -> Mappin
         "Software": "BRDF Suite",
         "Title": scene.name,
         "Description": f"{scene.name} on {scene.surface} in {scene.environment}, path-traced with {estimate.samples} "
-        f"samples a pixel{', denoised' if denoise else ''}, {scene.exposed_view(estimate).exposure_ev:+g} EV, "
+        f"samples a pixel{', denoise_picture' if denoise else ''}, {scene.exposed_view(estimate).exposure_ev:+g} EV, "
         f"tone curve {scene.view.tone_curve}",
     }

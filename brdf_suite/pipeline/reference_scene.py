@@ -49,7 +49,7 @@ from brdf_suite.surface.mesh import Mesh
 if TYPE_CHECKING:
     from brdf_suite.reference.ground import GroundGrid
     from brdf_suite.reference.passes import Estimate
-    from brdf_suite.reference.scene import Eye, TracedScene
+    from brdf_suite.reference.scene import PinholeCamera, TracedScene
     from brdf_suite.reference.variant import Variant
 
 Size = tuple[int, int]
@@ -87,14 +87,14 @@ class ReferenceScene:
     surface: str
     renderer: str
     notices: tuple[str, ...]
-    eye: Eye
+    eye: PinholeCamera
     light: NDArray[np.float32]
     ground: GroundGrid | None = None
 
     @cached_property
     def behind(self) -> Pixels:
         """What the object leaves free, (h, w, 3): radiance, or the screen's light where it is of one colour."""
-        from brdf_suite.reference.backdrop import backdrop, blurred, sharp
+        from brdf_suite.reference.backdrop import backdrop, blur_map, sharp
 
         plain = self.view.background in ("grey", "colour")
         if self.ground is None and plain:
@@ -102,7 +102,7 @@ class ReferenceScene:
         look = None
         if not plain:
             of_map = self.view.background == "environment"
-            look = sharp(self.light) if of_map else blurred(self.light, BLUR_EXPONENT)
+            look = sharp(self.light) if of_map else blur_map(self.light, BLUR_EXPONENT)
         share = None
         ground, place = self.ground, self.eye.place
         if ground is not None:
@@ -116,9 +116,11 @@ class ReferenceScene:
 
     def whole(self, estimate: Estimate) -> Pixels:
         """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
-        from brdf_suite.reference.backdrop import composed
+        from brdf_suite.reference.backdrop import compose_picture
 
-        return composed(estimate.radiance, estimate.coverage, self.behind / self._backdrop_exposure(estimate))
+        return compose_picture(
+            estimate.radiance, estimate.coverage, self.behind / self._backdrop_exposure(estimate)
+        )
 
     def exposed_view(self, estimate: Estimate) -> View:
         """Return the view with its exposure measured where it is automatic."""
@@ -203,14 +205,14 @@ def build_reference(
     started, where it may be the scalar one. Errors as :func:`prepare_reference`.
     """
     from brdf_suite.reference.ground import GroundGrid
-    from brdf_suite.reference.scene import Eye, SurfacePart, build_scene
+    from brdf_suite.reference.scene import PinholeCamera, SurfacePart, build_scene
     from brdf_suite.reference.variant import start
 
     variant = start() if variant is None else variant
     bounds = Bounds.of(p.positions for p in mesh.parts)
     view = replace(view, camera=compose(view.camera, bounds, size))
     camera = matrices(view.camera, bounds, size)
-    eye = Eye(camera.eye, camera.view_to_world, camera.half_tangents[0])
+    eye = PinholeCamera(camera.eye, camera.view_to_world, camera.half_tangents[0])
     mesh = _with_chosen_materials(mesh, view)
     worn = TracedPaint(name, reflectance) if paint is None else replace(paint, reflectance=reflectance)
     dress = load_dress(view) if dress is None else dress

@@ -21,7 +21,7 @@ from brdf_suite.documents.paint import Lab
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject
-from brdf_suite.files.exports.json_document import flop_of
+from brdf_suite.files.exports.json_document import compute_flop
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.pipeline.standard import AngleRow, BatchReport, Standard, judge_batch
 from brdf_suite.progress import Progress, report, subrange
@@ -229,7 +229,7 @@ def _figures(
     subject: Subject, fit: AnyFit, rows: tuple[Row, ...], batch: BatchReport | None
 ) -> tuple[tuple[str, tuple[tuple[str, str], ...]], ...]:
     paint = subject.paint
-    flop = flop_of(paint)
+    flop = compute_flop(paint)
     shape = [("Flop index", "–" if flop is None else f"{flop:.1f}")]
     if batch is not None and batch.flop is not None:
         shape.append(("Flop of the standard", f"{batch.flop[0]:.1f}"))

@@ -13,7 +13,7 @@ from importlib.metadata import version
 
 from brdf_suite.errors import FileError
 from brdf_suite.files.exports import json_document
-from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike
+from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike
 from brdf_suite.files.measured.bounded_reading import read_bytes
 from brdf_suite.pipeline.report import Report, ReportOptions, Row, report_losses, write_report
 from brdf_suite.pipeline.report_plots import STYLES, Line, Mark, Plot, Stroke, plots_of
@@ -244,11 +244,11 @@ def is_report(head: bytes) -> bool:
     return head.lstrip(b"\xef\xbb\xbf \t\r\n")[:15].lower() == b"<!doctype html>" and _OPEN.encode() in head
 
 
-def read(path: PathLike) -> Imported:
+def read(path: PathLike) -> ImportedPaints:
     """Return the paint in the data of a page; raise :class:`FileError` where they are damaged."""
     content = read_bytes(path, _LARGEST)
     start = content.find(_OPEN.encode())
     end = content.find(_CLOSE.encode(), start)
     if start < 0 or end < 0:
         raise FileError(path, "holds no paint of this suite")
-    return json_document.imported_text(content[start + len(_OPEN) : end], path)
+    return json_document.import_text(content[start + len(_OPEN) : end], path)

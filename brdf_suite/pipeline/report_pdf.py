@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from brdf_suite.errors import FileError
 from brdf_suite.files.exports import json_document
-from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike
+from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike
 from brdf_suite.files.measured.bounded_reading import read_bytes
 from brdf_suite.pipeline.pdf_pen import Pen
 from brdf_suite.pipeline.report import Report, ReportOptions, report_losses, write_report
@@ -269,7 +269,7 @@ class _Page:
         self._sentence(conventions(self.made), 6.5, colour=SOFT)
 
 
-def read(path: PathLike) -> Imported:
+def read(path: PathLike) -> ImportedPaints:
     """Return the paint attached to a page of ours; raise :class:`FileError` where there is none, or it is damaged."""
     content = read_bytes(path, _LARGEST)
     start = content.find(_MARK)
@@ -278,4 +278,4 @@ def read(path: PathLike) -> Imported:
         raise FileError(
             path, "holds no paint of this suite that can be found; another program may have packed it"
         )
-    return json_document.imported_text(content[start:end], path)
+    return json_document.import_text(content[start:end], path)

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.chained import ColumnGroup, chained_weights
-from brdf_suite.fitting.lobes.checks import checked_targets
+from brdf_suite.fitting.lobes.checks import check_targets
 from brdf_suite.realtime.ladder import BROADEST_SHARP
 from brdf_suite.realtime.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
 from brdf_suite.realtime.values import WeightsOverAngle
@@ -136,7 +136,7 @@ def _gathered(reflectance: Reflectance, lights: Floats, cosine: float, turns: in
         )
         # Every other turn from the other side of the plane: the mean is even about it.
         mirrored = wi * ([1.0, -1.0, 1.0] if turn % 2 else [1.0, 1.0, 1.0])
-        total += checked_targets(
+        total += check_targets(
             "The reflectance",
             reflectance.eval(mirrored @ about, view @ about),
             wi.shape,

@@ -22,10 +22,17 @@ from brdf_suite.appearance.tolerance import (
     AngleVerdict,
     Tolerances,
     Verdict,
-    difference_named,
+    find_difference,
     judge,
 )
-from brdf_suite.appearance.words import Named, Say, in_english, named_differences, named_flop, sentence
+from brdf_suite.appearance.words import (
+    NamedDifference,
+    Say,
+    in_english,
+    name_differences,
+    name_flop,
+    sentence,
+)
 from brdf_suite.documents.paint import Gloss, Lab, Measurement, Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.reflectance.protocol import Reflectance
@@ -116,7 +123,7 @@ class AngleRow:
     computed: bool
     differences: Mapping[str, float]
     verdict: AngleVerdict | None
-    words: tuple[Named, ...]
+    words: tuple[NamedDifference, ...]
 
     @property
     def angle(self) -> str:
@@ -139,7 +146,7 @@ class BatchReport:
     rows: tuple[AngleRow, ...]
     difference: str
     flop: tuple[float, float] | None
-    flop_word: Named | None
+    flop_word: NamedDifference | None
     gloss: Mapping[int, float]
 
     @property
@@ -212,7 +219,7 @@ def judge_batch(
     places = [index for index, one in enumerate(found) if one is not None]
     verdicts: dict[int, AngleVerdict] = {}
     values: dict[str, dict[int, float]] = {}
-    words: dict[int, tuple[Named, ...]] = {}
+    words: dict[int, tuple[NamedDifference, ...]] = {}
     if places:
         references = np.array([one[0] for one in found if one is not None])
         samples = np.array([batch.measurements[index].lab for index in places])
@@ -221,12 +228,12 @@ def judge_batch(
         verdicts = dict(zip(places, verdict.angles, strict=True))
         weights = weights_2000(references, samples).tolist()
         for row, index in enumerate(places):
-            words[index] = named_differences(references[row], samples[row], weights[row])
+            words[index] = name_differences(references[row], samples[row], weights[row])
         for name in dict.fromkeys((tolerances.difference, *differences)):
             of_all = (
                 [judged.difference for judged in verdict.angles]
                 if name == tolerances.difference
-                else difference_named(name)(references, samples).tolist()
+                else find_difference(name)(references, samples).tolist()
             )
             values[name] = dict(zip(places, of_all, strict=True))
     rows = []
@@ -244,7 +251,7 @@ def judge_batch(
             )
         )
     flop = _flops(standard, batch)
-    word = None if flop is None else named_flop(*flop)
+    word = None if flop is None else name_flop(*flop)
     return BatchReport(
         batch.name, tuple(rows), tolerances.difference, flop, word, _gloss(standard.gloss, batch.gloss)
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from brdf_suite.appearance.flat_colours import paint_of
+from brdf_suite.appearance.flat_colours import to_paint
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
@@ -78,7 +78,7 @@ def _of_palette(path: Path) -> tuple[Standard, ...]:
 
 
 def _of_entry(entry: Entry, origin: str) -> Standard:
-    return _of_paint(paint_of(entry.content), origin)
+    return _of_paint(to_paint(entry.content), origin)
 
 
 def _of_handover(path: Path) -> tuple[Standard, ...]:

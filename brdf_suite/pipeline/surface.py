@@ -11,7 +11,7 @@ from brdf_suite.pipeline.scene import load_surface
 from brdf_suite.progress import Progress, report, stage
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh
-from brdf_suite.surface.shaping import shaped
+from brdf_suite.surface.shaping import shape_mesh
 
 
 def wants_baking(look: SurfaceLook) -> bool:
@@ -30,7 +30,7 @@ def load_shaped(name_or_path: str, look: SurfaceLook, progress: Progress | None 
     report(progress, 0.0, "reading the surface")
     mesh = load_surface(name_or_path, look.unit)
     report(progress, 0.8, "shaping the surface")
-    mesh = shaped(mesh, look)
+    mesh = shape_mesh(mesh, look)
     report(progress, 1.0, "reading the surface")
     return mesh
 

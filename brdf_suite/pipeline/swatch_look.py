@@ -12,7 +12,7 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 
-from brdf_suite.appearance.flat_colours import paint_of
+from brdf_suite.appearance.flat_colours import to_paint
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
@@ -133,7 +133,7 @@ class SwatchLook:
 
 def swatch_key(content: Content, look: SwatchLook) -> str:
     """Return the same 64 digits for the same picture: of all that is seen of a paint, and not of its name."""
-    paint = paint_of(content)
+    paint = to_paint(content)
     seen = [(name, getattr(paint, name)) for name in paint.__dataclass_fields__ if name not in _UNSEEN]
     return hashlib.sha256(look._mark + repr((type(paint).__name__, seen)).encode()).hexdigest()
 

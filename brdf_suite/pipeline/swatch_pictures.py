@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.flat_colours import paint_of
+from brdf_suite.appearance.flat_colours import to_paint
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import GraphicsError, SuiteError
@@ -86,7 +86,7 @@ class SwatchPainter:
             The light's file cannot be read.
         """
         keys = [swatch_key(content, look) for content in contents]
-        paints = [paint_of(content) for content in contents]
+        paints = [to_paint(content) for content in contents]
         draw = self._rendered if look.is_rendered else self._flat
         return [
             SwatchPicture(key, found if isinstance(found, np.ndarray) else None, _words(found))

@@ -22,7 +22,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.context import graphics_errors
 from brdf_suite.realtime.display import LINEAR, SRGB, Display
-from brdf_suite.realtime.offscreen import DEFAULT_SAMPLES, Region, Size, checked_size
+from brdf_suite.realtime.offscreen import DEFAULT_SAMPLES, Region, Size, check_size
 from brdf_suite.realtime.programs import assign
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.shader_source import compose
@@ -99,7 +99,7 @@ class ComparisonRenderer:
         samples: int = DEFAULT_SAMPLES,
     ) -> None:
         """Draw one frame; ``show_second`` says which of the two a blink shows now. Errors as of the renderer."""
-        size, mode = checked_size(size), view.compare.mode
+        size, mode = check_size(size), view.compare.mode
         width, height = size
         if mode == "off" or (mode == "blink" and not show_second):
             self._draw_first(view, target, size, samples)
@@ -118,7 +118,7 @@ class ComparisonRenderer:
 
     def differences(self, view: View, size: Size, samples: int = DEFAULT_SAMPLES) -> NDArray[np.float32]:
         """Return ΔE00 (h, w) of each pixel, top row first: the numbers behind the picture of differences."""
-        size = checked_size(size)
+        size = check_size(size)
         self._bring_both(view, size, samples)
         target = self._target("numbers", size, "f4")
         self._compare(view, target, size, numbers=True)

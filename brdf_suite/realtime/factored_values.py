@@ -31,7 +31,7 @@ MapForm = Literal["hemisphere", "square", "line"]
 """How a map lies: parabolic over directions, over two cosines, or over one number."""
 
 
-def form_of(projection: str) -> MapForm:
+def map_form(projection: str) -> MapForm:
     """Return the form of the maps that a projection of :mod:`brdf_suite.geometry.factor_projections` reads."""
     found = PROJECTIONS[projection]
     return "hemisphere" if found.hemisphere else "square" if found.axes == 2 else "line"
@@ -141,7 +141,7 @@ class FactoredMaps:
             for name, projection in term.factors:
                 if name not in self.maps:
                     raise ValueRangeError("terms", f"there is no map {name!r}")
-                form = form_of(projection)
+                form = map_form(projection)
                 if used.setdefault(name, form) != form:
                     raise ValueRangeError("terms", f"the map {name!r} is read in two forms")
                 if (form == "line") != (self.maps[name].values.ndim == 2):
@@ -151,7 +151,7 @@ class FactoredMaps:
 
     def form(self, name: str) -> MapForm:
         """Return the form of a map."""
-        return next(form_of(p) for term in self.terms for m, p in term.factors if m == name)
+        return next(map_form(p) for term in self.terms for m, p in term.factors if m == name)
 
     def radial_power(self, name: str) -> float | None:
         """Return the power of a map's place that is the radius of a parabolic map; None of what is over no radius."""
@@ -166,7 +166,7 @@ class FactoredMaps:
         return any(self.form(name) == "hemisphere" for name in self.maps)
 
 
-def soft_clipped(values: ArrayLike, ceiling: float) -> NDArray[np.float64]:
+def soft_clip(values: ArrayLike, ceiling: float) -> NDArray[np.float64]:
     """Return values (..., 3) as the shader bends them: what is above ``ceiling`` comes to it."""
     given = np.asarray(values, np.float64)
     share = (given.max(axis=-1, keepdims=True) / ceiling) ** 4

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.context import graphics_errors
-from brdf_suite.realtime.offscreen import Size, checked_size
+from brdf_suite.realtime.offscreen import Size, check_size
 from brdf_suite.realtime.programs import assign
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.shader_source import compose
@@ -35,7 +35,7 @@ class GeometryPicture:
 
 def geometry_picture(renderer: Renderer, view: View, size: Size) -> GeometryPicture:
     """Draw the renderer's mesh as ``view`` sees it and return its geometry; errors as of the renderer."""
-    width, height = checked_size(size)
+    width, height = check_size(size)
     objects, mesh = renderer.objects, renderer.mesh
     camera = renderer.camera_matrices(view, (width, height))
     found = []

@@ -11,7 +11,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.geometry.low_harmonics import low_harmonics, turned
+from brdf_suite.geometry.low_harmonics import low_harmonics, rotate_harmonics
 from brdf_suite.realtime.gpu_objects import GpuObjects
 from brdf_suite.realtime.shader_source import compose
 from brdf_suite.realtime.values import CubeFaces, GroundField
@@ -44,7 +44,7 @@ def environment_harmonics(faces: CubeFaces, degree: int) -> Floats:
     return np.asarray(np.einsum("fij,fijh,fijc->hc", solid_angle, harmonics, pooled) * faces.scale)
 
 
-def softened(degree: int) -> Floats:
+def soften_harmonics(degree: int) -> Floats:
     """Return a factor for each harmonic that keeps a small bright light from ringing: Lanczos' sinc."""
     degrees = np.repeat(np.arange(degree + 1), 2 * np.arange(degree + 1) + 1)
     return np.asarray(np.sinc(degrees / (degree + 1)))
@@ -56,7 +56,7 @@ def ground_ratio(transfer: NDArray[np.float32], light: Floats) -> Floats:
     ``transfer`` (rows, columns, h) as in :class:`GroundField`, ``light`` (h, 3) the light's harmonics. The corner
     of the field is open ground.
     """
-    soft = softened(round(len(light) ** 0.5) - 1)[:, None] * light
+    soft = soften_harmonics(round(len(light) ** 0.5) - 1)[:, None] * light
     arriving = transfer.astype(np.float64) @ soft
     full = arriving[0, 0]
     ratio = np.divide(arriving, full, out=np.ones_like(arriving), where=full > 0.0)
@@ -137,7 +137,7 @@ class GroundShadow:
             return self._texture
         if self._light is None:
             self._light = environment_harmonics(background, round(field.transfer.shape[2] ** 0.5) - 1)
-        ratio = ground_ratio(field.transfer, turned(self._light.T, turn).T @ colours.T)
+        ratio = ground_ratio(field.transfer, rotate_harmonics(self._light.T, turn).T @ colours.T)
         rows, columns = ratio.shape[:2]
         if self._texture is None or self._texture.size != (columns, rows):
             self.release()

@@ -58,7 +58,7 @@ class OffscreenPictures:
 
         A size beyond the GPU's limits is counted in a picture that is as much smaller.
         """
-        width, height = checked_size(size)
+        width, height = check_size(size)
         scale = min(1.0, tile_limit(self.context, LARGEST_TILE) / max(width, height))
         size = (max(1, int(width * scale)), max(1, int(height * scale)))
         with graphics_errors(self.context, "counting pixels"):
@@ -98,7 +98,7 @@ class OffscreenPictures:
             The picture is larger than 512 pixels, or the view has what belongs to one paint's picture: lamps, a
             normal map, orange peel, a second paint.
         """
-        size = checked_size(size)
+        size = check_size(size)
         if max(size) > LARGEST_EDGE:
             raise ValueRangeError("size", f"at most {LARGEST_EDGE} pixels along an edge are captured")
         if view.lamps or view.relief.normal_map is not None or view.relief.orange_peel > 0.0:
@@ -155,7 +155,7 @@ class OffscreenPictures:
         the object's share of the pixel as alpha, not multiplied in. ``LINEAR`` gives float32 and always four: with
         ``transparent`` the radiance of the object alone, multiplied by its share.
         """
-        size = checked_size(size)
+        size = check_size(size)
         dtype = "f4" if display.linear else "f2"
 
         def draw(framebuffer: moderngl.Framebuffer, tile: Size, corner: Corner) -> None:
@@ -171,7 +171,7 @@ class OffscreenPictures:
         return draw_strips(draw, self._picture, size, limit, display, channels)
 
 
-def checked_size(size: Size) -> Size:
+def check_size(size: Size) -> Size:
     """Return width and height as whole numbers of 1 to 65,536 pixels, or raise :class:`ValueRangeError`."""
     width, height = (int(n) for n in size)
     if not (1 <= width <= 65536 and 1 <= height <= 65536):

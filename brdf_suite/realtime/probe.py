@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.camera import crop
 from brdf_suite.realtime.context import graphics_errors
-from brdf_suite.realtime.offscreen import Size, checked_size
+from brdf_suite.realtime.offscreen import Size, check_size
 from brdf_suite.realtime.programs import assign
 from brdf_suite.realtime.renderer import Renderer
 from brdf_suite.realtime.shader_source import compose
@@ -85,7 +85,7 @@ class PixelProbe:
         materials: Mapping[str, str] = _AS_THEY_ARE,
     ) -> RadianceProbe:
         """Return what the pixel (column, row from the top) of a picture of ``size`` shows."""
-        width, height = checked_size(size)
+        width, height = check_size(size)
         column = min(max(pixel[0], 0), width - 1)
         row = height - 1 - min(max(pixel[1], 0), height - 1)
         corner = (column // 2 * 2, row // 2 * 2)

@@ -49,7 +49,7 @@ from brdf_suite.realtime.offscreen import (
     OffscreenPictures,
     Region,
     Size,
-    checked_size,
+    check_size,
 )
 from brdf_suite.realtime.programs import (
     MATERIAL_BINDING,
@@ -162,7 +162,7 @@ class Renderer(OffscreenPictures):
 
     def camera_matrices(self, view: View, size: Size) -> CameraMatrices:
         """Return the matrices that :meth:`render` uses, for picking and gestures."""
-        return matrices(view.camera, self.bounds, checked_size(size))
+        return matrices(view.camera, self.bounds, check_size(size))
 
     def render(
         self,
@@ -195,7 +195,7 @@ class Renderer(OffscreenPictures):
         GraphicsError
             No environment yet, a material fitted to other exponents, or the driver failed.
         """
-        size = checked_size(size)
+        size = check_size(size)
         with graphics_errors(self.context, "drawing a frame"):
             if isinstance(framebuffer, int):
                 framebuffer = self.context.detect_framebuffer(framebuffer)
@@ -218,7 +218,7 @@ class Renderer(OffscreenPictures):
     ) -> None:
         """Finish ``light``, exposed radiance of any number of samples, as :meth:`render` does with what it drew."""
         with graphics_errors(self.context, "finishing a picture"):
-            self._bind(framebuffer, checked_size(size), region)
+            self._bind(framebuffer, check_size(size), region)
             self._finish.draw(light, view, display or self.screen)
             self.context.scissor = None
 

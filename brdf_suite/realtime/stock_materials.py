@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.ladder import BROADEST_SHARP
-from brdf_suite.realtime.values import MaterialWeights, checked_exponents
+from brdf_suite.realtime.values import MaterialWeights, check_exponents
 
 _THETA_FIT = float(np.pi / 4)
 _BROAD = (8.0, 12.0, 30.0, 40.0, 60.0)
@@ -29,7 +29,7 @@ def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
 
     Their broad lobes have exponents of their own, as far as the environment's broad lobes reach.
     """
-    given = checked_exponents(exponents)
+    given = check_exponents(exponents)
     reach = max((e for e in given if e <= BROADEST_SHARP), default=0.0)
     e = tuple(sorted({*given, *(own for own in _BROAD if own <= reach)}))
     return {

@@ -145,7 +145,7 @@ class EnvironmentMaps:
     background: CubeFaces
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "exponents", checked_exponents(self.exponents))
+        object.__setattr__(self, "exponents", check_exponents(self.exponents))
         object.__setattr__(self, "lobes", tuple(self.lobes))
         if len(self.lobes) != len(self.exponents):
             raise ValueRangeError("lobes", f"{len(self.exponents)} maps are wanted, not {len(self.lobes)}")
@@ -219,7 +219,7 @@ class MaterialWeights:
     by_view: OverAngle | None = None
 
     def __post_init__(self) -> None:
-        exponents = checked_exponents(self.exponents)
+        exponents = check_exponents(self.exponents)
         object.__setattr__(self, "exponents", exponents)
         for name, shape in (("kd", (3,)), ("kdd", (len(exponents), 3)), ("kg", (len(exponents), 3))):
             value = _finite(getattr(self, name), np.float64, shape, name)
@@ -234,7 +234,7 @@ class MaterialWeights:
             raise ValueRangeError("coat", f"none, dielectric, facets or metal is wanted, not {self.coat!r}")
 
 
-def checked_exponents(exponents: ArrayLike) -> tuple[float, ...]:
+def check_exponents(exponents: ArrayLike) -> tuple[float, ...]:
     """Return the exponents as a tuple of 1 to :data:`MAX_LOBES` finite numbers, each ≥ 1, or raise."""
     values = tuple(float(e) for e in np.atleast_1d(np.asarray(exponents, np.float64)))
     if not 1 <= len(values) <= MAX_LOBES:

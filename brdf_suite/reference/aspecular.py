@@ -31,7 +31,7 @@ _FLOP_SLOPE = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class Aspecular:
+class AspecularBaseTerm:
     """Term of an :class:`~brdf_suite.reflectance.aspecular_base.AspecularBase`."""
 
     base: AspecularBase
@@ -48,7 +48,7 @@ class Aspecular:
         object.__setattr__(self, "table", table)
 
     @classmethod
-    def of(cls, base: AspecularBase) -> Aspecular:
+    def of(cls, base: AspecularBase) -> AspecularBaseTerm:
         """Return the twin of a base."""
         return cls(base, float(normal_albedo(base) @ LUMINANCE))
 
@@ -94,20 +94,20 @@ class Aspecular:
 
 
 @dataclass(frozen=True, eq=False)
-class Several:
+class SeveralLightsTerm:
     """Term of :class:`~brdf_suite.reflectance.several_lights.SeveralLights`.
 
     For two lights the shares are worked out; for more they are tables over γ and θd, whose kinks lie along lines, so
     that they err by up to half a cell there.
     """
 
-    terms: tuple[Aspecular, ...]
+    terms: tuple[AspecularBaseTerm, ...]
     tables: tuple[Any, ...]
 
     @classmethod
-    def of(cls, lights: SeveralLights) -> Several:
+    def of(cls, lights: SeveralLights) -> SeveralLightsTerm:
         """Return the twin."""
-        terms = tuple(Aspecular.of(base) for base in lights.bases)
+        terms = tuple(AspecularBaseTerm.of(base) for base in lights.bases)
         if len(terms) == 2:
             return cls(terms, ())
         gamma, theta_d = np.meshgrid(

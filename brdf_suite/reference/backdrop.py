@@ -16,7 +16,7 @@ import numpy.typing as npt
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import sample
 from brdf_suite.lighting.prefilter import prefilter
-from brdf_suite.reference.scene import Eye
+from brdf_suite.reference.scene import PinholeCamera
 
 Pixels = npt.NDArray[np.float64]
 Look = Callable[[Pixels], npt.NDArray[Any]]
@@ -25,7 +25,7 @@ PLACES = 3
 """Looks along each edge of a pixel."""
 
 
-def looks(eye: Eye, size: tuple[int, int]) -> Iterator[Pixels]:
+def looks(eye: PinholeCamera, size: tuple[int, int]) -> Iterator[Pixels]:
     """Yield directions (h, w, 3) in the world, of any length, through even places of each pixel."""
     width, height = size
     for j in range(PLACES):
@@ -40,7 +40,7 @@ def looks(eye: Eye, size: tuple[int, int]) -> Iterator[Pixels]:
 
 
 def backdrop(
-    eye: Eye,
+    eye: PinholeCamera,
     size: tuple[int, int],
     rotation_deg: float,
     look: Look | None,
@@ -70,7 +70,7 @@ def sharp(radiance: npt.NDArray[np.float32]) -> Look:
     return lambda directions: sample(radiance, directions)
 
 
-def blurred(radiance: npt.NDArray[np.float32], exponent: float) -> Look:
+def blur_map(radiance: npt.NDArray[np.float32], exponent: float) -> Look:
     """Return the look-up of a map (h, w, 3) that is blurred by a cosine lobe: some tenths of a second."""
     faces = prefilter(Environment("backdrop", radiance), [exponent]).lobes[0].radiance()
     return lambda directions: sample_cube(faces, directions)
@@ -99,7 +99,7 @@ def sample_cube(faces: npt.NDArray[np.float32], directions: Pixels) -> npt.NDArr
     return found.reshape(directions.shape)
 
 
-def composed(radiance: Pixels, coverage: Pixels, behind: Any) -> Pixels:
+def compose_picture(radiance: Pixels, coverage: Pixels, behind: Any) -> Pixels:
     """Return the whole picture's radiance: the object's, and the backdrop's where the object leaves room."""
     room = np.clip(1.0 - coverage, 0.0, 1.0)[..., None]
     return np.asarray(radiance + room * behind)

@@ -23,7 +23,7 @@ def check_denoiser() -> None:
         )
 
 
-def denoised(radiance: Pixels) -> Pixels:
+def denoise_picture(radiance: Pixels) -> Pixels:
     """Return radiance (h, w, 3) without its noise.
 
     Raises

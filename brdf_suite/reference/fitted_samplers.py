@@ -32,9 +32,7 @@ def fitted_samplers(reflectance: Reflectance, seed: int = 1) -> tuple[Sampler, .
     for theta_deg in _VIEWS_DEG:
         view = spherical(math.radians(theta_deg), 0.0)[None]
         drawn = [warps.cosine_hemisphere(rng.random((_PER_PART, 2)))]
-        drawn += [
-            warps.mirrored_at(view, warps.beckmann_normal(rng.random((_PER_PART, 2)), m)) for m in SLOPES
-        ]
+        drawn += [warps.mirror_at(view, warps.beckmann_normal(rng.random((_PER_PART, 2)), m)) for m in SLOPES]
         light = np.concatenate(drawn)
         light = light[light[:, 2] > 1e-3]
         views = np.broadcast_to(view, light.shape)

@@ -17,7 +17,7 @@ Word = Any
 GOLDEN = 0x9E3779B9
 
 
-def scrambled(x: Word) -> Word:
+def scramble(x: Word) -> Word:
     """Return a hash of a word; see ``flakes.hashing``."""
     x = (x ^ (x >> 16)) * mi.UInt32(0x21F0AAAD)
     x = (x ^ (x >> 15)) * mi.UInt32(0xD35A2D97)
@@ -26,7 +26,7 @@ def scrambled(x: Word) -> Word:
 
 def cell_key(x: Real, y: Real, salt: Word) -> Word:
     """Return a word for whole numbers of either sign."""
-    return scrambled(mi.UInt32(mi.Int32(x)) + scrambled(mi.UInt32(mi.Int32(y)) + salt))
+    return scramble(mi.UInt32(mi.Int32(x)) + scramble(mi.UInt32(mi.Int32(y)) + salt))
 
 
 def halves(word: Word) -> tuple[Real, Real]:

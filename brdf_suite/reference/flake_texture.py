@@ -9,7 +9,7 @@ from typing import Any
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real
-from brdf_suite.reference.flake_cells import GOLDEN, cell_key, halves, scrambled, spot, tint
+from brdf_suite.reference.flake_cells import GOLDEN, cell_key, halves, scramble, spot, tint
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.place import Place
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
@@ -43,7 +43,7 @@ def texture_ratio(place: Place, slope: Any, spread: float, flakes: Flakes, reach
     for right, above in product((0.0, 1.0), repeat=2):
         cell_x, cell_y = first_x + right, first_y + above
         key = cell_key(cell_x, cell_y, mi.UInt32(_SALT))
-        jitter_x, jitter_y = halves(scrambled(key + mi.UInt32(GOLDEN)))
+        jitter_x, jitter_y = halves(scramble(key + mi.UInt32(GOLDEN)))
         step = d.number(1.0 / per_mm)
         cover = seen.cover(place.uv.x - (cell_x + jitter_x) * step, place.uv.y - (cell_y + jitter_y) * step)
         r1, r2 = halves(key)
@@ -51,7 +51,7 @@ def texture_ratio(place: Place, slope: Any, spread: float, flakes: Flakes, reach
         sine, cosine = dr.sincos(2.0 * math.pi * r2)
         apart = (tangent * cosine - slope.x) ** 2 + (tangent * sine - slope.y) ** 2
         bell = dr.square(dr.maximum(1.0 - apart * narrow, 0.0))
-        total += (cover * bell) * tint(scrambled(key + mi.UInt32(_TINT)), flakes.colour_spread)
+        total += (cover * bell) * tint(scramble(key + mi.UInt32(_TINT)), flakes.colour_spread)
     total *= d.number(3.0 / math.pi * narrow / flakes.density_per_mm2)
     wide2 = flakes.roughness**2 + 2.0 * spread**2
     top = 1.0 / (math.pi * wide2)

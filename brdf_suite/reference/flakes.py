@@ -22,7 +22,7 @@ from brdf_suite.appearance.visible_flakes import (
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
-from brdf_suite.reference.flake_cells import GOLDEN, Spot, cell_key, halves, scrambled, spot, tint
+from brdf_suite.reference.flake_cells import GOLDEN, Spot, cell_key, halves, scramble, spot, tint
 from brdf_suite.reference.flake_texture import texture_ratio
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.place import Place, footprint_of_sample
@@ -141,7 +141,7 @@ class _Field:
         x, y = (dr.floor(along * per_mm - 0.5) + c for along, c in zip((at.x, at.y), corner, strict=True))
         s0, t0 = (dr.floor(along * per_square - 0.5) for along in (place.x, place.y))
         key = cell_key(x, y, mi.UInt32(mi.Int32(number)) * mi.UInt32(GOLDEN))
-        jitter_x, jitter_y = halves(scrambled(key))
+        jitter_x, jitter_y = halves(scramble(key))
         cover = self.spot.cover(at.x - (x + jitter_x) / per_mm, at.y - (y + jitter_y) / per_mm)
         total = mi.Color3f(0.0)
         for right, above in product((0.0, 1.0), repeat=2):
@@ -149,13 +149,13 @@ class _Field:
             mixed = mi.UInt32(mi.Int32(s)) * mi.UInt32(_ALONG_S) + mi.UInt32(mi.Int32(t)) * mi.UInt32(
                 _ALONG_T
             )
-            word = scrambled(key + mixed)
+            word = scramble(key + mixed)
             jitter_s, jitter_t = halves(word)
             beside_s, beside_t = place.x - (s + jitter_s) / per_square, place.y - (t + jitter_t) / per_square
             bell = dr.square(
                 dr.maximum(1.0 - (beside_s * beside_s + beside_t * beside_t) * level.narrow, 0.0)
             )
-            other = scrambled(word + mi.UInt32(GOLDEN))
+            other = scramble(word + mi.UInt32(GOLDEN))
             order = (mi.Float(other & 0xFF) + 0.5) * (1.0 / 256.0)
             area = FLAKE_AREA * dr.square((mi.Float((other >> 8) & 0xFF) + 0.5) * (1.0 / 256.0))
             total += (bell * area * _shown(order, weight)) * tint(other, self.layer.flakes.colour_spread)

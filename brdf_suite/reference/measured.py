@@ -23,14 +23,14 @@ from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 
 
 @dataclass(frozen=True, eq=False)
-class Measured:
+class MeasuredTerm:
     """Term of a :class:`~brdf_suite.reflectance.tensor.tensor_reflectance.TensorReflectance`."""
 
     plug_in: Any
     samplers: Sequence[Sampler]
 
     @classmethod
-    def of(cls, material: TensorReflectance) -> Measured:
+    def of(cls, material: TensorReflectance) -> MeasuredTerm:
         """Return the twin of a material."""
         # Outside of the working space a channel is negative, and what that leaves of a sum is cut off at the end.
         colours = np.einsum("picab,cj->pijab", material.values, material.to_working)

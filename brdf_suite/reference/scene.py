@@ -42,7 +42,7 @@ class SurfacePart:
 
 
 @dataclass(frozen=True, eq=False)
-class Eye:
+class PinholeCamera:
     """A pinhole: its place (3,), right, up and backward axes as columns (3, 3), tangent of half the width."""
 
     place: npt.NDArray[np.float64]
@@ -74,7 +74,7 @@ class TracedScene:
         self.bsdfs[material].term = term
         self.terms = {**self.terms, material: term}
 
-    def look_from(self, eye: Eye, size: tuple[int, int]) -> None:
+    def look_from(self, eye: PinholeCamera, size: tuple[int, int]) -> None:
         """Move the camera, and change the size of the picture."""
         values = mi.traverse(self.scene)
         values["sensor.to_world"] = mi.Transform4f(_to_world(eye).matrix)
@@ -102,7 +102,7 @@ def build_scene(
     parts: Sequence[SurfacePart],
     terms: Mapping[str, Any],
     radiance: npt.NDArray[np.float32],
-    eye: Eye,
+    eye: PinholeCamera,
     view: View,
     size: tuple[int, int],
     *,
@@ -143,7 +143,7 @@ def build_scene(
     return traced
 
 
-def _set_viewpoint(bsdfs: Mapping[str, Any], eye: Eye, size: tuple[int, int]) -> None:
+def _set_viewpoint(bsdfs: Mapping[str, Any], eye: PinholeCamera, size: tuple[int, int]) -> None:
     ours = [bsdf for bsdf in bsdfs.values() if hasattr(bsdf, "term")]
     if ours:
         viewpoint = Viewpoint.of(eye.place, eye.axes, eye.half_width_tangent, size)
@@ -163,18 +163,18 @@ def _turned(rotation_deg: float) -> Any:
     return mi.ScalarTransform4f().rotate([0, 1, 0], rotation_deg)
 
 
-def _to_world(eye: Eye) -> Any:
+def _to_world(eye: PinholeCamera) -> Any:
     target = eye.place - eye.axes[:, 2]
     return mi.ScalarTransform4f().look_at(
         origin=eye.place.tolist(), target=target.tolist(), up=eye.axes[:, 1].tolist()
     )
 
 
-def _field_of_view(eye: Eye) -> float:
+def _field_of_view(eye: PinholeCamera) -> float:
     return math.degrees(2.0 * math.atan(eye.half_width_tangent))
 
 
-def _sensor(eye: Eye, size: tuple[int, int]) -> dict[str, Any]:
+def _sensor(eye: PinholeCamera, size: tuple[int, int]) -> dict[str, Any]:
     return {
         "type": "perspective",
         "fov_axis": "x",

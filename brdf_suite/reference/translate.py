@@ -8,20 +8,20 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.appearance.colorimetry import LUMINANCE
-from brdf_suite.reference.aspecular import Aspecular, Several
+from brdf_suite.reference.aspecular import AspecularBaseTerm, SeveralLightsTerm
 from brdf_suite.reference.coated import SeenThroughTerm, UnderCoat
 from brdf_suite.reference.factored import FactoredTerm
 from brdf_suite.reference.fitted_samplers import fitted_samplers
 from brdf_suite.reference.lobe_weights import LobeWeightsTerm
-from brdf_suite.reference.measured import Measured
+from brdf_suite.reference.measured import MeasuredTerm
 from brdf_suite.reference.table import HalfAngleTable
 from brdf_suite.reference.terms import CoatLobeTerm, FacetLobe, LambertianTerm, SumTerm
 from brdf_suite.reflectance import coat_lobe
 from brdf_suite.reflectance.aspecular_base import AspecularBase
 from brdf_suite.reflectance.factored import Factored
-from brdf_suite.reflectance.layers import divided
+from brdf_suite.reflectance.layers import divide_lobes
 from brdf_suite.reflectance.models.coated import Coated
-from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_of
+from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_from_reflectance
 from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
 from brdf_suite.reflectance.models.lambertian import Lambertian as CoreLambertian
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
@@ -37,24 +37,24 @@ TABULATED = (
 
 
 @dataclass(frozen=True, eq=False)
-class Translated:
+class TranslatedTerm:
     """A translated term, with notices about its accuracy."""
 
     term: Any
     notices: tuple[str, ...] = ()
 
 
-def translate(reflectance: Reflectance) -> Translated:
+def translate(reflectance: Reflectance) -> TranslatedTerm:
     """Return the twin of any reflectance; of one without a formula here, that of its table."""
     term = _exact(reflectance)
     if term is not None:
-        return Translated(term)
+        return TranslatedTerm(term)
     table = IsotropicTable.from_reflectance(reflectance)
-    return Translated(HalfAngleTable.of(table, fitted_samplers(reflectance)), (TABULATED,))
+    return TranslatedTerm(HalfAngleTable.of(table, fitted_samplers(reflectance)), (TABULATED,))
 
 
 @dataclass(frozen=True, eq=False)
-class Divided:
+class LayerTerms:
     """The terms of base and coat: None where absent, or where the layers cannot be separated."""
 
     base: Any
@@ -63,23 +63,23 @@ class Divided:
     notices: tuple[str, ...] = ()
 
 
-def divide(reflectance: Reflectance) -> Divided:
+def divide(reflectance: Reflectance) -> LayerTerms:
     """Return the twins of base and coat, as the layers of the lobe fit (:func:`~.layers.layered`) are divided."""
     if isinstance(reflectance, PaintReflectance):
         coat = reflectance.coat
-        return Divided(_exact(reflectance.base), CoatLobeTerm(coat.ior, coat.roughness), coat.ior)
+        return LayerTerms(_exact(reflectance.base), CoatLobeTerm(coat.ior, coat.roughness), coat.ior)
     if isinstance(reflectance, CookTorrance):
-        wide, sharp, ior = divided(reflectance)
-        return Divided(_cook_torrance(wide), _cook_torrance(sharp) if sharp.paint.lobes else None, ior)
+        wide, sharp, ior = divide_lobes(reflectance)
+        return LayerTerms(_cook_torrance(wide), _cook_torrance(sharp) if sharp.paint.lobes else None, ior)
     if isinstance(reflectance, Coated):
         inner = divide(reflectance.base)
         under = UnderCoat(reflectance, inner.base)
         above: Any = under.coat
         if inner.coat is not None:
             above = SumTerm((under.coat, SeenThroughTerm(UnderCoat(reflectance, inner.coat))))
-        return Divided(SeenThroughTerm(under), above, reflectance.ior, inner.notices)
+        return LayerTerms(SeenThroughTerm(under), above, reflectance.ior, inner.notices)
     whole = translate(reflectance)
-    return Divided(whole.term, None, 1.0, whole.notices)
+    return LayerTerms(whole.term, None, 1.0, whole.notices)
 
 
 def _exact(reflectance: object) -> Any | None:
@@ -87,9 +87,9 @@ def _exact(reflectance: object) -> Any | None:
         coat = reflectance.coat
         return SumTerm((_exact(reflectance.base), CoatLobeTerm(coat.ior, coat.roughness)))
     if isinstance(reflectance, AspecularBase):
-        return Aspecular.of(reflectance)
+        return AspecularBaseTerm.of(reflectance)
     if isinstance(reflectance, SeveralLights):
-        return Several.of(reflectance)
+        return SeveralLightsTerm.of(reflectance)
     if isinstance(reflectance, coat_lobe.CoatLobe):
         return CoatLobeTerm(reflectance.ior, reflectance.roughness)
     if isinstance(reflectance, CookTorrance):
@@ -100,7 +100,7 @@ def _exact(reflectance: object) -> Any | None:
     if isinstance(reflectance, IsotropicTable):
         return HalfAngleTable.of(reflectance, fitted_samplers(reflectance))
     if isinstance(reflectance, TensorReflectance):
-        return Measured.of(reflectance)
+        return MeasuredTerm.of(reflectance)
     if isinstance(reflectance, Factored):
         return FactoredTerm(reflectance)
     if isinstance(reflectance, CosineLobes):
@@ -128,7 +128,7 @@ def _cook_torrance(model: CookTorrance) -> SumTerm:
                 _triple(lobe.ks),
                 lobe.m,
                 full,
-                index_of(lobe.r) if lobe.r < 1.0 else None,
+                index_from_reflectance(lobe.r) if lobe.r < 1.0 else None,
                 weight * (lobe.r + 0.05 * (1.0 - lobe.r)),
             )
         )

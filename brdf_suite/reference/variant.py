@@ -63,7 +63,7 @@ class Variant:
 
 
 @dataclass(frozen=True)
-class Probed:
+class ProbeResult:
     """Result of a probe: whether it ran, the LLVM version, and the last words of its error."""
 
     ran: bool
@@ -71,7 +71,7 @@ class Probed:
     words: str = ""
 
 
-Probe = Callable[[str, str], Probed]
+Probe = Callable[[str, str], ProbeResult]
 
 
 @cache
@@ -99,7 +99,7 @@ def choose(cuda: bool, libraries: Sequence[str], try_out: Probe) -> Variant:
             return Variant("cuda_ad_rgb")
         findings.append(f"CUDA: {found.words}")
     for path in libraries:
-        number = version_of(path)
+        number = parse_version(path)
         if number and number < OLDEST_LLVM:
             findings.append(f"{path} is LLVM {number}")
             continue
@@ -114,7 +114,7 @@ def choose(cuda: bool, libraries: Sequence[str], try_out: Probe) -> Variant:
     )
 
 
-def probe(variant: str, llvm_path: str) -> Probed:
+def probe(variant: str, llvm_path: str) -> ProbeResult:
     """Try a variant in a process of its own; :class:`ExtraError` where Mitsuba cannot be loaded there."""
     environment = dict(os.environ)
     if llvm_path:
@@ -129,17 +129,17 @@ def probe(variant: str, llvm_path: str) -> Probed:
             check=False,
         )
     except (OSError, subprocess.TimeoutExpired) as error:
-        return Probed(False, words=f"the trial could not be made ({error})")
+        return ProbeResult(False, words=f"the trial could not be made ({error})")
     if done.returncode == 0:
-        return Probed(True, version=str(json.loads(done.stdout.splitlines()[-1])["llvm"]))
+        return ProbeResult(True, version=str(json.loads(done.stdout.splitlines()[-1])["llvm"]))
     if done.returncode == NOT_LOADED:
         raise ExtraError(str(json.loads(done.stdout.splitlines()[-1])["reason"]))
     lines = done.stderr.strip().splitlines()
     ended = f"ended with signal {-done.returncode}" if done.returncode < 0 else "failed"
-    return Probed(False, words=f"its trial {ended} ({lines[-1] if lines else 'without a word'})")
+    return ProbeResult(False, words=f"its trial {ended} ({lines[-1] if lines else 'without a word'})")
 
 
-def version_of(path: str) -> int:
+def parse_version(path: str) -> int:
     """Return the LLVM version from a library's name; 0 where it has none.
 
     >>> version_of("usr/lib/x86_64-linux-gnu/libLLVM.so.19.1"), version_of("usr/lib/libLLVM.so")
@@ -155,7 +155,7 @@ def _libraries() -> list[str]:
     if named:
         return [named]
     found = {str(path.resolve()) for place in _PLACES for path in Path("/").glob(place)}
-    return sorted(found, key=lambda path: (-version_of(path), path))
+    return sorted(found, key=lambda path: (-parse_version(path), path))
 
 
 def _has_cuda() -> bool:

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.geometry.directions import Floats, spherical
-from brdf_suite.geometry.warps import mirrored_at
+from brdf_suite.geometry.warps import mirror_at
 from brdf_suite.reflectance.protocol import Reflectance
 
 _NORMAL = np.array([0.0, 0.0, 1.0])
@@ -73,7 +73,7 @@ def _integral(reflectance: Reflectance, fixed: npt.ArrayLike, azimuths: int, *, 
         half, solid = _rings(
             azimuths * _refinement(float(one[2])), min(_WIDEST_RING, _RING_TIMES_AZIMUTHS / azimuths)
         )
-        other, dot = mirrored_at(one, half), half @ one
+        other, dot = mirror_at(one, half), half @ one
         up = (other[:, 2] > 0.0) & (dot > 0.0)
         other = other[up]
         pair = (one, other) if given_light else (other, one)

@@ -25,7 +25,7 @@ LIGHT_PROJECTIONS = ("wi", "|wi|")
 HALF_PROJECTIONS = ("h", "|h|", "sqrt|h|", "w.h,h.n")
 
 
-def density_of(factor: MapFactor) -> Floats:
+def build_density(factor: MapFactor) -> Floats:
     """Return the chances of a map over a direction or the half vector: (n, n) of texels, or (RINGS,) of rings.
 
     A map over w·h and h·n counts by its mean over the former.
@@ -70,7 +70,7 @@ def map_density(values: npt.NDArray[np.float32]) -> Floats:
     return np.asarray(mass / mass.sum())
 
 
-def drawn(density: Floats, u: Floats) -> Floats:
+def sample_directions(density: Floats, u: Floats) -> Floats:
     """Return directions (n, 3) for even numbers ``u`` (n, 2), of a texel or ring by its chance and even within it."""
     bounds = np.cumsum(density.ravel())
     bounds /= bounds[-1]
@@ -87,7 +87,7 @@ def drawn(density: Floats, u: Floats) -> Floats:
 
 
 def direction_density(density: Floats, w: Floats) -> Floats:
-    """Return the density (...) of :func:`drawn` per solid angle at directions (..., 3)."""
+    """Return the density (...) of :func:`sample_directions` per solid angle at directions (..., 3)."""
     size = len(density)
     s, t = parabolic_place(w)
     r2 = s * s + t * t

@@ -49,7 +49,7 @@ class MapFactor:
         if self.projection not in PROJECTIONS:
             raise ValueRangeError("projection", f"one of {', '.join(PROJECTIONS)} is wanted")
         axes = PROJECTIONS[self.projection].axes
-        object.__setattr__(self, "values", checked_map(self.values, self.projection, (axes,)))
+        object.__setattr__(self, "values", check_map(self.values, self.projection, (axes,)))
         if self.logarithmic and not (self.values > 0.0).all():
             raise ValueRangeError(self.projection, "a map between whose logarithms is interpolated holds a 0")
 
@@ -69,7 +69,7 @@ class MapFactor:
         return np.exp(found) if self.logarithmic else found
 
 
-def checked_map(values: npt.ArrayLike, place: str, axes: tuple[int, ...] = (1, 2)) -> Map:
+def check_map(values: npt.ArrayLike, place: str, axes: tuple[int, ...] = (1, 2)) -> Map:
     """Return a map (n, 3) or (n, n, 3), of as many ``axes`` as are allowed, that cannot be written.
 
     Raises

@@ -34,12 +34,12 @@ from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.factor_density import (
     HALF_PROJECTIONS,
     LIGHT_PROJECTIONS,
-    density_of,
+    build_density,
     direction_density,
-    drawn,
+    sample_directions,
     unevenness,
 )
-from brdf_suite.reflectance.factor_map import Map, MapFactor, checked_map
+from brdf_suite.reflectance.factor_map import Map, MapFactor, check_map
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import rgb
 
@@ -108,7 +108,7 @@ class Factored:
 
     def __post_init__(self) -> None:
         for name in ("p", "q"):
-            values = checked_map(getattr(self, name), name)
+            values = check_map(getattr(self, name), name)
             if self.logarithmic and not (values > 0.0).all():
                 raise ValueRangeError(name, "a map between whose logarithms is interpolated holds a 0")
             object.__setattr__(self, name, values)
@@ -185,14 +185,14 @@ class Factored:
         total = sum(uneven)
         of_body = (1.0 - _LEAST_MATT) / total if total > 1e-6 else 0.0
         found = [
-            MapSampler(of_body * amount, density_of(factor), mirrored)
+            MapSampler(of_body * amount, build_density(factor), mirrored)
             for (factor, mirrored), amount in zip(wanted, uneven, strict=True)
             if of_body * amount > 0.0
         ]
         peak = next((factor for factor in self.peak if factor.projection in HALF_PROJECTIONS), None)
         if peak is None:
             return tuple(found)
-        density = density_of(peak)
+        density = build_density(peak)
         share = self._peak_share(density)
         body = [MapSampler(one.share * (1.0 - share), one.density, one.mirrored) for one in found]
         return (*body, MapSampler(share, density, mirrored=True))
@@ -206,7 +206,7 @@ class Factored:
         wo = np.broadcast_to(spherical(0.25 * np.pi, 0.3), (count, 3))
         matt = warps.cosine_hemisphere(u)
         body = float((_product(self.terms[0], matt, wo) @ LUMINANCE).mean()) * np.pi
-        wi = _mirrored_above(wo, drawn(density, u))
+        wi = _mirrored_above(wo, sample_directions(density, u))
         keep = wi[:, 2] > 0.0
         h = warps.half_vector(wi[keep], wo[keep])
         pdf = warps.mirrored_pdf(direction_density(density, h), wo[keep], h)
@@ -237,7 +237,7 @@ def _product(term: Term, wi: Floats, wo: Floats) -> Floats:
 
 
 def _draw_light(density: Floats, _wo: Floats, u: Floats) -> Floats:
-    return drawn(density, u)
+    return sample_directions(density, u)
 
 
 def _light_density(density: Floats, wi: Floats, _wo: Floats) -> Floats:
@@ -245,7 +245,7 @@ def _light_density(density: Floats, wi: Floats, _wo: Floats) -> Floats:
 
 
 def _draw_half(density: Floats, wo: Floats, u: Floats) -> Floats:
-    return _mirrored_above(wo, drawn(density, u))
+    return _mirrored_above(wo, sample_directions(density, u))
 
 
 def _half_density(density: Floats, wi: Floats, wo: Floats) -> Floats:
@@ -255,4 +255,4 @@ def _half_density(density: Floats, wi: Floats, wo: Floats) -> Floats:
 
 def _mirrored_above(wo: Floats, h: Floats) -> Floats:
     """Mirror views at half vectors; those below the horizon, which no pair has, are lost."""
-    return np.where(h[:, 2:] > 0.0, warps.mirrored_at(wo, h), np.array([0.0, 0.0, -1.0]))
+    return np.where(h[:, 2:] > 0.0, warps.mirror_at(wo, h), np.array([0.0, 0.0, -1.0]))

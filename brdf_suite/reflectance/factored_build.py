@@ -16,7 +16,7 @@ from brdf_suite.reflectance.factored import Factored
 _LIGHTS_AND_VIEWS = (("wi", "wo"), ("|wi|", "|wo|"))
 
 
-def factored_of(
+def build_factored(
     factors: tuple[Factor, ...],
     maps: Mapping[str, Map],
     alpha: npt.ArrayLike,
@@ -95,7 +95,7 @@ def factored_paint_reflectance(paint: FactoredPaint) -> Factored:
         facts["peak"] = paint.peak
     if paint.largest > 0.0:
         facts["largest"] = paint.largest
-    return factored_of(
+    return build_factored(
         factors,
         read_textures(paint),
         paint.alpha,

@@ -28,7 +28,7 @@ from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.tensor.density import Blend, GridDensity, blend_of
+from brdf_suite.reflectance.tensor.density import Blend, GridDensity, blend_weights
 
 EVEN_SHARE = 0.03
 """Of the directions: those that follow the cosine alone."""
@@ -123,7 +123,7 @@ class HalfVectorDensity:
 
     def _blend(self, wo: Floats) -> Blend:
         theta, phi = _polar(wo)
-        return blend_of([self._phi_o, self._theta_o], [phi, theta])
+        return blend_weights([self._phi_o, self._theta_o], [phi, theta])
 
     def _to_light(self, square: Floats, wo: Floats) -> Floats:
         """Return the directions to the light (n, 3) at places (n, 2) of the square: (share of θh, azimuth)."""
@@ -131,7 +131,7 @@ class HalfVectorDensity:
         phi = (2.0 * square[:, 1] - 1.0) * math.pi
         phi_h, turn = (phi + phi_o, phi) if self._isotropic else (phi, phi - phi_o)
         share = np.sqrt((_STRETCH * square[:, 0] + _START) ** 4 - _START**4)
-        return warps.mirrored_at(wo, spherical(share * _largest(wo, turn), phi_h))
+        return warps.mirror_at(wo, spherical(share * _largest(wo, turn), phi_h))
 
     def _to_square(self, wi: Floats, wo: Floats) -> Floats:
         """Return the inverse of :meth:`_to_light`."""

@@ -27,7 +27,7 @@ from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.models.channels import luminance
 from brdf_suite.reflectance.models.coated import Coated
-from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_of
+from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_from_reflectance
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Layered, Reflectance
 
@@ -72,7 +72,7 @@ class SeenThrough:
         return np.asarray(self.part.eval(wi, wo) * self.coated.base_factor(wi, wo))
 
 
-def layered(reflectance: object, *, sharp_slope: float = SHARP_SLOPE) -> Layered | None:
+def split_layers(reflectance: object, *, sharp_slope: float = SHARP_SLOPE) -> Layered | None:
     """Return the layers of ``reflectance``, or None where nothing divides it (measured data, other models).
 
     A designed paint is returned as it is. ``sharp_slope`` is the largest slope m of a Cook-Torrance lobe that
@@ -86,12 +86,12 @@ def layered(reflectance: object, *, sharp_slope: float = SHARP_SLOPE) -> Layered
     if isinstance(reflectance, PaintReflectance):
         return reflectance
     if isinstance(reflectance, CookTorrance):
-        wide, sharp, ior = divided(reflectance, sharp_slope)
+        wide, sharp, ior = divide_lobes(reflectance, sharp_slope)
         return Layers(wide, sharp, ior, base_under_coat=False)
     if isinstance(reflectance, Coated):
         if not isinstance(reflectance.base, CookTorrance):
             return Layers(SeenThrough(reflectance, reflectance.base), reflectance.coat, reflectance.ior)
-        wide, sharp, _ = divided(reflectance.base, sharp_slope)
+        wide, sharp, _ = divide_lobes(reflectance.base, sharp_slope)
         coat: Reflectance = reflectance.coat
         if sharp.paint.lobes:
             coat = Sum((coat, SeenThrough(reflectance, sharp)))
@@ -99,7 +99,7 @@ def layered(reflectance: object, *, sharp_slope: float = SHARP_SLOPE) -> Layered
     return None
 
 
-def divided(
+def divide_lobes(
     model: CookTorrance, sharp_slope: float = SHARP_SLOPE
 ) -> tuple[CookTorrance, CookTorrance, float]:
     """Return (kd and wide lobes, sharp lobes, the sharp lobes' index); the index is 1 where there is none."""
@@ -127,4 +127,4 @@ def _common_index(lobes: Sequence[CookTorranceLobe]) -> float:
 
 
 def _index(r: float) -> float:
-    return LARGEST_IOR if r >= 1.0 else min(index_of(r), LARGEST_IOR)
+    return LARGEST_IOR if r >= 1.0 else min(index_from_reflectance(r), LARGEST_IOR)

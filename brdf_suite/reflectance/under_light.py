@@ -11,9 +11,9 @@ import numpy.typing as npt
 from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.appearance.light_colour import (
     ColourUnderLight,
-    adapted_colour,
+    adapt_colour,
+    colour_from_spectra,
     metamerism_index,
-    recomputed_colour,
 )
 from brdf_suite.appearance.spectra import DEFAULT_WAVELENGTHS_NM
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
@@ -66,9 +66,9 @@ def readings_under(
     Each says in its ``label`` how it was found. Adapted colours are of the 10° observer, as the readings are.
     """
     if not has_spectra(reflectance):
-        return tuple(adapted_colour(reading.lab, illuminant) for reading in report.readings)
+        return tuple(adapt_colour(reading.lab, illuminant) for reading in report.readings)
     return tuple(
-        recomputed_colour(
+        colour_from_spectra(
             spectrum_at(reflectance, reading.geometry, report.aperture),
             np.asarray(reflectance.wavelengths_nm, float),
             illuminant,

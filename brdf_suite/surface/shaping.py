@@ -14,7 +14,7 @@ from brdf_suite.surface.normals import corner_normals, face_normals, weld
 from brdf_suite.surface.repair import CREASE_DEG, split_corners
 
 
-def shaped(mesh: Mesh, look: SurfaceLook) -> Mesh:
+def shape_mesh(mesh: Mesh, look: SurfaceLook) -> Mesh:
     """Return ``mesh`` with scale, place and normals of ``look``; the same object where nothing is to be done.
 
     Texture coordinates are lengths on the surface and grow with it. Where normals are made anew, vertices are split at

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from brdf_suite.acquisition.dark import dark_model
 from brdf_suite.acquisition.flat_field import flat_field
-from brdf_suite.acquisition.merge import CLIPPED, DARK, GOOD, OUTSIDE, Merged, merge
+from brdf_suite.acquisition.merge import CLIPPED, DARK, GOOD, OUTSIDE, MergedRadiance, merge
 from brdf_suite.acquisition.response import Response, linear_response
 from brdf_suite.errors import ValueRangeError
 
@@ -35,7 +35,7 @@ class Scene:
     radiance: np.ndarray
     stack: np.ndarray
     response: Response
-    merged: Merged
+    merged: MergedRadiance
 
 
 @pytest.fixture(scope="module")

@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.refinement import Refinement, calibrate_geometry, moved_sphere, refine
+from brdf_suite.acquisition.refinement import Refinement, calibrate_geometry, format_movement_notice, refine
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
 from brdf_suite.acquisition.sphere_geometry import RigGeometry, unit
 from brdf_suite.acquisition.sphere_highlight import Highlight, find_highlight
 from brdf_suite.acquisition.sphere_outline import SphereOutline, find_outline
-from brdf_suite.acquisition.sphere_session import geometry_of_session
-from brdf_suite.acquisition.sphere_union import Union
+from brdf_suite.acquisition.sphere_session import nominal_geometry
+from brdf_suite.acquisition.sphere_union import PhotographUnion
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
@@ -40,10 +40,10 @@ class Rig:
             moved=moved,
         )
         self.simulator = Simulator(_PAINT, settings)
-        self.stated = geometry_of_session(self.simulator.session, (_SIDE, _SIDE))
+        self.stated = nominal_geometry(self.simulator.session, (_SIDE, _SIDE))
         # What is known already need not be simulated again.
         self.radiance = [*before, *(self.simulator.radiance(k) for k in range(len(before), len(_ANGLES)))]
-        self.union = Union((_SIDE, _SIDE))
+        self.union = PhotographUnion((_SIDE, _SIDE))
         for k, angle in enumerate(_ANGLES):
             if 40.0 <= angle <= 150.0:
                 self.union.add(k, self.radiance[k])
@@ -97,7 +97,7 @@ def test_an_unknown_lens_takes_its_focal_length_from_the_outline(rig: Rig) -> No
 
 
 def test_arm_and_stand_in_the_picture_do_not_move_the_outline(rig: Rig, outline: SphereOutline) -> None:
-    union = Union((_SIDE, _SIDE))
+    union = PhotographUnion((_SIDE, _SIDE))
     for k in rig.union.positions:
         picture = rig.radiance[k].copy()
         bright = float(np.median(picture[picture > 0.0]))
@@ -113,11 +113,11 @@ def test_arm_and_stand_in_the_picture_do_not_move_the_outline(rig: Rig, outline:
 
 
 def test_no_sphere_is_reported(rig: Rig) -> None:
-    empty = Union((_SIDE, _SIDE))
+    empty = PhotographUnion((_SIDE, _SIDE))
     empty.add(5, np.zeros((_SIDE, _SIDE, 3)))
     with pytest.raises(AcquisitionError, match="No sphere"):
         find_outline(empty, rig.stated)
-    noise = Union((_SIDE, _SIDE))
+    noise = PhotographUnion((_SIDE, _SIDE))
     noise.add(5, np.random.default_rng(0).uniform(0.0, 1.0, (_SIDE, _SIDE, 3)))
     with pytest.raises(AcquisitionError, match="sphere"):
         find_outline(noise, rig.stated)
@@ -151,7 +151,7 @@ def test_the_refined_light_stands_where_it_does(rig: Rig, refinement: Refinement
     assert refinement.rms_px < 0.1 < 0.2 < refinement.before_px
     assert refinement.rms_deg < 0.2 < 0.4 < refinement.before_deg
     assert refinement.movements == ()
-    assert moved_sphere(refinement, []) == ""
+    assert format_movement_notice(refinement, []) == ""
 
 
 def test_each_number_says_how_far_it_was_observed(refinement: Refinement) -> None:
@@ -193,7 +193,7 @@ def test_a_clipped_broad_highlight_does_not_lean_from_the_outline() -> None:
     angles = (94.0, 101.0, 108.0, 115.0, 120.0)
     settings = SimulatorSettings(size=(_SIDE, _SIDE), angles_deg=angles, board=False, white=False)
     simulator = Simulator(CookTorrance(TABLE_1["table1_blue_matte"]), settings)
-    stated = geometry_of_session(simulator.session, (_SIDE, _SIDE))
+    stated = nominal_geometry(simulator.session, (_SIDE, _SIDE))
     masked: list[float] = []
     unmasked: list[float] = []
     for k, expected in enumerate(stated.highlights(angles)):
@@ -281,7 +281,7 @@ def test_a_sphere_that_moves_is_named_with_its_position(rig: Rig) -> None:
     assert (movement.before, movement.after) == (5, 6)
     np.testing.assert_allclose(movement.pixels, (1.5, 0.5), atol=0.5)
     names = [f"p{k:03d}_00.png" for k in range(len(_ANGLES))]
-    sentence = moved_sphere(found, names)
+    sentence = format_movement_notice(found, names)
     assert "p005_00.png" in sentence
     assert "p006_00.png" in sentence
     kept = set(range(len(_ANGLES))) - set(found.moved_positions)

@@ -9,7 +9,7 @@ from brdf_suite.acquisition.samples import PositionSamples, SphereSampler
 from brdf_suite.acquisition.session import Session, WhiteReference
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
 from brdf_suite.acquisition.sphere_geometry import RigGeometry, triple, unit
-from brdf_suite.acquisition.sphere_session import geometry_of_session, in_rig
+from brdf_suite.acquisition.sphere_session import in_rig, nominal_geometry
 from brdf_suite.acquisition.white_reference import irradiance_from_white, with_refined_white
 from brdf_suite.errors import AcquisitionError, ValueRangeError
 from brdf_suite.geometry.directions import half_angle_coordinates
@@ -35,7 +35,7 @@ def rig() -> Simulator:
 
 @pytest.fixture(scope="module")
 def geometry(rig: Simulator) -> RigGeometry:
-    return geometry_of_session(rig.session, (_SIDE, _SIDE))
+    return nominal_geometry(rig.session, (_SIDE, _SIDE))
 
 
 @pytest.fixture(scope="module")
@@ -224,7 +224,7 @@ def test_the_white_reference_gives_the_irradiance() -> None:
     seen *= (lamp @ lamp) / (way @ way)
     np.testing.assert_allclose(irradiance_from_white(session, seen), expected, rtol=1e-6)
     # A lamp that stands 3° further from the tile's normal lights it less: the lamp itself is then the brighter.
-    geometry = replace(geometry_of_session(session, (_SIDE, _SIDE)), angle_offset_deg=3.0)
+    geometry = replace(nominal_geometry(session, (_SIDE, _SIDE)), angle_offset_deg=3.0)
     turned_by = np.radians(session.white.angle_deg)
     brighter = np.cos(turned_by) / np.cos(turned_by + np.radians(3.0))
     ratio = irradiance_from_white(session, seen, geometry)[1] / expected[1]
@@ -242,7 +242,7 @@ def test_the_white_reference_gives_the_irradiance() -> None:
 
 def test_a_geometry_of_a_session_stands_as_it_says() -> None:
     session = _simulated(camera_height_m=0.25, light_offset_deg=0.0).session
-    geometry = geometry_of_session(session, (_SIDE, _SIDE))
+    geometry = nominal_geometry(session, (_SIDE, _SIDE))
     for k in range(len(_ANGLES)):
         place = geometry.light(geometry.angles_deg[k])
         np.testing.assert_allclose(in_rig(geometry, place), session.light_m(k), atol=1e-9)

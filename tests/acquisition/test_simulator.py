@@ -15,7 +15,7 @@ import pytest
 import brdf_suite.acquisition
 from brdf_suite.acquisition.session import Intrinsics
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
-from brdf_suite.acquisition.simulator.optics import distorted, first_hits, undistorted
+from brdf_suite.acquisition.simulator.optics import distort, first_hits, undistort
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
@@ -113,7 +113,7 @@ def test_a_peak_narrower_than_a_pixel_keeps_its_light(angle: float) -> None:
 def test_the_lens_is_undone() -> None:
     lens = Intrinsics(500.0, 500.0, 0.0, 0.0, -0.2, 0.05, 0.001, -0.002, 0.01)
     u, v = np.meshgrid(np.linspace(-0.4, 0.4, 9), np.linspace(-0.3, 0.3, 7))
-    back = distorted(lens, *undistorted(lens, u, v))
+    back = distort(lens, *undistort(lens, u, v))
     np.testing.assert_allclose(back, (u, v), atol=1e-9)
 
 

@@ -7,10 +7,10 @@ import pytest
 
 from brdf_suite.acquisition.finished_table import (
     bin_means,
-    compared_table,
     half_angle_table,
+    tabulate_means,
 )
-from brdf_suite.acquisition.hole_filling import filled
+from brdf_suite.acquisition.hole_filling import fill_table_holes
 from brdf_suite.acquisition.parameterization import LAYOUTS, Layout, Parameterization
 from brdf_suite.acquisition.table import FIELDS, TableSums, position_sums, reading_weights
 from brdf_suite.errors import ValueRangeError
@@ -143,7 +143,7 @@ def test_the_table_is_measured_where_readings_fell_and_whole_elsewhere(dense: Ta
 
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_all_layouts_serve_for_comparison(layout: Layout) -> None:
-    table = compared_table(bin_means(sums_of(layout, 60_000)[0]))
+    table = tabulate_means(bin_means(sums_of(layout, 60_000)[0]))
     wi, wo = pairs(2_000, 99, 60.0)
     wi, wo = wi[1::2], wo[1::2]  # off the highlight, where every layout must do
     assert np.median(np.abs(table.eval(wi, wo) / PAINT.eval(wi, wo) - 1.0)) < 0.08
@@ -156,7 +156,7 @@ def test_the_narrow_highlight_needs_the_narrow_bins() -> None:
     errors = {}
     rng = np.random.default_rng(5)
     for layout in ("half-angle", "linear"):
-        table = compared_table(bin_means(sums_of(layout, 60_000)[0]))
+        table = tabulate_means(bin_means(sums_of(layout, 60_000)[0]))
         wi = spherical(rng.uniform(0.2, 1.0, 500), rng.uniform(0, 6, 500))
         wo = wi * [-1.0, -1.0, 1.0] + rng.normal(0.0, 0.01, (500, 3))
         wo /= np.linalg.norm(wo, axis=1)[:, None]
@@ -202,7 +202,7 @@ def test_a_hole_takes_its_mirrored_bin_first() -> None:
     weights = np.ones((6, 6, 12), np.float32)
     values[5, 2, 1], values[5, 2, 10] = 7.0, 3.0
     weights[5, 2, 1] = 0.0
-    whole, known = filled(values, weights, bins)
+    whole, known = fill_table_holes(values, weights, bins)
     assert np.array_equal(whole[5, 2, 1], [3.0, 3.0, 3.0])
     assert not known[5, 2, 1]
     assert known.sum() == weights.sum()
@@ -215,7 +215,7 @@ def test_few_readings_near_the_peak_serve_their_whole_ring() -> None:
     values[1, 2, 40], weights[1, 2, 40] = 5.0, 1.0
     values[60, 2, 40], weights[60, 2, 40] = 1.0, 1.0
     values[60, 2, 50], weights[60, 2, 50] = 2.0, 1.0
-    whole, _ = filled(values, weights, bins)
+    whole, _ = fill_table_holes(values, weights, bins)
     assert np.allclose(whole[1, 2], 5.0, rtol=1e-6)
     # Far from it each lies nearer to its own.
     assert whole[60, 2, 41, 0] < 1.2

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.colorimetry import display_to_lab
-from brdf_suite.appearance.flat_colours import display_notes, flat_labs, lab_to_hex, paint_of, white_of
+from brdf_suite.appearance.flat_colours import display_notes, flat_labs, lab_to_hex, reference_white, to_paint
 from brdf_suite.appearance.spectra import white_xyz
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import solid_paint
@@ -54,7 +54,7 @@ def test_greys_and_whites_stay_grey_under_any_light() -> None:
             lab = FlatColour("", "Lab", (60.0, 0.0, 0.0), "", light, observer)
             # The tables' whites have five digits, so D65 of 2° is not quite the working space's.
             assert flat_labs([lab])[0] == pytest.approx([60.0, 0.0, 0.0], abs=0.02)
-    assert white_of(FlatColour("", "XYZ", (1.0, 1.0, 1.0), "", "D65", 10)) == pytest.approx(
+    assert reference_white(FlatColour("", "XYZ", (1.0, 1.0, 1.0), "", "D65", 10)) == pytest.approx(
         white_xyz(), abs=0.01
     )
     assert lab_to_hex(flat_labs([FlatColour("", "Gray", (0.2,))])[0]) == "#333333"
@@ -70,12 +70,12 @@ def test_many_colours_of_mixed_models_keep_their_places() -> None:
 
 
 def test_a_flat_colour_is_a_solid_paint() -> None:
-    paint = paint_of(FlatColour("", "RGB", (60.0, 0.0, 0.0)))
+    paint = to_paint(FlatColour("", "RGB", (60.0, 0.0, 0.0)))
     assert paint.name == "unnamed"
     assert paint.lab_at(15.0) == paint.lab_at(110.0)
     assert paint.lab_at(15.0)[0] == 250.0  # far beyond what a paint can be
     own = solid_paint("w", (95.0, 0.0, 1.0))
-    assert paint_of(own) is own
+    assert to_paint(own) is own
 
 
 def test_what_is_shown_roughly_is_said() -> None:

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.gloss import black_glass, captured, gloss_units, nearest_coat, solve_coat
+from brdf_suite.appearance.gloss import black_glass, gloss_units, nearest_coat, receptor_fraction, solve_coat
 from brdf_suite.errors import UnreachableError, ValueRangeError
 
 
@@ -50,7 +50,9 @@ def test_the_captured_share_agrees_with_traced_rays(angle: int, roughness: float
         weight = cosine / facet[:, 2]
         return float(np.sum(weight * inside) / np.sum(weight))
 
-    assert captured(angle, roughness) == pytest.approx(share(roughness) / share(0.0), abs=0.006 + 0.002)
+    assert receptor_fraction(angle, roughness) == pytest.approx(
+        share(roughness) / share(0.0), abs=0.006 + 0.002
+    )
 
 
 def test_black_glass_reads_100() -> None:

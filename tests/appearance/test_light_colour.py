@@ -10,7 +10,7 @@ from scipy.optimize import least_squares
 
 from brdf_suite.appearance.colorimetry import WHITE_D65_10
 from brdf_suite.appearance.difference import delta_e_76, delta_e_2000
-from brdf_suite.appearance.light_colour import adapted_colour, metamerism_index, recomputed_colour
+from brdf_suite.appearance.light_colour import adapt_colour, colour_from_spectra, metamerism_index
 from brdf_suite.appearance.spectra import (
     DEFAULT_WAVELENGTHS_NM,
     spectrum_to_lab,
@@ -36,21 +36,21 @@ def test_adaptation_agrees_with_another_program(colour: ModuleType) -> None:
         expected = colour.chromatic_adaptation(
             source, WHITE_D65_10 / 100.0, white / 100.0, method="Von Kries", transform="CAT16"
         )
-        seen = adapted_colour(lab, light)
+        seen = adapt_colour(lab, light)
         np.testing.assert_allclose(seen.xyz, 100.0 * expected, atol=1e-6)
         assert "adapted from D65" in seen.label
         assert light in seen.label
-    assert adapted_colour(lab, "D65").road == "measured"
-    np.testing.assert_array_equal(adapted_colour(lab, "D65").lab, lab)
+    assert adapt_colour(lab, "D65").road == "measured"
+    np.testing.assert_array_equal(adapt_colour(lab, "D65").lab, lab)
 
 
 def test_white_stays_white_and_a_spectrum_says_more() -> None:
-    np.testing.assert_allclose(adapted_colour([100.0, 0.0, 0.0], "A").lab, [100, 0, 0], atol=1e-9)
-    np.testing.assert_allclose(recomputed_colour(np.ones(31), BANDS, "A").lab, [100, 0, 0], atol=1e-9)
+    np.testing.assert_allclose(adapt_colour([100.0, 0.0, 0.0], "A").lab, [100, 0, 0], atol=1e-9)
+    np.testing.assert_allclose(colour_from_spectra(np.ones(31), BANDS, "A").lab, [100, 0, 0], atol=1e-9)
     red = edge(600.0)
-    seen = recomputed_colour(red, BANDS, "A")
+    seen = colour_from_spectra(red, BANDS, "A")
     assert "recomputed" in seen.label
-    guessed = adapted_colour(spectrum_to_lab(red), "A")
+    guessed = adapt_colour(spectrum_to_lab(red), "A")
     # A red is lighter under a reddish lamp; adaptation alone cannot know by how much.
     assert seen.lab[0] > spectrum_to_lab(red)[0] + 2.0
     assert delta_e_2000(seen.lab, guessed.lab) > 1.0

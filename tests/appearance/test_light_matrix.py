@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.colorimetry import LUMINANCE, WHITE_D65_10, WORKING_TO_XYZ, lab_to_working
-from brdf_suite.appearance.light_colour import adapted_colour
+from brdf_suite.appearance.light_colour import adapt_colour
 from brdf_suite.appearance.light_matrix import ILLUMINANT_OF, light_matrix
 from brdf_suite.appearance.spaces import adapt_xyz
 from brdf_suite.appearance.spectra import ILLUMINANTS, Illuminant
@@ -31,7 +31,7 @@ def test_it_is_the_adaptation_of_colours(lamp: str) -> None:
     seen = lab_to_working(lab) @ light_matrix(lamp, adapted=False).T
     white = 100.0 * WORKING_TO_XYZ.sum(axis=1)
     xyz_10 = adapt_xyz(100.0 * seen @ WORKING_TO_XYZ.T, white, WHITE_D65_10)
-    expected = adapted_colour(lab, ILLUMINANT_OF[lamp]).xyz
+    expected = adapt_colour(lab, ILLUMINANT_OF[lamp]).xyz
     ratio = xyz_10 / expected
     assert np.ptp(ratio) < 2e-3 * ratio.mean()  # one factor, of the luminance that greys keep
     assert ratio.mean() == pytest.approx(1.0, abs=0.01)

@@ -14,9 +14,9 @@ from brdf_suite.appearance.words import (
     PATTERNS,
     WORDS,
     hue_word,
-    joined,
-    named_differences,
-    named_flop,
+    join_words,
+    name_differences,
+    name_flop,
     sentence,
     words_text,
 )
@@ -33,7 +33,7 @@ OPPOSITE |= {second: first for first, second in OPPOSITE.items()}
 
 
 def said(standard, sample) -> str:
-    return words_text(named_differences(standard, sample))
+    return words_text(name_differences(standard, sample))
 
 
 def test_lightness_and_its_degrees() -> None:
@@ -82,22 +82,22 @@ def test_a_small_part_beside_a_large_one_is_not_named() -> None:
 
 
 def test_angles_with_the_same_words_are_reported_together() -> None:
-    darker = named_differences(BLUE, (22.5, 4.0, -38.0))
-    lighter = named_differences(BLUE, (28.0, 4.0, -38.0))
+    darker = name_differences(BLUE, (22.5, 4.0, -38.0))
+    lighter = name_differences(BLUE, (28.0, 4.0, -38.0))
     angles = ["15°", "25°", "45°", "110°"]
     assert sentence(angles, [lighter, lighter, (), darker]) == "lighter at 15° and 25°; darker at 110°"
     assert sentence(angles, [darker] * 4) == "darker at every angle"
     assert sentence(angles, [lighter, lighter, lighter, ()]) == "lighter at 15°, 25° and 45°"
     assert sentence(angles, [()] * 4) == "no visible difference"
-    flop = named_flop(14.0, 17.0)
+    flop = name_flop(14.0, 17.0)
     assert sentence(angles, [(), (), (), darker], flop) == "darker at 110°; more flop"
     assert sentence(["15°"], [darker]) == "darker at 15°"
 
 
 def test_flop_words() -> None:
-    assert named_flop(14.0, 14.3) is None
-    assert named_flop(math.nan, 14.3) is None
-    assert named_flop(14.0, 13.0).text() == "slightly less flop"
+    assert name_flop(14.0, 14.3) is None
+    assert name_flop(math.nan, 14.3) is None
+    assert name_flop(14.0, 13.0).text() == "slightly less flop"
 
 
 def test_every_text_goes_through_the_translator() -> None:
@@ -110,14 +110,14 @@ def test_every_text_goes_through_the_translator() -> None:
 
     angles = ["15°", "45°", "110°"]
     many = [
-        named_differences(BLUE, (36.0, 8.0, -30.0)),
-        named_differences((60.0, 0.0, 0.0), (59.0, -1.0, 0.0)),
-        named_differences(BLUE, (22.0, 4.0, -38.0)),
+        name_differences(BLUE, (36.0, 8.0, -30.0)),
+        name_differences((60.0, 0.0, 0.0), (59.0, -1.0, 0.0)),
+        name_differences(BLUE, (22.0, 4.0, -38.0)),
     ]
-    sentence(angles, many, named_flop(10.0, 20.0), say)
+    sentence(angles, many, name_flop(10.0, 20.0), say)
     sentence(angles, [many[2]] * 3, None, say)
     sentence(angles, [()] * 3, None, say)
-    joined(["a", "b", "c"], say)
+    join_words(["a", "b", "c"], say)
     assert heard <= set(WORDS) | set(PATTERNS)
     assert set(PATTERNS) <= heard
 
@@ -127,8 +127,8 @@ labs = st.tuples(st.floats(5.0, 120.0), st.floats(-60.0, 60.0), st.floats(-60.0,
 
 @given(labs, labs)
 def test_swapped_colours_swap_the_words_of_lightness_and_chroma(first: tuple, second: tuple) -> None:
-    there = [one.word for one in named_differences(first, second)]
-    back = [one.word for one in named_differences(second, first)]
+    there = [one.word for one in name_differences(first, second)]
+    back = [one.word for one in name_differences(second, first)]
     for word in ("lighter", "darker", "cleaner", "dirtier"):
         assert (word in there) == (OPPOSITE[word] in back)
 
@@ -136,7 +136,7 @@ def test_swapped_colours_swap_the_words_of_lightness_and_chroma(first: tuple, se
 @given(labs, st.tuples(*[st.floats(-8.0, 8.0)] * 3))
 def test_what_cannot_be_seen_is_not_named_and_what_can_is(lab: tuple, change: tuple) -> None:
     other = tuple(a + b for a, b in zip(lab, change, strict=True))
-    named = named_differences(lab, other)
+    named = name_differences(lab, other)
     # Three components, each below the threshold; the rotation term of blue may add a little.
     if not named:
         assert float(delta_e_2000(lab, other)) < 1.0

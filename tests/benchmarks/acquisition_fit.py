@@ -23,7 +23,7 @@ from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.measured import read_measured
 from brdf_suite.files.measured.brdftable import write_brdftable
-from brdf_suite.fitting.cook_torrance import CookTorranceFit, Settings, fit_checked
+from brdf_suite.fitting.cook_torrance import CookTorranceFit, Settings, fit_checked_samples
 from brdf_suite.fitting.cook_torrance.samples import Floor
 from brdf_suite.fitting.lobes.undivided import fit_undivided
 from brdf_suite.geometry.directions import Floats
@@ -182,7 +182,7 @@ def measured_rows(name: str, reflectance: Reflectance) -> dict[str, dict[str, fl
         ("two lobes of GGX under a clearcoat", "ggx-clearcoat"),
     ):
         settings = Settings(model=model)
-        fit = fit_checked(samples_of(seen, settings), settings)
+        fit = fit_checked_samples(samples_of(seen, settings), settings)
         rows[label] = judged(fit.eval, wi, wo, values, floor)
     lobes = fit_undivided(seen).weights
     rows[f"{len(lobes.exponents)} cosine lobes"] = judged(lobes.eval, wi, wo, values, floor)

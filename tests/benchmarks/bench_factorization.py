@@ -12,12 +12,12 @@ import numpy as np
 from brdf_suite.cli.bench import load_module
 from brdf_suite.fitting.homomorphic.accuracy import accuracy
 from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints
-from brdf_suite.fitting.homomorphic.factorization import Factorization, normalized
+from brdf_suite.fitting.homomorphic.factorization import Factorization, normalize_maps
 from brdf_suite.fitting.homomorphic.factorize import BIAS, factorize
-from brdf_suite.fitting.homomorphic.projected import averaged
-from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, samples_of
+from brdf_suite.fitting.homomorphic.projected import average_samples
+from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, sample_reflectance
 from brdf_suite.fitting.homomorphic.separable import separate
-from brdf_suite.fitting.homomorphic.storage import STORES, compression, stored
+from brdf_suite.fitting.homomorphic.storage import STORES, compression, quantize_maps
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, parse_factors
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
@@ -59,8 +59,8 @@ def naive(samples: FactorizationSamples, resolution: int) -> np.ndarray:
     layout = MapLayout.of(factors, resolution)
     scale = samples.values.mean(axis=0)
     wanted = np.log(samples.values / scale + BIAS)
-    found = averaged(constraints(layout, samples.wi, samples.wo), layout, wanted)
-    return normalized(factors, layout.maps(found), scale).eval(samples.wi, samples.wo)
+    found = average_samples(constraints(layout, samples.wi, samples.wo), layout, wanted)
+    return normalize_maps(factors, layout.maps(found), scale).eval(samples.wi, samples.wo)
 
 
 def run(progress: Progress | None = None) -> dict[str, float]:
@@ -94,7 +94,9 @@ def run(progress: Progress | None = None) -> dict[str, float]:
         times.append(perf_counter() - start)
     figures["time_32_s"] = median(times)
     report(progress, 0.25, "a full table")
-    table = samples_of(IsotropicTable.from_reflectance(CookTorrance(TABLE_1["table1_polaris_silver"])))
+    table = sample_reflectance(
+        IsotropicTable.from_reflectance(CookTorrance(TABLE_1["table1_polaris_silver"]))
+    )
     NOTES["merl_64_s"] = f"{len(table):,} samples"
     start = perf_counter()
     factorize(table.wi, table.wo, table.values, resolution=64, progress=subrange(progress, 0.25, 0.6))
@@ -138,7 +140,7 @@ def _textures(product: Factorization, samples: FactorizationSamples) -> dict[str
     rows: dict[str, object] = {}
     for logarithmic in (False, True):
         for store in STORES:
-            kept = stored(product, store, logarithmic=logarithmic)
+            kept = quantize_maps(product, store, logarithmic=logarithmic)
             near = accuracy(samples.values, kept.product.eval(samples.wi, samples.wo))
             name = f"{store}, {'logarithms' if logarithmic else 'factors'}"
             rows[name] = {

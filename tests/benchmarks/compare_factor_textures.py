@@ -20,7 +20,7 @@ from brdf_suite.cli.bench import load_module
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, Sparkle
 from brdf_suite.fitting.homomorphic.factorize import factorize
-from brdf_suite.fitting.homomorphic.samples import samples_of
+from brdf_suite.fitting.homomorphic.samples import sample_reflectance
 from brdf_suite.pipeline.direct_lamps import lamp_radiance
 from brdf_suite.pipeline.factored_maps import factored_maps
 from brdf_suite.realtime.context import create_context
@@ -41,7 +41,7 @@ ROUNDS = 12
 
 def main() -> None:
     """Print the table."""
-    samples = samples_of(PoulinFournier(), 20_000)
+    samples = sample_reflectance(PoulinFournier(), 20_000)
     found = factorize(samples.wi, samples.wo, samples.values, resolution=32).product
     maps = {name: np.exp(log).astype(np.float32) for name, log in found.logs.items()}
     value = Factored(maps["p"], maps["q"], found.alpha, logarithmic=True)

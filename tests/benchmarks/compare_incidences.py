@@ -26,7 +26,7 @@ from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.pipeline.scene import find_any_paint
 from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.layers import split_layers
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 
@@ -239,7 +239,7 @@ def cook_torrance() -> None:
         rows = []
         for name in TABLE_1:
             model = build_reflectance(find_any_paint(name))
-            layers = layered(model)
+            layers = split_layers(model)
             assert layers is not None
             weights = fitter.fit(layers).weights
             cells: list[object] = [

@@ -18,7 +18,7 @@ from brdf_suite.fitting import LobeFitter
 from brdf_suite.fitting.lobes import solver as solver_module
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
 from brdf_suite.fitting.lobes.limited import LimitedSolver
-from brdf_suite.fitting.lobes.refine import refined
+from brdf_suite.fitting.lobes.refine import refine_vertex
 from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 from brdf_suite.reflectance.build import build_paint
 
@@ -114,7 +114,7 @@ def tolerances(fitter: LobeFitter, targets: Targets) -> None:
                 solver.forget()
             held = solver.solution()
             answers = zip(fitter.programs, held.solutions, held.duals, target, strict=True)
-            both = [(p.residual_l1(x, t), refined(p, x, y, t)[1]) for p, x, y, t in answers]
+            both = [(p.residual_l1(x, t), refine_vertex(p, x, y, t)[1]) for p, x, y, t in answers]
             rows.append(np.concatenate([row for row, _ in both]))
             refinements.append(np.concatenate([row for _, row in both]))
         plain[scale], better[scale] = np.array(rows), np.array(refinements)

@@ -63,7 +63,7 @@ def quadrature(one: SampledReflectance, wo: np.ndarray) -> tuple[float, float]:
     light = whole = 0.0
     for rows in np.split(np.arange(count), 20):
         half = spherical(theta[rows, None], phi)
-        wi, dot = warps.mirrored_at(wo, half), np.maximum(half @ wo, 0.0)
+        wi, dot = warps.mirror_at(wo, half), np.maximum(half @ wo, 0.0)
         area = 4.0 * dot * (np.sin(theta) * step)[rows, None] * (2.0 * np.pi / turns)
         light += float((area * np.maximum(wi[..., 2], 0.0) * (one.eval(wi, wo) @ LUMINANCE)).sum())
         whole += float((area * one.pdf(wi, wo)).sum())

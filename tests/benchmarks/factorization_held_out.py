@@ -18,7 +18,7 @@ from brdf_suite.files.measured.registry import read_measured
 from brdf_suite.fitting.cook_torrance import Settings, fit_lobes
 from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.peak import MEASURED_SMOOTHNESS, factorize_with_peak
-from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, samples_of
+from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, sample_reflectance
 from brdf_suite.fitting.homomorphic.separable import separate
 from brdf_suite.fitting.lobes.undivided import fit_undivided
 from brdf_suite.geometry import warps
@@ -98,7 +98,7 @@ def figures(progress=None):
             continue
         measured = read_measured(path)
         assert isinstance(measured, ScatteredSamples)
-        samples = samples_of(measured)
+        samples = sample_reflectance(measured)
         rows = {}
         for place, (title, make) in enumerate(methods(measured).items()):
             report(progress, (number + place / 11) / 2, f"{name}: {title}")

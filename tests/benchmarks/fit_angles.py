@@ -25,7 +25,7 @@ from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.build import build_paint
-from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.layers import split_layers
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
@@ -125,7 +125,7 @@ def judged(
     measured, held = {}, {}
     for number, (name, target) in enumerate(paints.items()):
         report(progress, number / len(paints), f"{name} at several incidences")
-        layers = layered(target)
+        layers = split_layers(target)
         if layers is None:
             raise SuiteError(f"Nothing divides {name} into coat and base.")
         measured[name] = aspecular_delta_e(target, usual.fit(layers).weights, MEASURED_DEG)

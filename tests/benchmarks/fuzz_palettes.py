@@ -24,10 +24,10 @@ from pathlib import Path
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Flakes, Gloss, Measurement, Paint
 from brdf_suite.documents.palette import Entry, Group, Palette
-from brdf_suite.documents.palette_store import encode_palette, palette_of_bytes
+from brdf_suite.documents.palette_store import encode_palette, palette_from_bytes
 from brdf_suite.errors import FileError
 from brdf_suite.files.palettes import FORMATS, PaletteFormat, read_content
-from brdf_suite.files.palettes.zipped import packed
+from brdf_suite.files.palettes.zipped import pack_zip
 
 sys.path.insert(0, str(Path(__file__).parent))
 import fuzz_measured
@@ -92,7 +92,7 @@ def mutate(content: bytes, random_: random.Random) -> bytes:
             parts = {name: archive.read(name) for name in archive.namelist()}
         name = random_.choice(list(parts))
         parts[name] = fuzz_measured.mutate(parts[name], random_)
-        return packed(parts, stored="mimetype")
+        return pack_zip(parts, stored="mimetype")
     if random_.random() < 0.3 and len(content) > 8:
         # A count or a length, of two or four bytes in either order.
         at = random_.randrange(min(len(content) - 4, 200))
@@ -108,7 +108,7 @@ def outcome(content: bytes, known: PaletteFormat | None) -> str:
         with fuzz_measured.limits(len(content)), warnings.catch_warnings():
             warnings.simplefilter("error")
             palette = read_content(content, "damaged", known).palette
-            if palette_of_bytes(encode_palette(palette), "again") != palette:
+            if palette_from_bytes(encode_palette(palette), "again") != palette:
                 return "FAULT: what was read does not come back"
     except FileError as error:
         return "refused" if error.place else f"FAULT: no place in {error}"

@@ -21,7 +21,7 @@ from brdf_suite.errors import UnreachableError
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.layers import split_layers
 from brdf_suite.reflectance.protocol import Layered
 from brdf_suite.resources import resource, resource_names
 
@@ -56,7 +56,7 @@ def paints(rule: str | None = None, count: int | None = None) -> dict[str, Layer
         if rule is not None and isinstance(paint, Paint):
             paint = replace(paint, interpolation=rule)
         try:
-            layers = layered(build_reflectance(paint))
+            layers = split_layers(build_reflectance(paint))
         except UnreachableError as error:
             print(f"{name} by the {rule} rule is left out: {error}")
             continue

@@ -20,7 +20,7 @@ from brdf_suite.files.measured import read_measured
 from brdf_suite.fitting.lobes import undivided, undivided_samples
 from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.fitting.lobes.undivided import fit_rows
-from brdf_suite.fitting.lobes.undivided_samples import INCIDENCES_DEG, rows_of_reflectance
+from brdf_suite.fitting.lobes.undivided_samples import INCIDENCES_DEG, reflectance_rows
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.fitting.metrics import aspecular_delta_e, error_figures
 from brdf_suite.pipeline.measuring import hemisphere_pairs
@@ -117,7 +117,7 @@ def compare(judges: list[Judge], changed: dict[str, object]) -> tuple[float, flo
             for name, value in settings.items():
                 module = undivided if hasattr(undivided, name) else undivided_samples
                 changes.enter_context(mock.patch.object(module, name, value))
-            rows = rows_of_reflectance(judge.reflectance, incidences)  # type: ignore[arg-type]  # of the table above
+            rows = reflectance_rows(judge.reflectance, incidences)  # type: ignore[arg-type]  # of the table above
             fit = fit_rows(rows, judge.reflectance.eval(rows.wi, rows.wo))
         scores.append(judge.score(fit.weights))
         rows_used.append(fit.rows)

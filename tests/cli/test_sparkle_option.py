@@ -6,7 +6,7 @@ import argparse
 
 import pytest
 
-from brdf_suite.cli.scene_options import add_scene, view_of
+from brdf_suite.cli.scene_options import add_scene, parse_view
 from brdf_suite.documents.store import save_view
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
@@ -15,7 +15,7 @@ from brdf_suite.documents.view_settings import Sparkle
 def view(*arguments: str) -> View:
     parser = argparse.ArgumentParser()
     add_scene(parser)
-    return view_of(parser.parse_args(arguments))
+    return parse_view(parser.parse_args(arguments))
 
 
 @pytest.mark.parametrize("mode", ["off", "texture", "glints"])

@@ -6,7 +6,7 @@ import argparse
 
 import pytest
 
-from brdf_suite.cli.scene_options import add_scene, view_of
+from brdf_suite.cli.scene_options import add_scene, parse_view
 
 
 @pytest.mark.parametrize(
@@ -21,5 +21,5 @@ from brdf_suite.cli.scene_options import add_scene, view_of
 def test_ground_and_occlusion(words: list[str], ground: bool, occlusion: bool) -> None:
     parser = argparse.ArgumentParser()
     add_scene(parser)
-    look = view_of(parser.parse_args(words)).surface_look
+    look = parse_view(parser.parse_args(words)).surface_look
     assert (look.ground, look.occlusion) == (ground, occlusion)

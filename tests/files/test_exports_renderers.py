@@ -15,7 +15,7 @@ from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.files.exports import FORMATS, Subject
 from brdf_suite.files.exports.carpaint_fit import fit_carpaint
 from brdf_suite.files.exports.metal_rough_fit import fit_gltf, fit_openpbr
-from brdf_suite.files.exports.model_fit import samples_of
+from brdf_suite.files.exports.model_fit import sample_paint
 from brdf_suite.reflectance.build import build_paint
 
 LABS = {15.0: (86.1, 4.1, 44.0), 45.0: (37.8, 2.1, 23.5), 110.0: (13.6, 1.2, 14.5)}
@@ -201,6 +201,6 @@ def test_luxcore_itself_renders_the_material_as_it_was_fitted(tmp_path: Path) ->
     )  # fmt: skip
     found = [line.split()[1:] for line in done.stdout.splitlines() if line.startswith("FOUND")]
     assert len(found) == 3, done.stderr[-2000:]
-    samples = samples_of(PAINT, build_paint(PAINT))
+    samples = sample_paint(PAINT, build_paint(PAINT))
     expected = fit_carpaint(PAINT).eval(samples.wi[:3], samples.wo[:3]) * math.cos(math.pi / 4.0)
     assert np.array(found, float) == pytest.approx(expected, rel=1e-4)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.special import sph_harm_y
 
-from brdf_suite.geometry.low_harmonics import low_harmonics, turned
+from brdf_suite.geometry.low_harmonics import low_harmonics, rotate_harmonics
 
 DEGREE = 6
 
@@ -37,13 +37,13 @@ def test_a_turned_function_has_at_the_turned_place_what_it_had(angle: float) -> 
         [np.cos(angle) * x + np.sin(angle) * z, y, np.cos(angle) * z - np.sin(angle) * x], axis=1
     )
     before = low_harmonics(d, DEGREE) @ coefficients
-    after = low_harmonics(moved, DEGREE) @ turned(coefficients, angle)
+    after = low_harmonics(moved, DEGREE) @ rotate_harmonics(coefficients, angle)
     np.testing.assert_allclose(after, before, atol=1e-12)
 
 
 def test_angles_may_differ_from_function_to_function() -> None:
     coefficients = np.random.default_rng(6).normal(size=(4, (DEGREE + 1) ** 2))
     angles = np.array([0.1, 0.2, -3.0, 1.0])
-    together = turned(coefficients, angles)
+    together = rotate_harmonics(coefficients, angles)
     for row, angle, one in zip(coefficients, angles, together, strict=True):
-        np.testing.assert_allclose(one, turned(row, float(angle)), atol=1e-14)
+        np.testing.assert_allclose(one, rotate_harmonics(row, float(angle)), atol=1e-14)

@@ -42,7 +42,7 @@ WARPS = {
         0.0,
     ),
     "mirrored_beckmann": (
-        lambda u: warps.mirrored_at(VIEW, warps.beckmann_normal(u, 0.2)),
+        lambda u: warps.mirror_at(VIEW, warps.beckmann_normal(u, 0.2)),
         lambda w: _mirrored(w, 0.2),
         math.radians(50.0),
     ),
@@ -74,7 +74,7 @@ def test_densities_by_hand() -> None:
     assert float(warps.cosine_hemisphere_pdf(spherical(math.pi / 3, 1.0))) == pytest.approx(0.5 / math.pi)
     axis = spherical(1.0, 2.0)
     assert float(warps.cosine_lobe_pdf(axis, axis, 9.0)) == pytest.approx(10.0 / (2.0 * math.pi))
-    sideways = warps.about(axis, spherical(math.acos(0.5 ** (1.0 / 9.0)), 0.7))
+    sideways = warps.rotate_to_axis(axis, spherical(math.acos(0.5 ** (1.0 / 9.0)), 0.7))
     assert float(warps.cosine_lobe_pdf(sideways, axis, 9.0)) == pytest.approx(5.0 / (2.0 * math.pi))
     normal = np.array([0.0, 0.0, 1.0])
     assert float(warps.beckmann_normal_pdf(normal, 0.2)) == pytest.approx(1.0 / (math.pi * 0.04))
@@ -97,7 +97,7 @@ def test_about_keeps_angles_for_every_axis() -> None:
     random = np.random.default_rng(2)
     axis = spherical(random.uniform(0.0, math.pi, 300), random.uniform(-3.0, 3.0, 300))
     local = spherical(random.uniform(0.0, 3.0, 300), random.uniform(-3.0, 3.0, 300))
-    turned = warps.about(axis, local)
+    turned = warps.rotate_to_axis(axis, local)
     np.testing.assert_allclose(np.sum(turned * axis, axis=-1), local[:, 2], atol=1e-12)
     np.testing.assert_allclose(np.linalg.norm(turned, axis=-1), 1.0, atol=1e-12)
 

@@ -13,7 +13,7 @@ from brdf_suite.files.images import write_exr
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.lighting.lights import METHODS, DirectionalLights, directional_lights
-from brdf_suite.lighting.lights.cells import cells_of
+from brdf_suite.lighting.lights.cells import sum_cells
 from brdf_suite.lighting.lights.structured import farthest_points
 from brdf_suite.lighting.procedural.sun import Sun, add_disc
 from brdf_suite.pipeline.environments import read_environment
@@ -171,7 +171,7 @@ def test_the_error_falls_with_the_number_of_lights(yard: Environment, method: st
 def test_relaxed_errs_less_than_the_median_cut_that_it_starts_from() -> None:
     for name in environment_names():
         environment = read_environment(find_environment(name)[1])
-        cells = cells_of(environment.radiance, 256)
+        cells = sum_cells(environment.radiance, 256)
         # What is lowered, as the share that is not explained: Σ Y·|ω - ω_light|² is least where Σ Y·ω·ω_light is most.
         explained = {}
         for method in ("median-cut", "relaxed"):

@@ -15,7 +15,7 @@ from brdf_suite.lighting.procedural.lamps import LampSurface
 from brdf_suite.lighting.procedural.overcast import overcast_sky
 from brdf_suite.lighting.procedural.panorama import (
     centres,
-    colour_of,
+    colour_from_chromaticity,
     directions,
     horizontal_illuminance,
     solid_angles,
@@ -46,8 +46,8 @@ def test_solid_angles_fill_the_sphere() -> None:
 
 
 def test_d65_is_white_in_the_working_space() -> None:
-    np.testing.assert_allclose(colour_of(0.3127, 0.3290), 1.0, atol=1e-3)
-    assert colour_of(0.35, 0.36) @ LUMINANCE == pytest.approx(1.0)
+    np.testing.assert_allclose(colour_from_chromaticity(0.3127, 0.3290), 1.0, atol=1e-3)
+    assert colour_from_chromaticity(0.35, 0.36) @ LUMINANCE == pytest.approx(1.0)
 
 
 @pytest.mark.parametrize("name", MAKERS)

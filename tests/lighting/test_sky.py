@@ -22,7 +22,7 @@ from brdf_suite.lighting.procedural.hosek_wilkie import (
 )
 from brdf_suite.lighting.procedural.overcast import overcast_sky
 from brdf_suite.lighting.procedural.panorama import centres, directions, horizontal_illuminance, solid_angles
-from brdf_suite.lighting.procedural.sky import sky_of
+from brdf_suite.lighting.procedural.sky import build_sky
 from brdf_suite.lighting.procedural.sun import DIAMETER_DEG, Sun
 from brdf_suite.lighting.procedural.sun_disc import LimbDisc
 
@@ -115,7 +115,7 @@ def test_equal_energy_is_whiteish_and_555_nm_is_683_lumens() -> None:
 
 def test_luminances_are_those_of_the_world() -> None:
     """Bright day: some 3 kcd/m² at the zenith, 70 to 110 klx on the ground; haze takes from the sun."""
-    zenith = sky_of(Sky("a"))(np.array([[0.0, 1.0, 0.0]]))[0] @ LUMINANCE
+    zenith = build_sky(Sky("a"))(np.array([[0.0, 1.0, 0.0]]))[0] @ LUMINANCE
     assert 2.0 < zenith < 6.0
     high = Sky("b", sun_elevation_deg=60.0)
     made = sky(high, height=128, samples=1)
@@ -172,10 +172,10 @@ def test_a_sky_is_drawn_with_its_ground(model: str) -> None:
 
 def test_the_ground_brightens_the_hosek_wilkie_sky() -> None:
     toward = dome(50)
-    dark, snow = (sky_of(Sky("s", ground_albedo=a))(toward) @ LUMINANCE for a in (0.0, 1.0))
+    dark, snow = (build_sky(Sky("s", ground_albedo=a))(toward) @ LUMINANCE for a in (0.0, 1.0))
     assert (snow > dark).all()
 
 
 def test_the_overcast_sky_is_the_standard_one_under_every_haze() -> None:
     toward = dome(50)
-    np.testing.assert_array_equal(sky_of(Sky("s", "overcast", 9.0))(toward), overcast_sky(toward))
+    np.testing.assert_array_equal(build_sky(Sky("s", "overcast", 9.0))(toward), overcast_sky(toward))

@@ -15,7 +15,7 @@ from brdf_suite.geometry.factor_projections import PROJECTIONS
 from brdf_suite.pipeline.direct_lamps import half_angles_deg, lamp_radiance
 from brdf_suite.pipeline.factored_maps import factored_maps, maps_of
 from brdf_suite.realtime.display import LINEAR
-from brdf_suite.realtime.factored_values import FactoredMaps, FactorMap, FactorTerm, soft_clipped
+from brdf_suite.realtime.factored_values import FactoredMaps, FactorMap, FactorTerm, soft_clip
 from brdf_suite.realtime.geometry_picture import geometry_picture
 from brdf_suite.realtime.relief_values import MaskImage, TangentMap
 from brdf_suite.realtime.values import MeshPart
@@ -160,9 +160,9 @@ def test_what_is_beyond_the_ceiling_bends_to_it_and_keeps_its_colour(lit, wanted
     value = Factored(bright, bright, (1.0, 0.5, 0.25), more=more, facts={"largest": 2.0})
     maps = factored_maps(value)
     assert maps.ceiling == 8.0
-    truth = wanted(lambda wi, wo: soft_clipped(value.eval(wi, wo), 8.0), LAMPS[1:2])
+    truth = wanted(lambda wi, wo: soft_clip(value.eval(wi, wo), 8.0), LAMPS[1:2])
     assert relative(lit(maps, LAMPS[1:2]), truth).max() < 2e-3
-    assert soft_clipped([1e30, 1e30, 1e29], 8.0) == pytest.approx([8.0, 8.0, 0.8])
+    assert soft_clip([1e30, 1e30, 1e29], 8.0) == pytest.approx([8.0, 8.0, 0.8])
 
 
 def test_values_that_are_not_maps_are_refused():

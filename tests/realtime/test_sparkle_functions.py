@@ -31,7 +31,7 @@ def test_hash_agrees_to_the_last_bit(evaluate):
         x,
     )
     key = hashing.cell_key(cells[:, 0], cells[:, 1], np.uint32(77))
-    want = [*hashing.halves(key), *hashing.halves(hashing.scrambled(hashing.wrapped(cells[:, 0])))]
+    want = [*hashing.halves(key), *hashing.halves(hashing.scramble(hashing.wrap_words(cells[:, 0])))]
     np.testing.assert_array_equal(got, np.stack(want, -1).astype(np.float32))
 
 

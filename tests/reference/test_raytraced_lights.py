@@ -10,7 +10,7 @@ from brdf_suite.errors import ValueRangeError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.lights import directional_lights
 from brdf_suite.reference.raytraced.light_set import FAR_LAMP, NEAR_LAMP, LightSet, Strata
-from brdf_suite.reference.raytraced.quality import PRESETS, Quality, quality_of
+from brdf_suite.reference.raytraced.quality import PRESETS, Quality, find_quality
 
 
 @pytest.fixture(scope="module")
@@ -76,12 +76,12 @@ def test_drawn_lights_stand_for_all_exactly(strata) -> None:
 
 def test_lights_drawn_anew_are_the_environment_on_the_average(sky, strata) -> None:
     """A z-test of the irradiance over rounds, against the map's own sum."""
-    from brdf_suite.lighting.lights.cells import cells_of
+    from brdf_suite.lighting.lights.cells import sum_cells
 
     normals = np.random.default_rng(4).normal(size=(6, 3))
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     rounds = np.stack([irradiance(strata.drawn(seed), normals) for seed in range(1, 201)])
-    fine = cells_of(np.repeat(np.repeat(sky.radiance, 8, axis=0), 8, axis=1))
+    fine = sum_cells(np.repeat(np.repeat(sky.radiance, 8, axis=0), 8, axis=1))
     turned = strata.cells.turn
     centres = fine.centres().reshape(-1, 3)
     c, s = np.cos(fine.turn), np.sin(fine.turn)
@@ -120,7 +120,7 @@ def test_a_black_environment_has_lights_without_light() -> None:
 
 
 def test_qualities() -> None:
-    assert quality_of("medium") == Quality(128, 16, 16)
+    assert find_quality("medium") == Quality(128, 16, 16)
     assert [(q.lights_a_sample, q.reflections_a_sample) for q in PRESETS.values()] == [
         (16, 1),
         (8, 1),
@@ -129,7 +129,7 @@ def test_qualities() -> None:
     assert [q.mirrors for q in PRESETS.values()] == [True, False, False]
     assert Quality(16, 1, 1, mirror=False).mirrors is False
     with pytest.raises(ValueRangeError, match="one of fast, medium, high"):
-        quality_of("best")
+        find_quality("best")
     for wrong in (0, 1025, True, 2.0):
         with pytest.raises(ValueRangeError, match="lights"):
             Quality(wrong, 1, 1)

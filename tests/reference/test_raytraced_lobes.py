@@ -95,7 +95,7 @@ def test_the_two_parts_of_a_table_are_the_whole_and_the_broad_one_has_no_peak(
     terms_of, name: str, how: str
 ) -> None:
     from brdf_suite.reference.raytraced.split import split
-    from brdf_suite.reference.raytraced.table_split import values_of
+    from brdf_suite.reference.raytraced.table_split import evaluate_term
 
     term = terms_of(name)
     cut = split(term, tables=how)
@@ -107,10 +107,12 @@ def test_the_two_parts_of_a_table_are_the_whole_and_the_broad_one_has_no_peak(
     assert len(cut.narrow) == (2 if how == "clamp" else 1)
     assert [lobe.is_sunlit for lobe in cut.narrow] == ([False, True] if how == "clamp" else [False])
     mirror, eye = spherical(np.array([0.8]), np.array([math.pi])), spherical(0.8, 0.0)
-    assert values_of(cut.broad, mirror, eye).max() < 0.2 * values_of(term, mirror, eye).max()
+    assert evaluate_term(cut.broad, mirror, eye).max() < 0.2 * evaluate_term(term, mirror, eye).max()
     # Away from the mirror direction all is broad.
     aside = spherical(np.array([0.3]), np.array([1.0]))
-    np.testing.assert_allclose(values_of(cut.broad, aside, eye), values_of(term, aside, eye), rtol=1e-5)
+    np.testing.assert_allclose(
+        evaluate_term(cut.broad, aside, eye), evaluate_term(term, aside, eye), rtol=1e-5
+    )
 
 
 def test_a_matt_table_is_not_cut(variant: Variant) -> None:
@@ -160,11 +162,15 @@ def test_the_cosine_lobe_is_that_of_the_paper() -> None:
     import mitsuba as mi
 
     from brdf_suite.reference.directions import Half
-    from brdf_suite.reference.raytraced.lobes import cosine_lobe_mirrored, cosine_lobe_pdf, exponent_of
+    from brdf_suite.reference.raytraced.lobes import (
+        cosine_lobe_mirrored,
+        cosine_lobe_pdf,
+        equivalent_exponent,
+    )
     from brdf_suite.reference.terms import FacetLobe
 
     m = 0.013
-    n = exponent_of(m)
+    n = equivalent_exponent(m)
     assert n == pytest.approx(2.0 * math.pi / (4.0 * m * m) - 1.0)
     r = np.linspace(0.001, 0.999, 400).astype(np.float32)
     up = mi.Vector3f(0.0, 0.0, 1.0)

@@ -8,7 +8,15 @@ from pathlib import Path
 import pytest
 
 from brdf_suite.errors import ExtraError, MissingExtraError, ReferenceUnavailableError
-from brdf_suite.reference.variant import Probed, Variant, choose, choose_variant, probe, start, version_of
+from brdf_suite.reference.variant import (
+    ProbeResult,
+    Variant,
+    choose,
+    choose_variant,
+    parse_version,
+    probe,
+    start,
+)
 
 OLD, NEW, NEWEST = "/usr/lib/libLLVM-15.so.1", "/usr/lib/libLLVM.so.19.1", "/usr/lib/libLLVM.so.20.1"
 
@@ -19,10 +27,10 @@ class Trial:
     def __init__(self, *run: str, cuda: bool = False) -> None:
         self.run, self.cuda, self.tried = run, cuda, []
 
-    def __call__(self, name: str, path: str) -> Probed:
+    def __call__(self, name: str, path: str) -> ProbeResult:
         self.tried.append((name, path))
         ran = self.cuda if name.startswith("cuda") else path in self.run
-        return Probed(
+        return ProbeResult(
             ran, "19.1.7" if ran else "", "" if ran else "its trial ended with signal 6 (LLVM ERROR)"
         )
 
@@ -94,7 +102,7 @@ def test_a_library_that_is_none_is_reported(tmp_path: Path) -> None:
     [(OLD, 15), (NEW, 19), ("/usr/lib/llvm-17/lib/libLLVM.so", 17), ("/opt/libLLVM.so", 0)],
 )
 def test_versions_are_read_from_names(path: str, number: int) -> None:
-    assert version_of(path) == number
+    assert parse_version(path) == number
 
 
 def test_choosing_imports_no_mitsuba() -> None:

@@ -15,7 +15,7 @@ from brdf_suite.geometry.warps import half_vector
 from brdf_suite.reflectance.factor_density import direction_density, map_density
 from brdf_suite.reflectance.factor_map import MapFactor
 from brdf_suite.reflectance.factored import Factored
-from brdf_suite.reflectance.factored_build import factored_of
+from brdf_suite.reflectance.factored_build import build_factored
 
 
 def look_up(values: np.ndarray, w: np.ndarray) -> np.ndarray:
@@ -195,5 +195,5 @@ def test_no_factor_is_lost_however_often_a_map_is_read(words: str) -> None:
     }
     wi, wo = (spherical(np.arccos(rng.random(50)), rng.uniform(0, 6, 50)) for _ in "ab")
     wanted = np.prod([MapFactor(one.projection.name, maps[one.name]).at(wi, wo) for one in factors], axis=0)
-    found = factored_of(factors, maps, 1.0, logarithmic=False)
+    found = build_factored(factors, maps, 1.0, logarithmic=False)
     np.testing.assert_allclose(found.eval(wi, wo), wanted, rtol=1e-6)

@@ -146,11 +146,11 @@ def test_flake_texture_fades_with_distance():
 
 
 def test_the_hash_is_even_and_changes_with_every_bit():
-    words = hashing.scrambled(np.arange(1 << 16, dtype=np.uint32))
+    words = hashing.scramble(np.arange(1 << 16, dtype=np.uint32))
     assert len(np.unique(words)) == 1 << 16
     bits = (words[:, None] >> np.arange(32, dtype=np.uint32)) & 1
     assert np.abs(bits.mean(0) - 0.5).max() < 0.02
     for bit in range(0, 32, 5):
-        other = hashing.scrambled(np.arange(1 << 16, dtype=np.uint32) ^ np.uint32(1 << bit))
+        other = hashing.scramble(np.arange(1 << 16, dtype=np.uint32) ^ np.uint32(1 << bit))
         changed = ((words ^ other)[:, None] >> np.arange(32, dtype=np.uint32)) & 1
         assert np.abs(changed.mean(0) - 0.5).max() < 0.1

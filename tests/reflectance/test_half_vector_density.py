@@ -14,7 +14,7 @@ from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.files.measured import read_measured
 from brdf_suite.files.measured.cook_torrance import CookTorranceFile
 from brdf_suite.geometry.directions import illumination, mirror, spherical
-from brdf_suite.geometry.warps import mirrored_at
+from brdf_suite.geometry.warps import mirror_at
 from brdf_suite.reflectance.albedo import white_furnace
 from brdf_suite.reflectance.half_vector_density import EVEN_SHARE, HalfVectorDensity
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
@@ -76,7 +76,7 @@ def integral(one: SampledReflectance, wo: np.ndarray) -> float:
     phi = np.radians(np.arange(360) + 0.5)
     half = spherical(theta[:, None], phi)
     dot = half @ wo
-    density = one.pdf(mirrored_at(wo, half), wo)
+    density = one.pdf(mirror_at(wo, half), wo)
     return float(
         (4.0 * np.maximum(dot, 0.0) * density * (np.sin(theta) * step)[:, None]).sum() * np.radians(1.0)
     )

@@ -11,7 +11,7 @@ from brdf_suite.documents.cook_torrance import Clearcoat, CookTorranceLobe, Cook
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.pipeline.scene import load_shipped_paint
 from brdf_suite.reflectance.build import build_paint, build_reflectance
-from brdf_suite.reflectance.layers import LARGEST_IOR, Layers, layered
+from brdf_suite.reflectance.layers import LARGEST_IOR, Layers, split_layers
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.lambertian import Lambertian
@@ -32,7 +32,7 @@ def directions(count: int = 400) -> tuple[np.ndarray, np.ndarray]:
 @pytest.mark.parametrize("clearcoat", [None, Clearcoat(1.5, 0.01)])
 def test_the_layers_add_up_to_the_paint(name: str, clearcoat: Clearcoat | None) -> None:
     whole = build_reflectance(replace(TABLE_1[name], clearcoat=clearcoat))
-    layers = layered(whole)
+    layers = split_layers(whole)
     assert layers is not None
     wi, wo = directions()
     np.testing.assert_allclose(
@@ -42,7 +42,7 @@ def test_the_layers_add_up_to_the_paint(name: str, clearcoat: Clearcoat | None) 
 
 
 def test_the_coat_is_the_sharp_lobes_and_its_index_reflects_r() -> None:
-    layers = layered(CookTorrance(TABLE_1["table1_ford_f8"]))
+    layers = split_layers(CookTorrance(TABLE_1["table1_ford_f8"]))
     assert isinstance(layers, Layers)
     assert [lobe.m for lobe in layers.base.paint.lobes] == [0.32, 0.11]
     assert [lobe.m for lobe in layers.coat.paint.lobes] == [0.013]
@@ -51,7 +51,7 @@ def test_the_coat_is_the_sharp_lobes_and_its_index_reflects_r() -> None:
 
 
 def test_several_sharp_lobes_share_one_index() -> None:
-    layers = layered(CookTorrance(TABLE_1["table1_blue_matte"]))
+    layers = split_layers(CookTorrance(TABLE_1["table1_blue_matte"]))
     assert layers is not None
     assert 0.046 < float(fresnel_dielectric(1.0, layers.ior)) < 0.17
 
@@ -59,7 +59,7 @@ def test_several_sharp_lobes_share_one_index() -> None:
 def test_without_a_sharp_lobe_there_is_no_coat() -> None:
     for lobes in ((), (CookTorranceLobe((0.2, 0.2, 0.2), 0.3, 0.5),)):
         model = CookTorrance(CookTorrancePaint("matt", (0.1, 0.2, 0.3), lobes))
-        layers = layered(model)
+        layers = split_layers(model)
         assert layers is not None
         assert layers.ior == 1.0
         wi, wo = directions()
@@ -70,23 +70,23 @@ def test_without_a_sharp_lobe_there_is_no_coat() -> None:
 def test_a_mirror_of_all_light_has_the_largest_index() -> None:
     for r in (1.0, 0.999999):
         paint = CookTorrancePaint("mirror", (0.0, 0.0, 0.0), (CookTorranceLobe((0.2, 0.2, 0.2), 0.01, r),))
-        layers = layered(CookTorrance(paint))
+        layers = split_layers(CookTorrance(paint))
         assert layers is not None
         assert layers.ior == LARGEST_IOR
 
 
 def test_a_black_sharp_lobe_has_no_index() -> None:
     paint = CookTorrancePaint("black", (0.1, 0.1, 0.1), (CookTorranceLobe((0.0, 0.0, 0.0), 0.01, 0.04),))
-    layers = layered(CookTorrance(paint))
+    layers = split_layers(CookTorrance(paint))
     assert layers is not None
     assert layers.ior == 1.0
 
 
 def test_designed_paints_and_other_clearcoats_have_their_own_layers() -> None:
     paint = build_paint(load_shipped_paint("blue"))
-    assert layered(paint) is paint
+    assert split_layers(paint) is paint
     coated = Coated(Lambertian((0.6, 0.3, 0.2)), 1.4, 0.01)
-    layers = layered(coated)
+    layers = split_layers(coated)
     assert layers is not None
     assert layers.ior == 1.4
     assert layers.coat == coated.coat
@@ -98,4 +98,4 @@ def test_designed_paints_and_other_clearcoats_have_their_own_layers() -> None:
 
 def test_what_nothing_divides_has_no_layers() -> None:
     for name in ("lambertian", "ggx", "lafortune"):
-        assert layered(MODELS[name].default) is None
+        assert split_layers(MODELS[name].default) is None

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.colorimetry import working_to_lab
-from brdf_suite.appearance.light_colour import recomputed_colour
+from brdf_suite.appearance.light_colour import colour_from_spectra
 from brdf_suite.appearance.spectra import DEFAULT_WAVELENGTHS_NM as BANDS
 from brdf_suite.appearance.spectra import spectrum_to_working
 from brdf_suite.documents.view_settings import LightColour
@@ -33,7 +33,7 @@ def samples() -> ScatteredSamples:
 def test_the_colour_is_the_one_that_is_computed_from_the_spectrum(lamp: str) -> None:
     found = relit(samples(), lamp)
     lab = working_to_lab(np.pi * found.values)
-    expected = recomputed_colour(np.pi * samples().spectra, BANDS, lamp).lab
+    expected = colour_from_spectra(np.pi * samples().spectra, BANDS, lamp).lab
     np.testing.assert_allclose(lab, expected, atol=1e-3)
     assert np.abs(expected[0] - working_to_lab(np.pi * samples().values[0])).max() > 1.0
 

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import dblquad
 
-from brdf_suite.reflectance.tensor.density import GridDensity, bilinear, blend_of
+from brdf_suite.reflectance.tensor.density import GridDensity, bilinear, blend_weights
 
 SIZES = st.integers(2, 9)
 
@@ -25,7 +25,7 @@ def test_sampling_and_inverting_undo_each_other(seed: int, ny: int, nx: int) -> 
     density = GridDensity(grids(seed, ny, nx))
     rng = np.random.default_rng(seed)
     u = rng.random((200, 2))
-    blend = blend_of([np.array([0.0, 0.3, 1.0])], [rng.uniform(-0.2, 1.2, 200)])
+    blend = blend_weights([np.array([0.0, 0.3, 1.0])], [rng.uniform(-0.2, 1.2, 200)])
     place, at_place = density.sample(u, blend)
     assert ((place >= 0.0) & (place <= 1.0)).all()
     back, at_back = density.invert(place, blend)
@@ -39,7 +39,7 @@ def test_a_blend_integrates_to_one_and_its_mass_is_that_of_the_samples() -> None
     axis = [np.array([0.0, 0.3, 1.0])]
 
     def value(x: float, y: float) -> float:
-        return float(density.density(np.array([[x, y]]), blend_of(axis, [np.array([0.7])]))[0])
+        return float(density.density(np.array([[x, y]]), blend_weights(axis, [np.array([0.7])]))[0])
 
     whole = sum(
         dblquad(lambda y, x: value(x, y), i / 3, (i + 1) / 3, j / 4, (j + 1) / 4)[0]
@@ -49,7 +49,7 @@ def test_a_blend_integrates_to_one_and_its_mass_is_that_of_the_samples() -> None
     assert whole == pytest.approx(1.0, abs=1e-9)
     # The share of the samples in a corner is the integral over the corner.
     u = np.random.default_rng(0).random((200_000, 2))
-    place, _ = density.sample(u, blend_of(axis, [np.full(len(u), 0.7)]))
+    place, _ = density.sample(u, blend_weights(axis, [np.full(len(u), 0.7)]))
     corner = sum(
         dblquad(lambda y, x: value(x, y), i / 3, (i + 1) / 3, j / 4, (j + 1) / 4)[0]
         for i in range(2)
@@ -68,7 +68,7 @@ def test_bilinear_by_hand() -> None:
 
 def test_blends_hold_beyond_their_ends() -> None:
     axis = [np.array([1.0, 2.0, 4.0])]
-    (low, at_low), (high, at_high) = blend_of(axis, [np.array([0.0, 1.5, 3.0, 9.0])])
+    (low, at_low), (high, at_high) = blend_weights(axis, [np.array([0.0, 1.5, 3.0, 9.0])])
     np.testing.assert_array_equal(low, [0, 0, 1, 1])
     np.testing.assert_array_equal(high, [1, 1, 2, 2])
     np.testing.assert_allclose(at_low, [1.0, 0.5, 0.5, 0.0])

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from brdf_suite.appearance.geometries import Geometry, geometry_set
-from brdf_suite.appearance.light_colour import adapted_colour
+from brdf_suite.appearance.light_colour import adapt_colour
 from brdf_suite.appearance.spectra import spectrum_to_lab, spectrum_to_working
 from brdf_suite.reflectance.aperture import POINT, WIDE
 from brdf_suite.reflectance.spectrophotometer import measure
@@ -56,7 +56,7 @@ def test_unknown_spectra_are_adapted() -> None:
     assert has_spectra(Spectral(RED, BANDS))
     report = measure(paint, geometry_set("e2194"))
     colours = readings_under(paint, report, "A")
-    np.testing.assert_allclose(colours[0].lab, adapted_colour(report.lab[0], "A").lab)
+    np.testing.assert_allclose(colours[0].lab, adapt_colour(report.lab[0], "A").lab)
     assert {colour.road for colour in colours} == {"adapted"}
 
 

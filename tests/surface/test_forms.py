@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.surface.forms import panel, speed_form, sphere
-from brdf_suite.surface.forms.grid import normals_of
+from brdf_suite.surface.forms.grid import grid_normals
 from brdf_suite.surface.forms.speed_form import line_elevation, speed_form_grid, speed_form_point
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.normals import is_inside_out, weld
@@ -132,8 +132,8 @@ def test_normals_between_vertices_are_exact_enough_for_reflections(axis: int) ->
     """Half-way between vertices the interpolated normal is within 0.3° of the true one, mostly far closer."""
     grid = [angle[3:-3] for angle in speed_form_grid()]
     before, after = ([np.delete(angle, end, axis) for angle in grid] for end in (-1, 0))
-    true = normals_of(speed_form_point, *(0.5 * (a + b) for a, b in zip(before, after, strict=True)))
-    between = unit(normals_of(speed_form_point, *before) + normals_of(speed_form_point, *after))
+    true = grid_normals(speed_form_point, *(0.5 * (a + b) for a, b in zip(before, after, strict=True)))
+    between = unit(grid_normals(speed_form_point, *before) + grid_normals(speed_form_point, *after))
     off = np.degrees(np.linalg.norm(true - between, axis=-1))
     assert off.max() < 0.3
     assert np.median(off) < 0.03

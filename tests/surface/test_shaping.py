@@ -6,7 +6,7 @@ import pytest
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.surface.forms.sphere import sphere
 from brdf_suite.surface.mesh import Mesh, PartGeometry
-from brdf_suite.surface.shaping import shaped
+from brdf_suite.surface.shaping import shape_mesh
 
 
 def cube() -> Mesh:
@@ -23,32 +23,32 @@ def cube() -> Mesh:
 
 def test_nothing_to_do_gives_the_same_object() -> None:
     mesh = cube()
-    assert shaped(mesh, SurfaceLook()) is mesh
-    resting = shaped(mesh, SurfaceLook(recentre=True))
-    assert shaped(resting, SurfaceLook(recentre=True)) is resting
+    assert shape_mesh(mesh, SurfaceLook()) is mesh
+    resting = shape_mesh(mesh, SurfaceLook(recentre=True))
+    assert shape_mesh(resting, SurfaceLook(recentre=True)) is resting
 
 
 def test_scale_takes_the_texture_along() -> None:
-    found = shaped(cube(), SurfaceLook(scale=0.25)).parts[0]
+    found = shape_mesh(cube(), SurfaceLook(scale=0.25)).parts[0]
     np.testing.assert_allclose(found.positions, cube().parts[0].positions * 0.25, rtol=1e-6)
     np.testing.assert_allclose(found.uvs, cube().parts[0].uvs * 0.25, rtol=1e-6)
 
 
 def test_recentred_it_stands_on_the_ground() -> None:
-    low, high = shaped(cube(), SurfaceLook(recentre=True)).bounds()
+    low, high = shape_mesh(cube(), SurfaceLook(recentre=True)).bounds()
     np.testing.assert_allclose(low, [-1, 0, -1], atol=1e-6)
     np.testing.assert_allclose(high, [1, 2, 1], atol=1e-6)
 
 
 def test_flipped_normals_and_triangles_agree() -> None:
-    found = shaped(cube(), SurfaceLook(flip_normals=True)).parts[0]
+    found = shape_mesh(cube(), SurfaceLook(flip_normals=True)).parts[0]
     np.testing.assert_array_equal(found.normals, -cube().parts[0].normals)
     np.testing.assert_array_equal(found.triangles, cube().parts[0].triangles[:, ::-1])
 
 
 @pytest.mark.parametrize("normals", ["flat", "smooth"])
 def test_a_cube_gets_edges(normals: str) -> None:
-    found = shaped(cube(), SurfaceLook(normals=normals)).parts[0]  # type: ignore[arg-type] # both are choices
+    found = shape_mesh(cube(), SurfaceLook(normals=normals)).parts[0]  # type: ignore[arg-type] # both are choices
     assert len(found.positions) == 24
     assert (np.abs(np.abs(found.normals).max(axis=1) - 1.0) < 1e-6).all()
     outwards = np.einsum("ij,ij->i", found.normals, found.positions - np.float32([1.0, 5.0, 1.0]))
@@ -57,11 +57,11 @@ def test_a_cube_gets_edges(normals: str) -> None:
 
 def test_flat_and_smooth_spheres() -> None:
     original = sphere()
-    smooth = shaped(original, SurfaceLook(normals="smooth")).parts[0]
+    smooth = shape_mesh(original, SurfaceLook(normals="smooth")).parts[0]
     centre = np.float32([0.0, 0.1, 0.0])
     radial = (smooth.positions - centre) / np.linalg.norm(smooth.positions - centre, axis=1, keepdims=True)
     np.testing.assert_allclose(smooth.normals, radial, atol=0.02)
-    flat = shaped(original, SurfaceLook(normals="flat")).parts[0]
+    flat = shape_mesh(original, SurfaceLook(normals="flat")).parts[0]
     corners = flat.normals[flat.triangles]
     np.testing.assert_allclose(corners[:, 0], corners[:, 2], atol=1e-6)
     assert flat.triangles.shape == original.parts[0].triangles.shape
@@ -77,6 +77,6 @@ def test_normals_made_anew_stay_on_their_side() -> None:
             ),
         ),
     )
-    found = shaped(wound_inwards, SurfaceLook(normals="smooth")).parts[0]
+    found = shape_mesh(wound_inwards, SurfaceLook(normals="smooth")).parts[0]
     outwards = np.einsum("ij,ij->i", found.normals, found.positions - np.float32([1.0, 5.0, 1.0]))
     np.testing.assert_allclose(outwards, 1.0, atol=1e-5)

@@ -9,7 +9,7 @@ from brdf_color_swatch.export_dialog import QtExportDialogs, choices_of, named_b
 from brdf_color_swatch.file_names import suggested_file
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from brdf_suite.files.palettes import FORMATS, format_named, sniff
+from brdf_suite.files.palettes import FORMATS, find_format, sniff
 
 CHOICES = choices_of(FORMATS, ".ase")
 
@@ -48,7 +48,7 @@ def test_the_chosen_format_is_written_with_its_ending(
     dialogs.path, dialogs.format = tmp_path / typed, format_name
     write(swatch, command, qtbot, tmp_path / written)
     wanted = format_name or Path(written).suffix[1:]
-    assert sniff((tmp_path / written).read_bytes(), written) is format_named(wanted)
+    assert sniff((tmp_path / written).read_bytes(), written) is find_format(wanted)
     assert [path.name for path in tmp_path.glob("out*")] == [written]
 
 

@@ -30,14 +30,14 @@ def edit(kind: str, number: int, stores: list[Store], history: History) -> bool:
         return False
     key = value.entries[number % len(value)].id
     if kind == "across":
-        moved = edits.added(other.value, [value.entry(key)])
-        return history.apply("across", [(store, edits.removed(value, [key])), (other, moved)])
+        moved = edits.add_entries(other.value, [value.entry(key)])
+        return history.apply("across", [(store, edits.remove_entries(value, [key])), (other, moved)])
     made = {
-        "rename": lambda: edits.renamed(value, key, f"n{number}"),
-        "remove": lambda: edits.removed(value, [key]),
-        "add": lambda: edits.added(value, [value.entry(key)]),
-        "move": lambda: edits.moved(value, [key], ("G",), value.entries[0].id),
-        "tag": lambda: edits.tagged(value, [key], [f"t{number % 5}"]),
+        "rename": lambda: edits.rename_entry(value, key, f"n{number}"),
+        "remove": lambda: edits.remove_entries(value, [key]),
+        "add": lambda: edits.add_entries(value, [value.entry(key)]),
+        "move": lambda: edits.move_entries(value, [key], ("G",), value.entries[0].id),
+        "tag": lambda: edits.tag_entries(value, [key], [f"t{number % 5}"]),
         "group": lambda: edits.with_group(value, Group((f"g{len(value.groups)}-{number}",))),
         "notes": lambda: replace(value, notes=f"{number}"),
         "reload": lambda: palette(value.name, number % 4),
@@ -119,8 +119,8 @@ def test_swatches_moved_out_of_a_closed_palette_stay_where_they_are(swatch, name
     entry = library.palette(first).entry("red")
     library.edit(
         "Move",
-        (first, edits.removed(library.palette(first), ["red"])),
-        (second, edits.added(library.palette(second), [entry])),
+        (first, edits.remove_entries(library.palette(first), ["red"])),
+        (second, edits.add_entries(library.palette(second), [entry])),
     )
     swatch.desk.show_scope(Scope(second))
     assert library.close(first)

@@ -39,7 +39,7 @@ def press(program, key: str, text: str) -> None:
 def test_reload_takes_what_the_file_holds_and_undo_brings_mine_back(swatch, shared, names, qtbot) -> None:
     key, path, write = shared
     mine = swatch.desk.palette
-    write(lambda palette: edits.renamed(palette, "red", "Crimson"))
+    write(lambda palette: edits.rename_entry(palette, "red", "Crimson"))
     assert "Crimson" not in names(swatch)
     press(swatch, f"outside {key}", "Reload")
     qtbot.waitUntil(lambda: "Crimson" in names(swatch))
@@ -52,9 +52,9 @@ def test_reload_takes_what_the_file_holds_and_undo_brings_mine_back(swatch, shar
 
 def test_merge_keeps_both_and_saving_then_asks_nothing(swatch, shared, names, dialogs, qtbot) -> None:
     key, path, write = shared
-    swatch.desk.edit("Rename", lambda palette: edits.renamed(palette, "blue", "Azure"))
+    swatch.desk.edit("Rename", lambda palette: edits.rename_entry(palette, "blue", "Azure"))
     mine = swatch.desk.palette
-    write(lambda palette: edits.removed(edits.renamed(palette, "red", "Crimson"), ["ice"]))
+    write(lambda palette: edits.remove_entries(edits.rename_entry(palette, "red", "Crimson"), ["ice"]))
     press(swatch, f"outside {key}", "Merge")
     qtbot.waitUntil(lambda: "Crimson" in names(swatch))
     assert {"Azure", "Crimson"} <= set(names(swatch))
@@ -85,8 +85,8 @@ def test_mine_is_kept_and_the_file_is_not_overwritten_unasked(swatch, shared, di
 def test_a_palette_that_is_closed_meanwhile_is_asked_about_no_more(swatch, shared, text: str) -> None:
     key, _path, write = shared
     library, named = swatch.library, f"outside {key}"
-    swatch.desk.edit("Rename", lambda palette: edits.renamed(palette, "blue", "Azure"))
-    write(lambda palette: edits.renamed(palette, "red", "Crimson"))
+    swatch.desk.edit("Rename", lambda palette: edits.rename_entry(palette, "blue", "Azure"))
+    write(lambda palette: edits.rename_entry(palette, "red", "Crimson"))
     actions = dict(swatch.window.messages.shown()[named].actions)
     read = read_palette_file(library.item(key).path, lambda _share, _what: None)
     actions[text]()

@@ -58,7 +58,7 @@ class Job(Protocol):
         """Yield ever better pictures; SuiteError where the renderer fails."""
         ...
 
-    def denoised(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
+    def denoise_picture(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
         """Return the pixels of a frame without their noise; SuiteError where that fails."""
         ...
 
@@ -170,11 +170,11 @@ class ReferenceJob:
                 estimate.seconds,
             )
 
-    def denoised(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
+    def denoise_picture(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
         """Take the noise out of the light; the object's edge stays as it is."""
-        from brdf_suite.reference.denoise import denoised
+        from brdf_suite.reference.denoise import denoise_picture
 
-        return _with_coverage(denoised(pixels[..., :3].astype(np.float64)), pixels[..., 3])
+        return _with_coverage(denoise_picture(pixels[..., :3].astype(np.float64)), pixels[..., 3])
 
     def save(self, path: Path, view: View) -> None:
         """Write radiance, variance and all that a render goes on from."""
@@ -212,7 +212,7 @@ class RaytracedJob:
                 pixels = np.concatenate([pixels, image.sums.darkness.astype(np.float32)], axis=-1)
             yield Frame(pixels, image.samples, image.of, None, image.seconds)
 
-    def denoised(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
+    def denoise_picture(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
         """Return them as they are."""
         return pixels
 

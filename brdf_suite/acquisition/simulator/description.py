@@ -31,7 +31,7 @@ TRUTH_FILE = "truth.json"
 _CURVE_POINTS = 257
 
 
-def session_of(
+def nominal_session(
     settings: SimulatorSettings,
     name: str,
     camera: SessionCamera,
@@ -76,7 +76,7 @@ def session_of(
     )
 
 
-def truth_of(
+def describe_truth(
     settings: SimulatorSettings,
     name: str,
     lens: Intrinsics,

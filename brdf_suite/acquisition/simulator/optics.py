@@ -35,7 +35,7 @@ class SimulatedCamera:
 
     def rays(self, x: Floats, y: Floats) -> Floats:
         """Return unit directions (n, 3) in the world through pixel coordinates (n,)."""
-        u, v = undistorted(self.lens, (x - self.lens.cx) / self.lens.fx, (y - self.lens.cy) / self.lens.fy)
+        u, v = undistort(self.lens, (x - self.lens.cx) / self.lens.fx, (y - self.lens.cy) / self.lens.fy)
         seen = np.stack([u, v, np.ones_like(u)], axis=-1)
         seen /= np.linalg.norm(seen, axis=-1, keepdims=True)
         return seen @ self.turn
@@ -43,11 +43,11 @@ class SimulatedCamera:
     def project(self, points: Floats) -> Floats:
         """Return pixel coordinates (n, 2) of points (n, 3) of the world in front of the camera."""
         seen = (points - self.centre) @ self.turn.T
-        u, v = distorted(self.lens, seen[:, 0] / seen[:, 2], seen[:, 1] / seen[:, 2])
+        u, v = distort(self.lens, seen[:, 0] / seen[:, 2], seen[:, 1] / seen[:, 2])
         return np.stack([self.lens.fx * u + self.lens.cx, self.lens.fy * v + self.lens.cy], axis=-1)
 
 
-def tilted(height: float, distance: float, tilt: float) -> tuple[Floats, Floats]:
+def tilt_camera(height: float, distance: float, tilt: float) -> tuple[Floats, Floats]:
     """Return centre and axes of a camera at (0, height, distance) that looks along -z, tilted up by radians."""
     sine, cosine = math.sin(tilt), math.cos(tilt)
     # The axis into the scene is (0, sin, -cos); right stays +x, and down is what completes a right-handed frame.
@@ -55,7 +55,7 @@ def tilted(height: float, distance: float, tilt: float) -> tuple[Floats, Floats]
     return np.array([0.0, height, distance]), turn
 
 
-def distorted(lens: Intrinsics, u: Floats, v: Floats) -> tuple[Floats, Floats]:
+def distort(lens: Intrinsics, u: Floats, v: Floats) -> tuple[Floats, Floats]:
     """Return where an ideal image point is seen, both in focal lengths."""
     r2 = u * u + v * v
     radial = 1.0 + r2 * (lens.k1 + r2 * (lens.k2 + r2 * lens.k3))
@@ -64,11 +64,11 @@ def distorted(lens: Intrinsics, u: Floats, v: Floats) -> tuple[Floats, Floats]:
     return moved_u, moved_v
 
 
-def undistorted(lens: Intrinsics, u: Floats, v: Floats) -> tuple[Floats, Floats]:
-    """Return the ideal image point that is seen at (u, v): the inverse of :func:`distorted`, by iteration."""
+def undistort(lens: Intrinsics, u: Floats, v: Floats) -> tuple[Floats, Floats]:
+    """Return the ideal image point that is seen at (u, v): the inverse of :func:`distort`, by iteration."""
     ideal_u, ideal_v = u.copy(), v.copy()
     for _ in range(_UNDISTORTING_STEPS):
-        seen_u, seen_v = distorted(lens, ideal_u, ideal_v)
+        seen_u, seen_v = distort(lens, ideal_u, ideal_v)
         off_u, off_v = u - seen_u, v - seen_v
         ideal_u += off_u
         ideal_v += off_v

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
 from brdf_suite.acquisition.simulator.optics import SimulatedCamera, first_hits
-from brdf_suite.acquisition.simulator.turntable import mirrored_turntable
+from brdf_suite.acquisition.simulator.turntable import turntable_reflection
 from brdf_suite.reflectance.protocol import Reflectance
 
 Floats = NDArray[np.float64]
@@ -135,7 +135,7 @@ class SimulatedScene:
             found = found @ self.matrix.T
         values[lit] = found * (cosines * relative)[lit, None]
         if self.arm:
-            values += mirrored_turntable(lamp, points, normals, views)[:, None]
+            values += turntable_reflection(lamp, points, normals, views)[:, None]
         return values, theta
 
 

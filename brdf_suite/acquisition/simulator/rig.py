@@ -19,9 +19,9 @@ from brdf_suite.acquisition.simulator.calibration_pictures import (
     tile_picture,
     tile_region,
 )
-from brdf_suite.acquisition.simulator.description import WHITE_ANGLE_DEG, session_of, truth_of
+from brdf_suite.acquisition.simulator.description import WHITE_ANGLE_DEG, describe_truth, nominal_session
 from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
-from brdf_suite.acquisition.simulator.optics import SimulatedCamera, tilted
+from brdf_suite.acquisition.simulator.optics import SimulatedCamera, tilt_camera
 from brdf_suite.acquisition.simulator.picture import SimulatedScene
 from brdf_suite.acquisition.simulator.sensor import Codes, Sensor
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
@@ -68,7 +68,7 @@ class Simulator:
         """The input of the reconstruction: the rig as intended, and the names of the files."""
         settings = self.settings
         corners = board_square_m(self.optics, settings)
-        return session_of(
+        return nominal_session(
             settings,
             self.name,
             SessionCamera(
@@ -90,7 +90,7 @@ class Simulator:
         """The true rig as JSON data; the reconstruction does not see it."""
         centres = [list(self._centre(k)) for k in range(len(self.settings.angles()))]
         places = [list(self.lamp(k).place) for k in range(len(self.settings.angles()))]
-        return truth_of(
+        return describe_truth(
             self.settings,
             self.name,
             self.optics.lens,
@@ -219,5 +219,5 @@ def _optics(settings: SimulatorSettings) -> SimulatedCamera:
         0.5 * (height - 1) - 0.003 * height,
         settings.distortion / corner**2,
     )
-    centre, turn = tilted(settings.camera_height_m, settings.camera_distance_m, _tilt(settings))
+    centre, turn = tilt_camera(settings.camera_height_m, settings.camera_distance_m, _tilt(settings))
     return SimulatedCamera(centre, turn, lens)

@@ -15,7 +15,7 @@ _ALBEDO = 0.06
 _INDEX = 1.5
 
 
-def mirrored_turntable(lamp: SimulatedLamp, points: Floats, normals: Floats, views: Floats) -> Floats:
+def turntable_reflection(lamp: SimulatedLamp, points: Floats, normals: Floats, views: Floats) -> Floats:
     """Return the radiance (n,), over the lamp's strength, of a matt disc below the sphere mirrored in its coat."""
     cosines = np.einsum("ij,ij->i", normals, views)
     mirrored = 2.0 * cosines[:, None] * normals - views

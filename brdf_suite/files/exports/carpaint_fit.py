@@ -28,7 +28,7 @@ from brdf_suite.files.exports.model_fit import (
     half_vector,
     leaves_rec_709,
     normal_reflectance,
-    samples_of,
+    sample_paint,
     schlick,
 )
 from brdf_suite.geometry.directions import Floats
@@ -79,7 +79,7 @@ def fit_carpaint(paint: Paint) -> CarPaint:
     Raises :class:`~brdf_suite.errors.UnreachableError` where there is no such paint.
     """
     layers = build_paint(paint)
-    samples = samples_of(paint, layers)
+    samples = sample_paint(paint, layers)
     r3, m3 = normal_reflectance(layers.ior), min(layers.roughness, 1.0)
     left = np.maximum(samples.f - lobe(samples.wi, samples.wo, m3, r3)[:, None], 0.0)
     widths = np.geomspace(_NARROWEST, _WIDEST, _GRID)

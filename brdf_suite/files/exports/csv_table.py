@@ -21,9 +21,9 @@ from functools import cache
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Gloss, Paint
 from brdf_suite.errors import DocumentError, FileError, SuiteError
-from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike, Subject, readings_loss
+from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike, Subject, readings_loss
 from brdf_suite.files.measured.bounded_reading import read_bytes
-from brdf_suite.files.paint_fields import Reading, paint_of, setting_from_text, setting_text, settings_of
+from brdf_suite.files.paint_fields import Reading, build_paint, flatten_paint, setting_from_text, setting_text
 from brdf_suite.progress import Progress
 
 _LARGEST = 64 << 20
@@ -44,9 +44,9 @@ def losses(subject: Subject) -> tuple[str, ...]:
 
 def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write a row per paint; raise :class:`FileError` where the disk refuses."""
-    rows = [row_of(subject.paint) for subject in subjects]
+    rows = [format_row(subject.paint) for subject in subjects]
     names = {name for row in rows for name in row}
-    angles = sorted((column for column in names if COLUMN.fullmatch(column)), key=angles_of)
+    angles = sorted((column for column in names if COLUMN.fullmatch(column)), key=parse_angles)
     colours = [axis + column[1:] for column in angles for axis in "Lab"]
     settings = sorted(names - set(colours) - {*_FIRST, *_TEXTS, "G20", "G60"})
     columns = [*_FIRST, *colours, "G20", "G60", *settings, "source", "notes"]
@@ -58,23 +58,23 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
     return ()
 
 
-def row_of(paint: Paint) -> dict[str, str]:
+def format_row(paint: Paint) -> dict[str, str]:
     """Return the cells of a paint by their columns."""
     row = {
-        "name": guarded(paint.name),
+        "name": guard_formula(paint.name),
         "illuminant": paint.illuminant,
         "observer_deg": str(paint.observer_deg),
         "G20": repr(paint.gloss.gu_20),
         "G60": "" if paint.gloss.gu_60 is None else repr(paint.gloss.gu_60),
-        "source": guarded(paint.source),
-        "notes": guarded(paint.notes),
+        "source": guard_formula(paint.source),
+        "notes": guard_formula(paint.notes),
     }
     for reading in paint.measurements:
         at = f"_{_plain(reading.aspecular_deg)}"
         if reading.illumination_deg != _USUAL_LIGHT_DEG:
             at += f"_i{_plain(reading.illumination_deg)}"
         row.update({axis + at: repr(value) for axis, value in zip("Lab", reading.lab, strict=True)})
-    row.update({name: setting_text(value) for name, value in settings_of(paint).items()})
+    row.update({name: setting_text(value) for name, value in flatten_paint(paint).items()})
     return row
 
 
@@ -83,7 +83,7 @@ def _plain(angle_deg: float) -> str:
     return f"{angle_deg:.17f}".rstrip("0").rstrip(".") if angle_deg % 1 else f"{angle_deg:.0f}"
 
 
-def angles_of(column: str) -> tuple[float, float]:
+def parse_angles(column: str) -> tuple[float, float]:
     """Return (light, aspecular) of a lightness column, degrees; the usual light first."""
     found = COLUMN.fullmatch(column)
     assert found is not None  # only such columns are asked about
@@ -91,8 +91,8 @@ def angles_of(column: str) -> tuple[float, float]:
     return (-1.0 if light == _USUAL_LIGHT_DEG else light, float(found[1]))
 
 
-def guarded(text: str) -> str:
-    """Return a text that no spreadsheet takes for a formula; :func:`unguarded` is the way back."""
+def guard_formula(text: str) -> str:
+    """Return a text that no spreadsheet takes for a formula; :func:`unguard_formula` is the way back."""
     return "'" + text if text.startswith(_FORMULA) or _has_guard(text) else text
 
 
@@ -100,8 +100,8 @@ def _has_guard(text: str) -> bool:
     return text.lstrip("'").startswith(_FORMULA) and text.startswith("'")
 
 
-def unguarded(text: str) -> str:
-    """Return the text that :func:`guarded` was given."""
+def unguard_formula(text: str) -> str:
+    """Return the text that :func:`guard_formula` was given."""
     return text[1:] if _has_guard(text) else text
 
 
@@ -118,7 +118,7 @@ def is_table(head: bytes) -> bool:
     )
 
 
-def read(path: PathLike) -> Imported:
+def read(path: PathLike) -> ImportedPaints:
     """Return the paints of a table.
 
     Raises
@@ -167,7 +167,7 @@ def read(path: PathLike) -> Imported:
     notes = [f"The column {name[:80]!r} is none of a paint's and was passed over." for name in unknown]
     if "G20" not in columns:
         notes.append("The table says nothing of gloss; the paints get 90 GU at 20°.")
-    return Imported(tuple(paints), tuple(notes))
+    return ImportedPaints(tuple(paints), tuple(notes))
 
 
 class Table:
@@ -199,8 +199,8 @@ class Table:
                 self._number(row, "G20", line) if (row.get("G20") or "").strip() else 90.0,
                 self._number(row, "G60", line) if (row.get("G60") or "").strip() else None,
             )
-            name, source, notes = (unguarded(row.get(text) or "") for text in _TEXTS)
-            return paint_of(name, readings, gloss, settings, notes, source, path=str(self._path))
+            name, source, notes = (unguard_formula(row.get(text) or "") for text in _TEXTS)
+            return build_paint(name, readings, gloss, settings, notes, source, path=str(self._path))
         except DocumentError as error:
             raise FileError(self._path, error.reason, f"line {line}, {error.place}") from error
         except FileError:
@@ -242,7 +242,7 @@ def known_settings() -> frozenset[str]:
     import types
     import typing
 
-    found = set(settings_of(_example()))
+    found = set(flatten_paint(_example()))
     for name, hint in typing.get_type_hints(Paint).items():
         # A part that may be absent: Flakes | None, and whatever else paints get.
         for kind in typing.get_args(hint) if isinstance(hint, types.UnionType) else ():

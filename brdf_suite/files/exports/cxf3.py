@@ -23,8 +23,15 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.migrations import VERSIONS
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.cxf import NAMESPACE, SETTING, SOURCE, TAGS, VERSION, is_cxf, read_cxf
-from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike, Spectra, Subject, readings_loss
-from brdf_suite.files.paint_fields import setting_text, settings_of
+from brdf_suite.files.exports.format import (
+    ExportFormat,
+    ImportedPaints,
+    PathLike,
+    Spectra,
+    Subject,
+    readings_loss,
+)
+from brdf_suite.files.paint_fields import flatten_paint, setting_text
 from brdf_suite.progress import Progress
 
 _FIRST_NM, _LAST_FIRST_NM = 360.0, 400.0
@@ -36,7 +43,7 @@ _NO_XML = re.compile("[^\t\n -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 def losses(subject: Subject) -> tuple[str, ...]:
     """Return what CxF3 cannot hold of a paint."""
     losses = list(readings_loss(subject))
-    kept = [name for name in settings_of(subject.paint) if "." in name]
+    kept = [name for name in flatten_paint(subject.paint) if "." in name]
     parts = " and ".join(dict.fromkeys(name.partition(".")[0].replace("_", " ") for name in kept))
     what = f"The {parts}, the rule between angles" if parts else "The rule between angles"
     losses.append(
@@ -67,7 +74,9 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
     """Write paints as one CxF3 file; raise :class:`FileError` where the disk refuses."""
     now = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
     specifications: dict[str, str] = {}
-    objects = [object_of(subject, f"paint{i + 1}", now, specifications) for i, subject in enumerate(subjects)]
+    objects = [
+        write_object(subject, f"paint{i + 1}", now, specifications) for i, subject in enumerate(subjects)
+    ]
     text = (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
         f'<cc:CxF xmlns:cc="{NAMESPACE}">\n'
@@ -88,7 +97,7 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
     return ()
 
 
-def object_of(
+def write_object(
     subject: Subject,
     identity: str,
     now: str,
@@ -106,7 +115,7 @@ def object_of(
             "" if bands is None else f"_{bands[0]:.0f}by{bands[1] - bands[0]:.0f}"
         )
         if name not in specifications:
-            specifications[name] = specification_of(name, geometry, bands)
+            specifications[name] = write_specification(name, geometry, bands)
         lightness, a, b = (repr(value) for value in reading.lab)
         values.append(
             f'          <cc:ColorCIELab Name="{geometry.name}" ColorSpecification="{name}">'
@@ -120,7 +129,7 @@ def object_of(
     return (
         f'      <cc:Object ObjectType="Standard" Name={attribute(paint.name)} Id="{identity}">\n'
         f"        <cc:CreationDate>{now}</cc:CreationDate>\n"
-        + (f"        <cc:Comment>{escape(cleaned(paint.notes))}</cc:Comment>\n" if paint.notes else "")
+        + (f"        <cc:Comment>{escape(clean_text(paint.notes))}</cc:Comment>\n" if paint.notes else "")
         + f"        <cc:ColorValues>\n{''.join(values)}        </cc:ColorValues>\n"
         + tag_collection({**_tags(subject), **further_tags})
         + "        <cc:PhysicalAttributes>\n"
@@ -138,7 +147,7 @@ def _tags(subject: Subject) -> dict[str, str]:
     tags = {VERSION: str(VERSIONS["brdfpaint"])}
     if subject.paint.source:
         tags[SOURCE] = subject.paint.source
-    tags.update({SETTING + name: setting_text(value) for name, value in settings_of(subject.paint).items()})
+    tags.update({SETTING + name: setting_text(value) for name, value in flatten_paint(subject.paint).items()})
     return tags
 
 
@@ -151,7 +160,7 @@ def tag_collection(tags: Mapping[str, str]) -> str:
     return f'        <cc:TagCollection Name="{TAGS}">\n{rows}        </cc:TagCollection>\n'
 
 
-def specification_of(name: str, geometry: Geometry, bands: tuple[float, ...] | None) -> str:
+def write_specification(name: str, geometry: Geometry, bands: tuple[float, ...] | None) -> str:
     """Return the ColorSpecification of one angle, D65 and 10°, with the wavelengths of its spectra where it has any."""
     kind = "Colorimetric_Reflectance" if bands is None else "Spectrum_Reflectance"
     spectral = (
@@ -174,14 +183,14 @@ def specification_of(name: str, geometry: Geometry, bands: tuple[float, ...] | N
     )
 
 
-def cleaned(text: str) -> str:
+def clean_text(text: str) -> str:
     """Return a text with U+FFFD for what XML does not know."""
     return _NO_XML.sub("\ufffd", text)
 
 
 def attribute(text: str) -> str:
     """Return a text as the value of an attribute, with its quotes."""
-    return quoteattr(cleaned(text))
+    return quoteattr(clean_text(text))
 
 
 def fits(row: Sequence[float]) -> bool:
@@ -209,7 +218,7 @@ def _even(spectra: Spectra) -> Spectra:
     return Spectra(tuple(DEFAULT_WAVELENGTHS_NM.tolist()), rows)
 
 
-def read(path: PathLike) -> Imported:
+def read(path: PathLike) -> ImportedPaints:
     """Return the paints of a CxF3 file; samples that make no paint are reported in the notes."""
     found = read_cxf(path)
     paints, notes = [], [*found.notes, *found.refused]
@@ -220,7 +229,7 @@ def read(path: PathLike) -> Imported:
             notes.append(str(error).rstrip("."))
     if not paints:
         raise FileError(path, f"holds no sample that makes a paint ({notes[-1]})")
-    return Imported(tuple(paints), tuple(notes))
+    return ImportedPaints(tuple(paints), tuple(notes))
 
 
 FORMAT = ExportFormat(

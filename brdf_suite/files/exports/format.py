@@ -83,7 +83,7 @@ class Subject:
 
 
 @dataclass(frozen=True)
-class Imported:
+class ImportedPaints:
     """Imported paints, with notices of assumptions, conversions and omissions."""
 
     paints: tuple[AnyPaint, ...]
@@ -126,7 +126,7 @@ class ExportFormat:
     holds: str
     losses: Losses
     write: Write
-    read: Callable[[PathLike], Imported] | None = None
+    read: Callable[[PathLike], ImportedPaints] | None = None
     sniff: Callable[[bytes], bool] | None = None
     many: bool = False
 

@@ -18,7 +18,7 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.reading import read_json
 from brdf_suite.errors import FileError
 from brdf_suite.files.exports import json_document
-from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike, Subject, model_loss
+from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike, Subject, model_loss
 from brdf_suite.files.exports.metal_rough_fit import GLTF_IOR, fit_gltf
 from brdf_suite.files.exports.model_fit import format_differences
 from brdf_suite.geometry.directions import spherical
@@ -130,14 +130,14 @@ def is_ours(head: bytes) -> bool:
     )
 
 
-def read(path: PathLike) -> Imported:
+def read(path: PathLike) -> ImportedPaints:
     """Return the paint in the extras of a glTF that this suite wrote; raise :class:`FileError` where there is none."""
     value = read_json(path)
     try:
         found = value["materials"][0]["extras"][EXTRAS]  # type: ignore[index]  # any shape but ours is caught
     except (KeyError, IndexError, TypeError) as error:
         raise FileError(path, "holds no paint of this suite", f"materials[0].extras.{EXTRAS}") from error
-    return json_document.imported(found, path)
+    return json_document.import_paints(found, path)
 
 
 FORMAT = ExportFormat(

@@ -31,7 +31,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.reading import FieldReader, read_json
 from brdf_suite.documents.store import AnyPaint, any_paint_from_json, paint_to_json
 from brdf_suite.errors import FileError, ValueRangeError
-from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike, Subject
+from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike, Subject
 from brdf_suite.progress import Progress
 
 NAME = "brdf-suite-paints"
@@ -77,7 +77,7 @@ def _item(subject: Subject) -> dict[str, object]:
             for m in paint.measurements
         ],
         "gloss": {"gu_20": paint.gloss.gu_20, "gu_60": paint.gloss.gu_60},
-        "flop_index": flop_of(paint),
+        "flop_index": compute_flop(paint),
         "travel": _travel_of(paint),
         "computed": subject.computed,
         "original": paint_to_json(subject.document) if subject.computed and subject.document else None,
@@ -90,7 +90,7 @@ def _item(subject: Subject) -> dict[str, object]:
     }
 
 
-def flop_of(paint: Paint) -> float | None:
+def compute_flop(paint: Paint) -> float | None:
     """Return the flop index of the readings at 15, 45 and 110° with the light at 45°, or None."""
     try:
         found = flop_index(*(paint.lab_at(angle, _LIGHT_DEG)[0] for angle in (15.0, 45.0, 110.0)))
@@ -123,12 +123,12 @@ def is_json(head: bytes) -> bool:
     )
 
 
-def read(path: PathLike) -> Imported:
+def read(path: PathLike) -> ImportedPaints:
     """Return the paints of a JSON file; raise :class:`FileError` with the place where one is not valid."""
-    return imported(read_json(path), path)
+    return import_paints(read_json(path), path)
 
 
-def imported(value: object, path: PathLike) -> Imported:
+def import_paints(value: object, path: PathLike) -> ImportedPaints:
     """Return the paints of a JSON object; errors as :func:`read`."""
     reader = FieldReader(value, path)
     if reader.take("format") != NAME:
@@ -139,10 +139,10 @@ def imported(value: object, path: PathLike) -> Imported:
     items = reader.take_objects("paints")
     if not 1 <= len(items) <= _MOST_PAINTS:
         reader.fail(f"1 to {_MOST_PAINTS:,} paints are wanted, there are {len(items)}", "paints")
-    return Imported(tuple(_paint(item, path) for item in items))
+    return ImportedPaints(tuple(_paint(item, path) for item in items))
 
 
-def imported_text(text: bytes, path: PathLike) -> Imported:
+def import_text(text: bytes, path: PathLike) -> ImportedPaints:
     """Return the paints of a JSON text that was found in another file; errors as :func:`read`."""
     try:
         value: object = json.loads(text)
@@ -150,7 +150,7 @@ def imported_text(text: bytes, path: PathLike) -> Imported:
         raise FileError(
             path, f"holds data that are damaged ({type(error).__name__})", "the paint in it"
         ) from error
-    return imported(value, path)
+    return import_paints(value, path)
 
 
 def _paint(item: FieldReader, path: PathLike) -> AnyPaint:

@@ -21,7 +21,7 @@ _COSINES = np.linspace(0.04, 1.0, 25)
 _EACH = 40
 
 
-def one_bounce(alpha: float, cosine: Floats) -> Floats:
+def single_scattering_albedo(alpha: float, cosine: Floats) -> Floats:
     """Return E (n,) for roughness α and the cosines (n,) of the direction's polar angle.
 
     >>> bool(one_bounce(0.03, np.array([0.9]))[0] > 0.999)

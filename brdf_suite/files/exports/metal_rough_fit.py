@@ -24,14 +24,14 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.documents.paint import Paint
-from brdf_suite.files.exports.lobe_albedo import one_bounce
+from brdf_suite.files.exports.lobe_albedo import single_scattering_albedo
 from brdf_suite.files.exports.model_fit import (
     ModelFitSamples,
     ggx,
     half_vector,
     leaves_rec_709,
     normal_reflectance,
-    samples_of,
+    sample_paint,
     schlick,
 )
 from brdf_suite.geometry.directions import Floats
@@ -80,7 +80,7 @@ class MetalRough:
         """What further bounces add (n,) for a metal whose colour is 1."""
         cos_h, _ = half_vector(wi, wo)
         cos_i, cos_o = wi[:, 2], wo[:, 2]
-        once = one_bounce(self.roughness**2, cos_o)
+        once = single_scattering_albedo(self.roughness**2, cos_o)
         left = 1.0 - fresnel_dielectric(cos_o, self.coat_ior)
         lobe = _lobe(cos_h, cos_i, cos_o, self.roughness**2)
         return np.asarray(left * self.metalness * lobe * (1.0 - once) / once)
@@ -125,7 +125,7 @@ def _fit(paint: Paint, *, gltf: bool) -> MetalRough:
     from scipy.optimize import minimize  # much to import, and only these exports fit
 
     layers = build_paint(paint)
-    samples = samples_of(paint, layers)
+    samples = sample_paint(paint, layers)
     start = MetalRough(
         (0.5, 0.5, 0.5),
         0.5,

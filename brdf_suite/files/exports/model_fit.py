@@ -54,7 +54,7 @@ class ModelFitSamples:
         return tuple(self.difference(f)[: self.readings].tolist())
 
 
-def samples_of(paint: Paint, layers: PaintReflectance) -> ModelFitSamples:
+def sample_paint(paint: Paint, layers: PaintReflectance) -> ModelFitSamples:
     """Return what the models are fitted to: the paint's readings, and directions between and beyond them."""
     read = [(m.illumination_deg, m.aspecular_deg) for m in paint.measurements]
     usual = read[0][0]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from brdf_suite.errors import FileError
 from brdf_suite.files.exports import csv_table, cxf3, gltf, json_document, luxcore, openpbr, rgl
-from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike
+from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike
 from brdf_suite.files.measured.bounded_reading import open_plain
 
 FORMATS: tuple[ExportFormat, ...] = (
@@ -24,7 +24,7 @@ _HEAD = 1 << 16
 _LARGEST = 64 << 20
 
 
-def read_paints(path: PathLike, formats: tuple[ExportFormat, ...] = FORMATS) -> Imported:
+def read_paints(path: PathLike, formats: tuple[ExportFormat, ...] = FORMATS) -> ImportedPaints:
     """Return the paints in a file of any format that is read back, known by its content.
 
     Raises

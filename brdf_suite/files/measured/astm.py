@@ -17,7 +17,7 @@ from brdf_suite.files.measured.samples import (
     SampleRows,
     angles,
     as_samples,
-    checked_bands,
+    check_bands,
     columns,
     directions,
     one_azimuth,
@@ -95,7 +95,7 @@ def _columns(path: PathLike, names: list[str], number: int) -> tuple[str, Floats
         return _COLOURS[tuple(values)], np.empty(0)
     if all(name.endswith("nm") for name in values):
         bands = [number_in(path, name[:-2].strip(), number, "a wavelength") for name in values]
-        return "spectra", checked_bands(path, bands, f"line {number}")
+        return "spectra", check_bands(path, bands, f"line {number}")
     if len(values) == 1:
         return "grey", np.empty(0)
     reason = "the value columns must be R,G,B or X,Y,Z, wavelengths like 550nm, or one alone"

@@ -24,7 +24,7 @@ from brdf_suite.files.measured.samples import (
     SampleRows,
     angles,
     as_samples,
-    checked_bands,
+    check_bands,
     directions,
     one_azimuth,
     one_line,
@@ -88,7 +88,7 @@ def read_bird(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
         mean = np.bincount(group, values) / np.bincount(group)
         return samples(**common, rgb=rgb_values(mean[:, None], "grey"))
     _, named, band = np.unique(np.round(bands / _SAME_BAND), return_index=True, return_inverse=True)
-    wavelengths = checked_bands(path, bands[named].tolist(), "data.wavelength_i.values")
+    wavelengths = check_bands(path, bands[named].tolist(), "data.wavelength_i.values")
     if len(first) * len(wavelengths) > count:
         missing = (
             f"{len(first)} geometries times {len(wavelengths)} wavelengths are more than {count} readings"

@@ -17,7 +17,7 @@ from brdf_suite.files.measured.samples import (
     SampleRows,
     angles,
     as_samples,
-    checked_bands,
+    check_bands,
     columns,
     directions,
     one_azimuth,
@@ -56,7 +56,7 @@ def read_cornell(path: PathLike, options: ReadOptions | None = None) -> Scattere
                 reason = f"{len(bands)} wavelengths are named where {count} were announced"
                 raise FileError(path, reason, f"line {number}")
             if len(bands) == count:
-                wavelengths = checked_bands(path, bands, f"line {number}")
+                wavelengths = check_bands(path, bands, f"line {number}")
                 rows = SampleRows(path, 4 + count)
         else:
             if len(words) != rows.width:

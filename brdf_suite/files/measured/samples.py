@@ -80,7 +80,7 @@ def directions(rows: SampleRows, theta: Floats, phi: Floats) -> Floats:
     return spherical(np.clip(theta, -0.5 * math.pi, 0.5 * math.pi), phi)
 
 
-def checked_bands(path: PathLike, bands: Sequence[float], place: str) -> Floats:
+def check_bands(path: PathLike, bands: Sequence[float], place: str) -> Floats:
     """Return wavelengths (k,) in nanometres that rise, or raise :class:`FileError`."""
     found = np.asarray(bands, np.float64)
     if not 1 <= len(found) <= MOST_BANDS:

@@ -3,8 +3,8 @@
 from brdf_suite.files.palettes.format import PaletteFormat, ReadPalette, WrittenPalette
 from brdf_suite.files.palettes.registry import (
     FORMATS,
+    find_format,
     format_for,
-    format_named,
     losses,
     read_content,
     read_palette,
@@ -17,8 +17,8 @@ __all__ = [
     "PaletteFormat",
     "ReadPalette",
     "WrittenPalette",
+    "find_format",
     "format_for",
-    "format_named",
     "losses",
     "read_content",
     "read_palette",

@@ -14,7 +14,7 @@ from brdf_suite.documents.flat_colour import Model
 from brdf_suite.documents.palette import Entry, Foreign, Palette
 from brdf_suite.files.palettes.byte_cursor import ByteCursor, packed_utf16
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import plain_of
+from brdf_suite.files.palettes.conversions import convert_to_plain
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
 _FULL = 65_535.0
@@ -140,7 +140,7 @@ def write(palette: Palette) -> bytes:
 
 
 def _packed(entry: Entry) -> bytes:
-    colour = plain_of(entry, ("RGB", "HSB", "CMYK", "Lab", "Gray"))
+    colour = convert_to_plain(entry, ("RGB", "HSB", "CMYK", "Lab", "Gray"))
     v, wide = colour.values, (_SPACE, str(_WIDE_CMYK)) in entry.foreign
     words: tuple[int, ...]
     if colour.model == "RGB":

@@ -13,7 +13,7 @@ from brdf_suite.documents.flat_colour import Model
 from brdf_suite.documents.palette import Palette, Usage
 from brdf_suite.files.palettes.byte_cursor import ByteCursor, packed_utf16
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import plain_of
+from brdf_suite.files.palettes.conversions import convert_to_plain
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
 _BEGIN, _END, _COLOUR = 0xC001, 0xC002, 0x0001
@@ -108,7 +108,7 @@ def write(palette: Palette) -> bytes:
         blocks += [_block(_BEGIN, _packed(name)) for name in path[shared:]]
         open_ = path
         for entry in entries:
-            colour = plain_of(entry, _TAGS)
+            colour = convert_to_plain(entry, _TAGS)
             values = colour.values
             if colour.model == "Lab":
                 values = (values[0] / 100.0, *values[1:])

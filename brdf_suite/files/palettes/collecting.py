@@ -34,7 +34,7 @@ _written_here: ContextVar[bool] = ContextVar("written_here", default=False)
 
 
 @contextmanager
-def written_here() -> Iterator[None]:
+def allow_palette_size() -> Iterator[None]:
     """Let readers take as many colours as a palette has: what they read meanwhile was written by this program."""
     token = _written_here.set(True)
     try:
@@ -177,7 +177,7 @@ class Collector:
         self, name: str = "", *, notes: str = "", columns: int = 0, colour: str = "", foreign: Foreign = ()
     ) -> tuple[Palette, tuple[str, ...]]:
         """Return the palette and the notes; without a name it has that of the file."""
-        clean = self.name(name).strip() or stem_of(self.path)
+        clean = self.name(name).strip() or default_name(self.path)
         try:
             palette = Palette(
                 clean, tuple(self.entries), tuple(self._groups.values()), notes, colour, columns, foreign
@@ -194,12 +194,12 @@ def _counted(sentence: str, count: int) -> str:
     return fitting.replace("{n}", f"{count:,}")
 
 
-def stem_of(path: PathLike) -> str:
+def default_name(path: PathLike) -> str:
     """Return what a palette is called whose file says no name."""
     return _CONTROL.sub(" ", Path(path).stem)[:200].strip() or "Palette"
 
 
-def decoded(content: bytes, path: PathLike, collector: Collector | None = None) -> str:
+def decode_text(content: bytes, path: PathLike, collector: Collector | None = None) -> str:
     """Return a text file's text: UTF-8, with or without a mark, UTF-16 with one, else Latin-1, which is reported.
 
     Raises

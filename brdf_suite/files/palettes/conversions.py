@@ -15,7 +15,7 @@ from brdf_suite.appearance.colorimetry import (
     working_to_display,
     xyz_to_lab,
 )
-from brdf_suite.appearance.flat_colours import WHITES, encoded_rgb, flat_labs, is_of_other_space
+from brdf_suite.appearance.flat_colours import WHITES, decode_rgb, flat_labs, is_of_other_space
 from brdf_suite.appearance.spaces import adapt_xyz, working_to_xyz
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
@@ -71,7 +71,7 @@ def _measured(paint: CookTorrancePaint | FactoredPaint) -> Paint:
     return Paint(paint.name, readings, Gloss(gu_20, gu_60), paint.flakes, notes=paint.notes, source=source)
 
 
-def flat_of(entry: Entry, models: Collection[str]) -> FlatColour:
+def convert_to_flat(entry: Entry, models: Collection[str]) -> FlatColour:
     """Return an entry as a flat colour in one of ``models``, its own numbers where that can be.
 
     ``models`` must have Lab (which is written as that of D50 and 2°) or RGB (sRGB, not clipped).
@@ -81,7 +81,7 @@ def flat_of(entry: Entry, models: Collection[str]) -> FlatColour:
         for own in (content, *content.others):
             if own.model in models and (own.model not in _WITH_WHITE or is_icc(own)):
                 return own if own is content else replace(own, name=content.name)
-        encoded = encoded_rgb(content)
+        encoded = decode_rgb(content)
         if encoded is not None and "RGB" in models:
             space = content.space if content.model in ("RGB", "HSB", "HSL") else ""
             return FlatColour(content.name, "RGB", encoded, space)
@@ -94,19 +94,19 @@ def flat_of(entry: Entry, models: Collection[str]) -> FlatColour:
     return FlatColour(content.name, "RGB", (red, green, blue))
 
 
-def rgb8_of(entry: Entry) -> tuple[int, int, int]:
+def convert_to_rgb8(entry: Entry) -> tuple[int, int, int]:
     """Return an entry as sRGB of 8 bits, clipped to what a screen can show.
 
     RGB of another space is taken to sRGB; that of an unknown one keeps its numbers.
     """
-    values = in_srgb(flat_of(entry, ("RGB",))).values
+    values = in_srgb(convert_to_flat(entry, ("RGB",))).values
     red, green, blue = (round(255.0 * min(1.0, max(0.0, value))) for value in values)
     return red, green, blue
 
 
-def plain_of(entry: Entry, models: Collection[str]) -> FlatColour:
-    """Return :func:`flat_of` for a format that names no colour spaces: what is RGB there is sRGB."""
-    return in_srgb(flat_of(entry, models))
+def convert_to_plain(entry: Entry, models: Collection[str]) -> FlatColour:
+    """Return :func:`convert_to_flat` for a format that names no colour spaces: what is RGB there is sRGB."""
+    return in_srgb(convert_to_flat(entry, models))
 
 
 def in_srgb(colour: FlatColour) -> FlatColour:

@@ -13,9 +13,9 @@ import unicodedata
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, GroupPath, Palette
-from brdf_suite.files.palettes.collecting import Collector, decoded
-from brdf_suite.files.palettes.conversions import flat_of, in_srgb
-from brdf_suite.files.palettes.css_colour import SPACES, colour_of, css_of
+from brdf_suite.files.palettes.collecting import Collector, decode_text
+from brdf_suite.files.palettes.conversions import convert_to_flat, in_srgb
+from brdf_suite.files.palettes.css_colour import SPACES, format_css, parse_colour
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
 # Every branch takes at least one character and none can be taken in two ways, so the time is that of the length.
@@ -31,7 +31,7 @@ _LONGEST_PROPERTY = 100
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a style sheet; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    text = decoded(content, path, collector).replace("\r\n", "\n")
+    text = decode_text(content, path, collector).replace("\r\n", "\n")
     line, reached = 1, 0
     group: GroupPath = ()
     name = ""
@@ -67,7 +67,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
                 notes.append(collector.lines(str(said.get("notes", ""))))
             continue
         settle(None)
-        found = colour_of(token["value"])
+        found = parse_colour(token["value"])
         if found is None:
             collector.note(
                 "{n} custom propert[y that is no colour|ies that are no colours] known here [is|are] passed over."
@@ -109,14 +109,14 @@ def write(palette: Palette) -> bytes:
     for group, entries in palette.sections():
         rows.append(f"  /* {_json(list(group.path) if group else [])} */\n")
         rows += [
-            f"  --{_property(entry, taken)}: {css_of(_colour(entry))}; /* {_json(entry.name)} */\n"
+            f"  --{_property(entry, taken)}: {format_css(_colour(entry))}; /* {_json(entry.name)} */\n"
             for entry in entries
         ]
     return "".join((*rows, "}\n")).encode("utf-8", "replace")
 
 
 def _colour(entry: Entry) -> FlatColour:
-    colour = flat_of(entry, _MODELS)
+    colour = convert_to_flat(entry, _MODELS)
     # RGB of a space that CSS names is written in that one; everything else that is RGB there is sRGB.
     return colour if colour.model == "RGB" and colour.space in SPACES.values() else in_srgb(colour)
 

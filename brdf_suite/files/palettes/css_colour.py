@@ -10,7 +10,7 @@ import numpy as np
 from brdf_suite.appearance.colorimetry import REC709_PRIMARIES, primaries_to_xyz, srgb_encode
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.files.palettes.number_text import scaled, unscaled
+from brdf_suite.files.palettes.number_text import scale_text, unscale_text
 
 _HEX = re.compile("#([0-9a-fA-F]{3,4}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
 _FUNCTION = re.compile(r"([a-z-]+)\(([^()]{1,200})\)")
@@ -38,7 +38,7 @@ _LMS_TO_RGB = (
 """Ottosson, A perceptual color space for image processing (2020)."""
 
 
-def colour_of(text: str, name: str = "") -> tuple[FlatColour, float] | None:
+def parse_colour(text: str, name: str = "") -> tuple[FlatColour, float] | None:
     """Return the colour in a CSS value and its opacity, or None where it is none that is known here.
 
     >>> colour_of("rgb(51 102 153)")[0].values == colour_of("#336699")[0].values
@@ -111,7 +111,7 @@ def _number(word: str) -> _Number | None:
 def _plain(number: _Number, full: float) -> float:
     """A number whose 100 % is ``full``."""
     text, unit = number
-    return unscaled(text, 100) * full if unit == "%" else float(text)
+    return unscale_text(text, 100) * full if unit == "%" else float(text)
 
 
 def _hue(number: _Number) -> float:
@@ -122,11 +122,13 @@ def _hue(number: _Number) -> float:
 
 def _built(kind: str, space: str, v: list[_Number], name: str) -> FlatColour | None:
     if kind in ("rgb", "rgba"):
-        return FlatColour(name, "RGB", tuple(unscaled(text, 100 if unit == "%" else 255) for text, unit in v))
+        return FlatColour(
+            name, "RGB", tuple(unscale_text(text, 100 if unit == "%" else 255) for text, unit in v)
+        )
     if kind in ("hsl", "hsla"):
-        return FlatColour(name, "HSL", (_hue(v[0]), unscaled(v[1][0], 100), unscaled(v[2][0], 100)))
+        return FlatColour(name, "HSL", (_hue(v[0]), unscale_text(v[1][0], 100), unscale_text(v[2][0], 100)))
     if kind == "hwb":
-        white, black = unscaled(v[1][0], 100), unscaled(v[2][0], 100)
+        white, black = unscale_text(v[1][0], 100), unscale_text(v[2][0], 100)
         if white + black > 1.0:
             # CSS Color 4, section 8: a grey in their proportion.
             return FlatColour(name, "HSB", (_hue(v[0]), 0.0, white / (white + black)))
@@ -152,7 +154,7 @@ def _built(kind: str, space: str, v: list[_Number], name: str) -> FlatColour | N
     if kind == "color" and space == "srgb-linear":
         return FlatColour(name, "RGB", tuple(srgb_encode([_plain(x, 1.0) for x in v]).tolist()))
     if kind == "color" and space in ("xyz", "xyz-d65", "xyz-d50"):
-        xyz = tuple(100.0 * _plain(x, 1.0) if x[1] == "%" else unscaled(x[0], 1, 100) for x in v)
+        xyz = tuple(100.0 * _plain(x, 1.0) if x[1] == "%" else unscale_text(x[0], 1, 100) for x in v)
         return FlatColour(name, "XYZ", xyz, "", "D50" if space == "xyz-d50" else "D65", 2)
     return None
 
@@ -164,7 +166,7 @@ def _oklab(lightness: float, a: float, b: float, name: str) -> FlatColour:
     return FlatColour(name, "XYZ", tuple(xyz.tolist()), "", "D65", 2)
 
 
-def css_of(colour: FlatColour) -> str:
+def format_css(colour: FlatColour) -> str:
     """Return a colour in RGB, HSL, CMYK, or Lab, LCh or XYZ of a white that CSS knows, as CSS writes it.
 
     The numbers have every digit; eight-bit sRGB is written as hex.
@@ -178,10 +180,10 @@ def css_of(colour: FlatColour) -> str:
         )
         return f"#{bytes(whole).hex()}" if exact and word == "srgb" else f"color({word} {' '.join(v)})"
     if colour.model == "HSL":
-        return f"hsl({v[0]} {scaled(colour.values[1], 100)}% {scaled(colour.values[2], 100)}%)"
+        return f"hsl({v[0]} {scale_text(colour.values[1], 100)}% {scale_text(colour.values[2], 100)}%)"
     if colour.model == "CMYK":
         return f"device-cmyk({' '.join(v)})"
     if colour.model == "XYZ":
         light = "xyz-d65" if colour.illuminant == "D65" else "xyz-d50"
-        return f"color({light} {' '.join(scaled(value, 1, 100) for value in colour.values)})"
+        return f"color({light} {' '.join(scale_text(value, 1, 100) for value in colour.values)})"
     return f"{colour.model.lower()}({' '.join(v)})"

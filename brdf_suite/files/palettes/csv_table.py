@@ -20,15 +20,15 @@ from brdf_suite.files.exports.csv_table import (
     COLUMN,
     DELIMITERS,
     Table,
-    angles_of,
-    guarded,
+    format_row,
+    guard_formula,
     is_table,
     known_settings,
-    row_of,
-    unguarded,
+    parse_angles,
+    unguard_formula,
 )
 from brdf_suite.files.measured.bounded_reading import number_in
-from brdf_suite.files.palettes.collecting import Collector, decoded
+from brdf_suite.files.palettes.collecting import Collector, decode_text
 from brdf_suite.files.palettes.conversions import as_readings
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
@@ -41,7 +41,7 @@ _FACE = ("L_45", "a_45", "b_45")
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a table; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    text = decoded(content, path, collector)
+    text = decode_text(content, path, collector)
     if not text.strip():
         raise collector.fail("is empty", "line 1")
     delimiter = max(DELIMITERS, key=text.split("\n", 1)[0].count)
@@ -105,9 +105,9 @@ class _Rows:
             place,
             self._flat(row, line) if row.get("model") else self._paint(row, line),  # type: ignore[arg-type]  # paints too
             group=self._group(row.get("group", ""), place),
-            code=unguarded(row.get("code", "")),
+            code=unguard_formula(row.get("code", "")),
             tags=self._tags(row.get("tags", "")),
-            notes=collector.lines(unguarded(row.get("entry_notes", ""))),
+            notes=collector.lines(unguard_formula(row.get("entry_notes", ""))),
             usage=usage,  # type: ignore[arg-type]  # one of its words
             date=row.get("date", "").strip(),
         )
@@ -144,10 +144,10 @@ class _Rows:
             )
         return collector.colour(
             place,
-            collector.name(unguarded(row.get("name", ""))),
+            collector.name(unguard_formula(row.get("name", ""))),
             model,  # type: ignore[arg-type]  # one of its words
             [number_in(collector.path, word, line, "a value") for word in row.get("values", "").split()],
-            space=unguarded(row.get("space", "")),
+            space=unguard_formula(row.get("space", "")),
             illuminant=row.get("illuminant", ""),
             observer_deg=int(observer),
             wavelengths_nm=tuple(
@@ -169,7 +169,7 @@ class _Rows:
         face = "L_45" if "L_45" in read_at else read_at[0]
         lab = [number_in(self._collector.path, row.get(axis + face[1:], "").replace(",", "."), line, axis + face[1:])
                for axis in "Lab"]  # fmt: skip
-        name = self._collector.name(unguarded(row.get("name", "")))
+        name = self._collector.name(unguard_formula(row.get("name", "")))
         return self._collector.colour(f"line {line}", name, "Lab", lab, illuminant="D65", observer_deg=10)
 
 
@@ -179,7 +179,7 @@ def write(palette: Palette) -> bytes:
     labs = dict(zip(map(id, flat), flat_labs(flat), strict=True))
     rows = [_row(entry, labs) for entry in palette]
     names = dict.fromkeys(name for row in rows for name in row) | dict.fromkeys(_FACE)
-    angles = sorted((column for column in names if COLUMN.fullmatch(column)), key=angles_of)
+    angles = sorted((column for column in names if COLUMN.fullmatch(column)), key=parse_angles)
     colours = [axis + column[1:] for column in angles for axis in "Lab"]
     used = [name for name in (*_FIRST, *_FLAT) if name in names or name == "name"]
     settings = sorted(names.keys() - set(colours) - {*_FIRST, *_FLAT, *_LAST, "G20", "G60"})
@@ -196,13 +196,13 @@ def _row(entry: Entry, labs: dict[int, object]) -> dict[str, str]:
     if isinstance(content, FlatColour):
         face = within_paint(labs[id(content)])  # type: ignore[arg-type]  # three numbers
         row = {
-            "name": guarded(content.name),
+            "name": guard_formula(content.name),
             "model": content.model,
             "values": " ".join(map(repr, content.values)),
             **dict(zip(_FACE, map(repr, face), strict=True)),
         }
         if content.space:
-            row["space"] = guarded(content.space)
+            row["space"] = guard_formula(content.space)
         if content.illuminant:
             row["illuminant"] = content.illuminant
         if content.observer_deg:
@@ -210,14 +210,14 @@ def _row(entry: Entry, labs: dict[int, object]) -> dict[str, str]:
         if content.wavelengths_nm:
             row["wavelengths"] = " ".join(map(repr, content.wavelengths_nm))
     else:
-        row = row_of(as_readings(content))
+        row = format_row(as_readings(content))
     own = {
         "group": _joined(entry.group, "/"),
-        "code": guarded(entry.code),
+        "code": guard_formula(entry.code),
         "tags": _joined(entry.tags, ";"),
         "usage": "" if entry.usage == "process" else entry.usage,
         "date": entry.date,
-        "entry_notes": guarded(entry.notes),
+        "entry_notes": guard_formula(entry.notes),
     }
     return {**row, **{name: text for name, text in own.items() if text}}
 

@@ -21,9 +21,9 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import flat_to_json
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.cxf import NAMESPACE, is_cxf
-from brdf_suite.files.exports.cxf3 import attribute, cleaned, fits, object_of, tag_collection
+from brdf_suite.files.exports.cxf3 import attribute, clean_text, fits, tag_collection, write_object
 from brdf_suite.files.exports.format import Spectra, Subject
-from brdf_suite.files.palettes.conversions import as_readings, flat_of
+from brdf_suite.files.palettes.conversions import as_readings, convert_to_flat
 from brdf_suite.files.palettes.cxf3_reading import read
 from brdf_suite.files.palettes.cxf3_tags import (
     CODE,
@@ -95,7 +95,7 @@ def write(palette: Palette) -> bytes:
             if entry.notes:
                 tags[NOTES] = entry.notes
             subject = Subject(paint, paint, spectra=_spectra_of(entry, paint))
-            objects.append(object_of(subject, identity, now, specifications, tags))
+            objects.append(write_object(subject, identity, now, specifications, tags))
     about = {PALETTE: palette.name, NOTES: palette.notes, COLOUR: palette.colour}
     about[COLUMNS] = str(palette.columns) if palette.columns else ""
     if palette.groups:
@@ -136,7 +136,7 @@ def _multiline(text: str) -> str:
 def _text(text: str) -> str:
     from xml.sax.saxutils import escape
 
-    return escape(cleaned(text))
+    return escape(clean_text(text))
 
 
 def _tags(entry: Entry) -> dict[str, str]:
@@ -159,7 +159,7 @@ def _flat_object(
     tags: dict[str, str],
 ) -> str:
     # A changed colour is distinguished from an unchanged one by its Lab, so every object has it.
-    lab = flat_of(entry, ("Lab",))
+    lab = convert_to_flat(entry, ("Lab",))
     shown = [lab, *(c for c in (colour, *colour.others) if c.model != "Lab")]
     values: list[str] = []
     device: list[str] = []

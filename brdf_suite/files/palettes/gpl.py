@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 
 from brdf_suite.documents.palette import Palette
-from brdf_suite.files.palettes.collecting import Collector, decoded
-from brdf_suite.files.palettes.conversions import rgb8_of
+from brdf_suite.files.palettes.collecting import Collector, decode_text
+from brdf_suite.files.palettes.conversions import convert_to_rgb8
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
 _HEAD = "GIMP Palette"
@@ -21,7 +21,7 @@ _LONGEST_LINE = 1 << 20
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a GPL file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    lines = decoded(content, path, collector).replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    lines = decode_text(content, path, collector).replace("\r\n", "\n").replace("\r", "\n").split("\n")
     if lines[0].strip() != _HEAD:
         raise collector.fail(f"does not begin with {_HEAD!r}", "line 1")
     # Counted before any is made; the head may have three lines that are neither.
@@ -82,7 +82,7 @@ def write(palette: Palette) -> bytes:
         lines.append(f"Columns: {min(palette.columns, 255)}")
     lines += [f"# {line}".rstrip() for line in palette.notes.split("\n")]
     for entry in palette:
-        red, green, blue = rgb8_of(entry)
+        red, green, blue = convert_to_rgb8(entry)
         lines.append(f"{red:3d} {green:3d} {blue:3d}\t{entry.name}".rstrip())
     return ("\n".join(lines) + "\n").encode("utf-8", "replace")
 

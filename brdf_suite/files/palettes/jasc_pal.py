@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from brdf_suite.documents.palette import Palette
-from brdf_suite.files.palettes.collecting import Collector, decoded
-from brdf_suite.files.palettes.conversions import rgb8_of
+from brdf_suite.files.palettes.collecting import Collector, decode_text
+from brdf_suite.files.palettes.conversions import convert_to_rgb8
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
 _HEAD = "JASC-PAL"
@@ -16,7 +16,7 @@ _COLOUR = re.compile(r"\s*(\d{1,3})\s+(\d{1,3})\s+(\d{1,3})(?:\s+(\d{1,3}))?\s*"
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a JASC file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    lines = decoded(content, path, collector).replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    lines = decode_text(content, path, collector).replace("\r\n", "\n").replace("\r", "\n").split("\n")
     if lines[0].strip() != _HEAD:
         raise collector.fail(f"does not begin with {_HEAD!r}", "line 1")
     if len(lines) < 3 or lines[1].strip() != "0100":
@@ -49,7 +49,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
 
 def write(palette: Palette) -> bytes:
     """Return the content of a JASC palette; lines end as its program ends them."""
-    rows = ["{} {} {}".format(*rgb8_of(entry)) for entry in palette]
+    rows = ["{} {} {}".format(*convert_to_rgb8(entry)) for entry in palette]
     return "".join(f"{line}\r\n" for line in (_HEAD, "0100", str(len(rows)), *rows)).encode("ascii")
 
 

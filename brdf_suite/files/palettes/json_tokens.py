@@ -19,9 +19,9 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, GroupPath, Palette
 from brdf_suite.documents.palette_store import entry_from_json, entry_to_json
 from brdf_suite.errors import FileError
-from brdf_suite.files.palettes.collecting import Collector, decoded
-from brdf_suite.files.palettes.conversions import flat_of, in_srgb, rgb8_of
-from brdf_suite.files.palettes.css_colour import SPACES, colour_of
+from brdf_suite.files.palettes.collecting import Collector, decode_text
+from brdf_suite.files.palettes.conversions import convert_to_flat, convert_to_rgb8, in_srgb
+from brdf_suite.files.palettes.css_colour import SPACES, parse_colour
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
 _OURS = "brdf-suite"
@@ -35,7 +35,7 @@ _FORBIDDEN = re.compile(r"[{}.$\x00-\x1f]")
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a JSON file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    text = decoded(content, path, collector)
+    text = decode_text(content, path, collector)
     try:
         value = json.loads(text)
     except json.JSONDecodeError as error:
@@ -184,7 +184,7 @@ def _ours(item: dict[str, Any]) -> dict[str, Any]:
 def _colour(value: object) -> tuple[FlatColour, float] | None:
     """The colour in a text of CSS, in three numbers from 0 to 255, or in a token's value."""
     if isinstance(value, str):
-        return colour_of(value)
+        return parse_colour(value)
     if isinstance(value, dict) and isinstance(value.get("components"), list):
         space, items, alpha = value.get("colorSpace"), value["components"], value.get("alpha", 1)
         if not isinstance(space, str) or len(items) != 3 or not all(map(_is_number, (*items, alpha))):
@@ -192,18 +192,18 @@ def _colour(value: object) -> tuple[FlatColour, float] | None:
         words = " ".join("none" if item == "none" else repr(float(item)) for item in items)
         if space in ("hsl", "hwb"):
             hue, *shares = words.split()
-            found = colour_of(f"{space}({hue} {' '.join(f'{share}%' for share in shares)})")
+            found = parse_colour(f"{space}({hue} {' '.join(f'{share}%' for share in shares)})")
         elif space in ("lab", "lch", "oklab", "oklch"):
-            found = colour_of(f"{space}({words})")
+            found = parse_colour(f"{space}({words})")
         else:
-            found = colour_of(f"color({space} {words})")
+            found = parse_colour(f"color({space} {words})")
         return None if found is None else (found[0], float(alpha))
     if (
         isinstance(value, list)
         and len(value) == 3
         and all(type(item) is int and 0 <= item <= 255 for item in value)
     ):
-        return colour_of(f"rgb({value[0]} {value[1]} {value[2]})")
+        return parse_colour(f"rgb({value[0]} {value[1]} {value[2]})")
     return None
 
 
@@ -265,7 +265,7 @@ def _token(entry: Entry, place: int | None) -> dict[str, Any]:
 
 
 def _value(entry: Entry) -> dict[str, Any]:
-    colour = flat_of(entry, _MODELS)
+    colour = convert_to_flat(entry, _MODELS)
     if colour.model != "RGB" or colour.space not in SPACES.values():
         colour = in_srgb(colour)
     values = list(colour.values)
@@ -279,7 +279,7 @@ def _value(entry: Entry) -> dict[str, Any]:
         space = _SPACES[colour.model]
         if colour.model == "HSL":
             values = [values[0], 100.0 * values[1], 100.0 * values[2]]
-    return {"colorSpace": space, "components": values, "hex": f"#{bytes(rgb8_of(entry)).hex()}"}
+    return {"colorSpace": space, "components": values, "hex": f"#{bytes(convert_to_rgb8(entry)).hex()}"}
 
 
 def _sniff(head: bytes, _size: int) -> bool:

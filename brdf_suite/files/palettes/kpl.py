@@ -16,10 +16,10 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.cxf_specification import number
 from brdf_suite.files.hardened_xml import Element
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import flat_of
+from brdf_suite.files.palettes.conversions import convert_to_flat
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
-from brdf_suite.files.palettes.xml_writing import attribute, root_named
-from brdf_suite.files.palettes.zipped import in_part, is_zip, packed, unpack
+from brdf_suite.files.palettes.xml_writing import attribute, read_root
+from brdf_suite.files.palettes.zipped import in_part, is_zip, pack_zip, unpack
 
 _MIMETYPES = (b"krita/x-colorset", b"application/x-krita-palette")
 _COLOURS, _PROFILES = "colorset.xml", "profiles.xml"
@@ -40,7 +40,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         raise FileError(path, f"has no part {_COLOURS!r}", "byte 0")
     try:
         collector = Collector(path)
-        root = root_named(parts[_COLOURS], path, "ColorSet")
+        root = read_root(parts[_COLOURS], path, "ColorSet")
         return _Reader(root, collector).palette(_kept_profiles(parts, collector))
     except FileError as error:
         raise in_part(error, _COLOURS) from error
@@ -195,7 +195,7 @@ def write(palette: Palette) -> bytes:
             profile = _profile(value)
             if profile is not None:
                 parts[name] = profile
-    return packed(parts, stored="mimetype")
+    return pack_zip(parts, stored="mimetype")
 
 
 def _profile(text: str) -> bytes | None:
@@ -230,7 +230,7 @@ def _place(entry: Entry) -> tuple[int, int] | None:
 
 
 def _entry(entry: Entry, place: tuple[int, int]) -> str:
-    colour = flat_of(entry, ("RGB", "CMYK", "Lab", "Gray"))
+    colour = convert_to_flat(entry, ("RGB", "CMYK", "Lab", "Gray"))
     space = colour.space or _SPACES.get(colour.model, "")
     values = zip(_CHANNELS[colour.model], colour.values, strict=True)
     numbers = " ".join(f'{channel}="{value!r}"' for channel, value in values)

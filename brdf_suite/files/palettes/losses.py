@@ -15,7 +15,7 @@ from brdf_suite.files.palettes.own import FORMAT as OWN
 _SAME = 1e-9
 
 
-def encoded(palette: Palette, known: PaletteFormat) -> bytes:
+def encode_palette(palette: Palette, known: PaletteFormat) -> bytes:
     """Return the content of a palette's file in a format.
 
     Raises
@@ -28,7 +28,7 @@ def encoded(palette: Palette, known: PaletteFormat) -> bytes:
     return known.write(palette)
 
 
-def losses_of(palette: Palette, known: PaletteFormat, content: bytes, path: PathLike) -> tuple[str, ...]:
+def find_losses(palette: Palette, known: PaletteFormat, content: bytes, path: PathLike) -> tuple[str, ...]:
     """Return what of a palette is missing or changed in the content of its file, in sentences.
 
     Raises
@@ -38,7 +38,7 @@ def losses_of(palette: Palette, known: PaletteFormat, content: bytes, path: Path
     """
     many = len(palette) > collecting.MOST_COLOURS
     try:
-        with collecting.written_here():
+        with collecting.allow_palette_size():
             back, _ = known.read(content, path)
     except FileError as error:
         if not many:

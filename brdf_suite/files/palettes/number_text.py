@@ -9,8 +9,8 @@ _LONGEST = 60
 """Characters; a longer text is no number that a program wrote, and counts as the number that it is near."""
 
 
-def scaled(value: float, up: int, down: int = 1) -> str:
-    """Return ``value * up / down``; :func:`unscaled` of it is ``value``, to the last bit.
+def scale_text(value: float, up: int, down: int = 1) -> str:
+    """Return ``value * up / down``; :func:`unscale_text` of it is ``value``, to the last bit.
 
     The text has as many digits as that takes, most often no more than the number itself.
 
@@ -19,10 +19,10 @@ def scaled(value: float, up: int, down: int = 1) -> str:
     """
     product = _EXACT.divide(_EXACT.multiply(Decimal(value), Decimal(up)), Decimal(down))
     short = repr(float(product))
-    return short if unscaled(short, up, down) == value else f"{product:.25g}"
+    return short if unscale_text(short, up, down) == value else f"{product:.25g}"
 
 
-def unscaled(text: str, up: int, down: int = 1) -> float:
+def unscale_text(text: str, up: int, down: int = 1) -> float:
     """Return the number of which a text is ``up / down`` times as much; the text must be a finite number."""
     if len(text) <= _LONGEST:
         try:

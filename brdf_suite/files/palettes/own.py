@@ -6,7 +6,7 @@ import re
 
 from brdf_suite.documents.flat_colour import MODELS
 from brdf_suite.documents.palette import Palette
-from brdf_suite.documents.palette_store import PALETTE_ENDING, encode_palette, palette_of_bytes
+from brdf_suite.documents.palette_store import PALETTE_ENDING, encode_palette, palette_from_bytes
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
 _HEAD = re.compile(rb'\s*\{\s*"format"\s*:\s*"brdfpalette"')
@@ -14,7 +14,7 @@ _HEAD = re.compile(rb'\s*\{\s*"format"\s*:\s*"brdfpalette"')
 
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a ``.brdfpalette`` file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
-    return palette_of_bytes(content, path), ()
+    return palette_from_bytes(content, path), ()
 
 
 FORMAT = PaletteFormat(

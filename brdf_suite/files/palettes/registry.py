@@ -35,7 +35,7 @@ from brdf_suite.files.palettes import (
     soc,
 )
 from brdf_suite.files.palettes.format import LARGEST, PaletteFormat, PathLike, ReadPalette, WrittenPalette
-from brdf_suite.files.palettes.losses import encoded, losses_of
+from brdf_suite.files.palettes.losses import encode_palette, find_losses
 
 FORMATS: tuple[PaletteFormat, ...] = (
     own.FORMAT,
@@ -60,7 +60,7 @@ FORMATS: tuple[PaletteFormat, ...] = (
 _HEAD = 1 << 16
 
 
-def format_named(name: str) -> PaletteFormat:
+def find_format(name: str) -> PaletteFormat:
     """Return the format of a short name; :class:`SuiteError` where there is none."""
     for known in FORMATS:
         if known.name == name:
@@ -134,7 +134,7 @@ def losses(palette: Palette, known: PaletteFormat, path: PathLike = "") -> tuple
     SuiteError
         It cannot be written in that format at all.
     """
-    return losses_of(palette, known, encoded(palette, known), path or f"the {known.title} file")
+    return find_losses(palette, known, encode_palette(palette, known), path or f"the {known.title} file")
 
 
 def write_palette(palette: Palette, path: PathLike, known: PaletteFormat | None = None) -> WrittenPalette:
@@ -147,8 +147,8 @@ def write_palette(palette: Palette, path: PathLike, known: PaletteFormat | None 
     """
     if known is None:
         known = format_for(path)
-    content = encoded(palette, known)
-    lost = losses_of(palette, known, content, path)
+    content = encode_palette(palette, known)
+    lost = find_losses(palette, known, content, path)
     write_atomically(path, content)
     return WrittenPalette(known, len(content), lost)
 

@@ -10,7 +10,7 @@ import struct
 from brdf_suite.documents.palette import Foreign, Palette
 from brdf_suite.files.palettes.byte_cursor import ByteCursor
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import rgb8_of
+from brdf_suite.files.palettes.conversions import convert_to_rgb8
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
 
 _VERSION = 0x0300
@@ -69,7 +69,7 @@ def write(palette: Palette) -> bytes:
     rows = []
     for entry in palette:
         flags = dict(entry.foreign).get(_FLAGS, "0")
-        rows.append(bytes((*rgb8_of(entry), int(flags) & 0xFF if flags.isdecimal() else 0)))
+        rows.append(bytes((*convert_to_rgb8(entry), int(flags) & 0xFF if flags.isdecimal() else 0)))
     data = struct.pack("<HH", _VERSION, len(rows)) + b"".join(rows)
     body = b"PAL data" + struct.pack("<I", len(data)) + data
     return b"RIFF" + struct.pack("<I", len(body)) + body

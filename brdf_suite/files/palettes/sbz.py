@@ -15,11 +15,11 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.cxf_specification import number
 from brdf_suite.files.hardened_xml import Element
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import flat_of, in_srgb
+from brdf_suite.files.palettes.conversions import convert_to_flat, in_srgb
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
-from brdf_suite.files.palettes.number_text import scaled, unscaled
-from brdf_suite.files.palettes.xml_writing import attribute, root_named, text_content
-from brdf_suite.files.palettes.zipped import in_part, is_zip, packed, unpack
+from brdf_suite.files.palettes.number_text import scale_text, unscale_text
+from brdf_suite.files.palettes.xml_writing import attribute, read_root, text_content
+from brdf_suite.files.palettes.zipped import in_part, is_zip, pack_zip, unpack
 
 _BOOK = "swatchbook.xml"
 _DC = "http://purl.org/dc/elements/1.1/"
@@ -55,7 +55,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         collector = Collector(path)
         if len(parts) > 1:
             collector.note(f"{len(parts) - 1} parts of the file that are no colours (profiles) are left out.")
-        return _Reader(root_named(parts[_BOOK], path, "SwatchBook"), collector).palette()
+        return _Reader(read_root(parts[_BOOK], path, "SwatchBook"), collector).palette()
     except FileError as error:
         raise in_part(error, _BOOK) from error
 
@@ -172,9 +172,9 @@ class _Reader:
         texts = element.text.split()[:20]
         values = [number(element, text, collector.path, "a value") for text in texts]
         if model in ("HSB", "HSL") and values:
-            values[0] = unscaled(texts[0], 1, 360)
+            values[0] = unscale_text(texts[0], 1, 360)
         elif model == "XYZ":
-            values = [unscaled(text, 1, 100) for text in texts]
+            values = [unscale_text(text, 1, 100) for text in texts]
         white = ("D50", 2) if model in ("Lab", "LCh", "XYZ") else ("", 0)
         space = "sRGB" if word == "sRGB" else element.attributes.get("space", "")
         return collector.colour(
@@ -221,7 +221,7 @@ def write(palette: Palette) -> bytes:
         + _arranged(palette, identifiers)
         + "  </book>\n</SwatchBook>\n"
     )
-    return packed({_BOOK: xml.encode("utf-8")})
+    return pack_zip({_BOOK: xml.encode("utf-8")})
 
 
 def _identifiers(palette: Palette) -> dict[str, str]:
@@ -250,7 +250,7 @@ def _material(entry: Entry, identifier: str) -> str:
 
 
 def _colours(entry: Entry) -> list[FlatColour]:
-    first = flat_of(entry, _NAMES)
+    first = convert_to_flat(entry, _NAMES)
     content = entry.content
     if isinstance(content, FlatColour) and first.values == content.values:
         icc = [o for o in content.others if o.model in _NAMES and (o.illuminant in ("", "D50"))]
@@ -260,9 +260,9 @@ def _colours(entry: Entry) -> list[FlatColour]:
 
 def _shown(entry: Entry) -> str:
     """Numbers in RGB beside those of a model that fewer programs read; this one passes over them."""
-    if flat_of(entry, _NAMES).model not in _SELDOM_READ:
+    if convert_to_flat(entry, _NAMES).model not in _SELDOM_READ:
         return ""
-    numbers = " ".join(repr(value) for value in in_srgb(flat_of(entry, ("RGB",))).values)
+    numbers = " ".join(repr(value) for value in in_srgb(convert_to_flat(entry, ("RGB",))).values)
     return f'      <values model="RGB" space="{_SHOWN}">{numbers}</values>\n'
 
 
@@ -273,9 +273,9 @@ def _values(colour: FlatColour) -> str:
         word, space = "sRGB", ""
     numbers = [repr(value) for value in colour.values]
     if colour.model in ("HSB", "HSL"):
-        numbers[0] = scaled(colour.values[0], 1, 360)
+        numbers[0] = scale_text(colour.values[0], 1, 360)
     elif colour.model == "XYZ":
-        numbers = [scaled(value, 1, 100) for value in colour.values]
+        numbers = [scale_text(value, 1, 100) for value in colour.values]
     return f'      <values model="{word}"{space}>{" ".join(numbers)}</values>\n'
 
 

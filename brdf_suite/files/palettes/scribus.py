@@ -15,10 +15,10 @@ from brdf_suite.documents.palette import Entry, Foreign, Palette, Usage
 from brdf_suite.files.cxf_specification import number
 from brdf_suite.files.hardened_xml import Element
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import plain_of, rgb8_of
+from brdf_suite.files.palettes.conversions import convert_to_plain, convert_to_rgb8
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
-from brdf_suite.files.palettes.number_text import scaled, unscaled
-from brdf_suite.files.palettes.xml_writing import attribute, mentions, root_named
+from brdf_suite.files.palettes.number_text import scale_text, unscale_text
+from brdf_suite.files.palettes.xml_writing import attribute, mentions, read_root
 
 _ROOT = "SCRIBUSCOLORS"
 _HEX = re.compile("#?((?:[0-9a-fA-F]{2})+)")
@@ -29,7 +29,7 @@ _TRUE = ("1", "true", "yes")
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a Scribus file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    root = root_named(content, path, _ROOT)
+    root = read_root(content, path, _ROOT)
     collector.check_count(len(root.children), f"line {root.line}")
     for element in root.children:
         if element.name != "COLOR":
@@ -55,7 +55,7 @@ def _colour(element: Element, collector: Collector, place: str) -> FlatColour:
         texts = [given[key].strip() for key in keys]
         for key, text in zip(keys, texts, strict=True):
             number(element, text, collector.path, key)  # so that invalid numbers are reported with their line
-        return [unscaled(text, scale) for text in texts]
+        return [unscale_text(text, scale) for text in texts]
 
     if space == "CMYK":
         return collector.colour(place, name, "CMYK", numbers("CMYK", 100))
@@ -85,13 +85,17 @@ def write(palette: Palette) -> bytes:
 
 
 def _attributes(entry: Entry) -> str:
-    colour = plain_of(entry, ("RGB", "CMYK", "Lab"))
+    colour = convert_to_plain(entry, ("RGB", "CMYK", "Lab"))
     # In bytes for all readers, and with every digit for those that know how, where bytes are not enough.
     model = "CMYK" if colour.model == "CMYK" else "RGB"
     if colour.model == "CMYK":
         whole = [round(255.0 * value) for value in colour.values]
     else:
-        whole = list(rgb8_of(entry)) if colour.model == "Lab" else [_byte(value) for value in colour.values]
+        whole = (
+            list(convert_to_rgb8(entry))
+            if colour.model == "Lab"
+            else [_byte(value) for value in colour.values]
+        )
     keys = f'{model}="#{bytes(whole).hex()}"'
     if colour.model == "Lab":
         keys += ' SPACE="Lab" ' + " ".join(
@@ -100,7 +104,9 @@ def _attributes(entry: Entry) -> str:
     elif any(value != byte / 255.0 for value, byte in zip(colour.values, whole, strict=True)):
         scale = 100 if colour.model == "CMYK" else 255
         numbers = zip(colour.model, colour.values, strict=True)
-        keys += f' SPACE="{colour.model}" ' + " ".join(f'{key}="{scaled(v, scale)}"' for key, v in numbers)
+        keys += f' SPACE="{colour.model}" ' + " ".join(
+            f'{key}="{scale_text(v, scale)}"' for key, v in numbers
+        )
     spot = int(entry.usage == "spot")
     register = int((_REGISTER, "1") in entry.foreign)
     return f'NAME={attribute(entry.name)} {keys} Spot="{spot}" Register="{register}"'

@@ -9,9 +9,9 @@ import re
 
 from brdf_suite.documents.palette import Palette
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import rgb8_of
+from brdf_suite.files.palettes.conversions import convert_to_rgb8
 from brdf_suite.files.palettes.format import PaletteFormat, PathLike
-from brdf_suite.files.palettes.xml_writing import attribute, mentions, root_named
+from brdf_suite.files.palettes.xml_writing import attribute, mentions, read_root
 
 _HEX = re.compile("#?([0-9a-fA-F]{2})([0-9a-fA-F]{2})([0-9a-fA-F]{2})")
 _NAMESPACES = (
@@ -26,7 +26,7 @@ _NAMESPACES = (
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a colour table; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    root = root_named(content, path, "color-table")
+    root = read_root(content, path, "color-table")
     collector.check_count(len(root.children), f"line {root.line}")
     for element in root.children:
         place = f"line {element.line}"
@@ -47,7 +47,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
 def write(palette: Palette) -> bytes:
     """Return the content of a colour table."""
     rows = "".join(
-        f'  <draw:color draw:name={attribute(entry.name)} draw:color="#{bytes(rgb8_of(entry)).hex()}"/>\n'
+        f'  <draw:color draw:name={attribute(entry.name)} draw:color="#{bytes(convert_to_rgb8(entry)).hex()}"/>\n'
         for entry in palette
     )
     text = (

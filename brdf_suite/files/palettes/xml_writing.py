@@ -21,7 +21,7 @@ def text_content(text: str) -> str:
     return escape(_NO_XML.sub("\ufffd", text))
 
 
-def root_named(data: bytes, path: PathLike, *names: str) -> Element:
+def read_root(data: bytes, path: PathLike, *names: str) -> Element:
     """Return the root of an XML file, which must have one of these local names.
 
     Raises

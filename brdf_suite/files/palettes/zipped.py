@@ -69,7 +69,7 @@ def unpack(content: bytes, path: PathLike) -> dict[str, bytes]:
     return found
 
 
-def packed(parts: dict[str, bytes], *, stored: str = "") -> bytes:
+def pack_zip(parts: dict[str, bytes], *, stored: str = "") -> bytes:
     """Return a zip file of these parts, the one called ``stored`` as it is; the same parts give the same bytes."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:

@@ -34,7 +34,7 @@ from brdf_suite.errors import FileError, FittingError, SuiteError, UnreachableEr
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.layers import split_layers
 from brdf_suite.reflectance.protocol import Layered
 
 FloatArray = NDArray[np.float64]
@@ -85,7 +85,7 @@ def coat_rings() -> tuple[CoatSamples, NDArray[np.intp]]:
     return fine, np.asarray(np.searchsorted(fine.gamma_rad, radii))
 
 
-def targets_of(name: str, paint: Layered) -> PaintTargets:
+def sample_targets(name: str, paint: Layered) -> PaintTargets:
     """Sample a paint of two layers; errors of its evaluation pass."""
     base_samples, coat_samples = BaseSamples(), CoatSamples()
     fine, at = coat_rings()
@@ -166,17 +166,17 @@ def load_database(folder: Path) -> Database:
             raise FileError(path, "another paint of the database has the same file name")
         try:
             paint = load_any_paint(path)
-            layers = layered(build_reflectance(paint))
+            layers = split_layers(build_reflectance(paint))
         except FileError:
             raise
         except SuiteError as error:
             raise FileError(path, f"cannot be part of the database: {error}") from error
         if layers is None:
             raise FileError(path, "cannot be part of the database: nothing divides it into coat and base")
-        paints[name] = targets_of(name, layers)
+        paints[name] = sample_targets(name, layers)
         edit = _edited(paint, EDITS[number % len(EDITS)])
         if edit is not None:
-            paints[f"{name}, edited"] = targets_of(f"{name}, edited", edit)
+            paints[f"{name}, edited"] = sample_targets(f"{name}, edited", edit)
     return Database(tuple(paints.values()), digest)
 
 
@@ -227,14 +227,14 @@ def _edited(paint: AnyPaint, share: float) -> Layered | None:
     if abs(lightness - middle[0]) < LEAST_EDIT:
         return None
     try:
-        return layered(build_reflectance(paint.with_lab(MEASURED_DEG[1], (lightness, *middle[1:]))))
+        return split_layers(build_reflectance(paint.with_lab(MEASURED_DEG[1], (lightness, *middle[1:]))))
     except UnreachableError:  # the edit is one that Designer refuses
         return None
 
 
 def reflectances(paints: Mapping[str, Layered]) -> Database:
     """Return a database of reflectances that come from no file; its hash is that of the samples."""
-    targets = tuple(targets_of(name, paint) for name, paint in paints.items())
+    targets = tuple(sample_targets(name, paint) for name, paint in paints.items())
     digest = hashlib.sha256()
     for paint in targets:
         digest.update(paint.name.encode() + b"\0" + paint.base.tobytes() + paint.coat.tobytes())

@@ -22,9 +22,9 @@ import numpy.typing as npt
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
 from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
-from brdf_suite.fitting.cook_torrance.samples import LobeSamples, checked_samples
+from brdf_suite.fitting.cook_torrance.samples import LobeSamples, check_samples
 from brdf_suite.fitting.cook_torrance.settings import Settings
-from brdf_suite.fitting.cook_torrance.shapes import inverse_index_of
+from brdf_suite.fitting.cook_torrance.shapes import inverse_index
 from brdf_suite.fitting.cook_torrance.solve import COARSE, FINE, FitProblem, final_cost, search
 from brdf_suite.fitting.cook_torrance.starts import starts
 from brdf_suite.fitting.cook_torrance.uncertainty import standard_errors
@@ -97,11 +97,11 @@ def fit_lobes(
     [0.055, 0.063, 0.071]
     """
     settings = settings or Settings()
-    samples = checked_samples(wi, wo, values, weights, settings.grazing_deg)
-    return fit_checked(samples, settings, kept=kept, progress=progress)
+    samples = check_samples(wi, wo, values, weights, settings.grazing_deg)
+    return fit_checked_samples(samples, settings, kept=kept, progress=progress)
 
 
-def fit_checked(
+def fit_checked_samples(
     samples: LobeSamples,
     settings: Settings,
     *,
@@ -138,7 +138,7 @@ def fit_checked(
     return CookTorranceFit(model, best, settings, errors, whole, dropped)
 
 
-def key_of(samples: LobeSamples, settings: Settings) -> str:
+def fit_key(samples: LobeSamples, settings: Settings) -> str:
     """Return a name of the fit of these samples with these settings, for what is kept of it."""
     digest = hashlib.sha256(repr((VERSION, settings)).encode())
     for array in (samples.wi, samples.wo, samples.logs, samples.known, samples.weights):
@@ -150,7 +150,7 @@ def _search_from_starts(
     few: FitProblem, settings: Settings, kept: KeptStarts | None, progress: Progress | None
 ) -> list[Vector]:
     report(progress, 0.0, "starts")
-    key = key_of(few.samples, settings) if kept is not None else ""
+    key = fit_key(few.samples, settings) if kept is not None else ""
     ends: dict[int, list[float]] = {}
     if kept is not None:
         found = kept.load(key)
@@ -221,10 +221,10 @@ def _other_reflectances(
                 continue
             place = model.m_at(lobe) + 1
             for r in _JUMPS:
-                if abs(inverse_index_of(r) - best[place]) < 0.05:
+                if abs(inverse_index(r) - best[place]) < 0.05:
                     continue
                 x = best.copy()
-                x[place] = inverse_index_of(r)
+                x[place] = inverse_index(r)
                 x = search(few, x, settings.loss, (0.1,), _JUMP_STEPS, steps.tick)
                 # Most fall back to where they came from, or to where another fell.
                 if all(

@@ -26,8 +26,8 @@ from brdf_suite.fitting.cook_torrance.shapes import (
     beckmann,
     fresnel,
     ggx,
-    inverse_index_of,
-    reflectance_of,
+    inverse_index,
+    reflectance_from_inverse_index,
 )
 from brdf_suite.geometry.directions import Floats
 
@@ -95,7 +95,7 @@ class LobeModel:
                 high[m] = math.log(MOST_COAT_M)
                 low[m + 1], high[m + 1] = 1.0 / MOST_COAT_INDEX, 1.0 / LEAST_COAT_INDEX
             else:
-                low[m + 1], high[m + 1] = 0.0, inverse_index_of(LEAST_R)
+                low[m + 1], high[m + 1] = 0.0, inverse_index(LEAST_R)
         return low, high
 
     def vector(self, kd: npt.ArrayLike, ks: npt.ArrayLike, m: npt.ArrayLike, r: npt.ArrayLike) -> Vector:
@@ -108,7 +108,7 @@ class LobeModel:
             if not self._is_coat(lobe):
                 x[self.weights_at(lobe)] = np.log(np.maximum(weights[lobe] * reflected[lobe], LEAST_WEIGHT))
             x[place] = math.log(slopes[lobe])
-            x[place + 1] = inverse_index_of(float(reflected[lobe]))
+            x[place + 1] = inverse_index(float(reflected[lobe]))
         return np.clip(x, *self.bounds())
 
     def values(self, x: Vector) -> tuple[Floats, Floats, Floats, Floats]:
@@ -117,7 +117,7 @@ class LobeModel:
         ks, m, r = np.empty((self.lobes, 3)), np.empty(self.lobes), np.empty(self.lobes)
         for lobe in range(self.lobes):
             place = self.m_at(lobe)
-            m[lobe], r[lobe] = math.exp(x[place]), reflectance_of(float(x[place + 1]))
+            m[lobe], r[lobe] = math.exp(x[place]), reflectance_from_inverse_index(float(x[place + 1]))
             ks[lobe] = 0.25 if self._is_coat(lobe) else _weight(x[self.weights_at(lobe)]) / r[lobe]
         return kd, ks, m, r
 
@@ -213,7 +213,7 @@ class LobeModel:
                 parts[1 + lobe] = 0.25 / math.pi * share * np.exp(shape)
             else:
                 by_e += 4.0 / (1.0 - e * e)
-                heights = np.exp(x[self.weights_at(lobe)]) / (math.pi * reflectance_of(e))
+                heights = np.exp(x[self.weights_at(lobe)]) / (math.pi * reflectance_from_inverse_index(e))
                 parts[1 + lobe] = heights[:, None] * (share * np.exp(shape))
             if slopes is not None:
                 at = 1 + 3 * lobe

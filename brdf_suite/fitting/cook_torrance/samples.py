@@ -105,7 +105,7 @@ class LobeSamples:
         return self.part(spread(*half_and_difference(self.wi, self.wo), most, seed))
 
 
-def checked_samples(
+def check_samples(
     wi: npt.ArrayLike,
     wo: npt.ArrayLike,
     values: npt.ArrayLike,

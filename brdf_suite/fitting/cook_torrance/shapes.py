@@ -91,7 +91,7 @@ def fresnel(cosine: Floats, e: float) -> tuple[Floats, Floats]:
     return 0.5 * a * a * whole, a * (d_a * whole + a * b * d_b)
 
 
-def reflectance_of(e: float) -> float:
+def reflectance_from_inverse_index(e: float) -> float:
     """Return r, F along the normal, of e = 1/n.
 
     >>> round(reflectance_of(1.0 / 1.5), 9)
@@ -100,7 +100,7 @@ def reflectance_of(e: float) -> float:
     return ((1.0 - e) / (1.0 + e)) ** 2
 
 
-def inverse_index_of(r: float) -> float:
+def inverse_index(r: float) -> float:
     """Return e = 1/n of a reflectance ``r`` along the normal, 0 to 1.
 
     >>> round(1.0 / inverse_index_of(0.04), 9)

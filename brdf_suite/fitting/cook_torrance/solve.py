@@ -146,10 +146,10 @@ def final_cost(problem: FitProblem, x: Vector, loss: Loss) -> Cost:
 
 def robust_width(problem: FitProblem, x: Vector) -> float:
     """Return the width beyond which a residual counts as an outlier."""
-    return _CAUCHY * max(spread_of(problem, x), _LEAST_SCALE)
+    return _CAUCHY * max(estimate_spread(problem, x), _LEAST_SCALE)
 
 
-def spread_of(problem: FitProblem, x: Vector) -> float:
+def estimate_spread(problem: FitProblem, x: Vector) -> float:
     """Return the standard deviation of the residuals estimated from their median size, robust to outliers."""
     known = problem.samples.known
     return float(np.median(np.abs(problem.residuals(x)[known]))) / _MEDIAN

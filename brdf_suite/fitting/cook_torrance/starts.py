@@ -17,7 +17,12 @@ import numpy.typing as npt
 
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
 from brdf_suite.fitting.cook_torrance.samples import LobeSamples
-from brdf_suite.fitting.cook_torrance.shapes import Terms, fresnel, inverse_index_of, reflectance_of
+from brdf_suite.fitting.cook_torrance.shapes import (
+    Terms,
+    fresnel,
+    inverse_index,
+    reflectance_from_inverse_index,
+)
 from brdf_suite.fitting.cook_torrance.solve import products
 from brdf_suite.geometry.directions import Floats
 
@@ -34,7 +39,7 @@ _APART = 2
 def starts(model: LobeModel, samples: LobeSamples, terms: Terms, count: int, seed: int) -> list[Vector]:
     """Return ``count`` vectors (p,) from which to search; the same for the same arguments."""
     rng = np.random.default_rng(seed)
-    found = [_weighted(model, samples, terms, slopes_of_profile(samples, terms, model.lobes), _middle(model))]
+    found = [_weighted(model, samples, terms, estimate_slopes(samples, terms, model.lobes), _middle(model))]
     if count == 1:
         return found
     sets = _best_sets(model, samples, terms, (count + 1) // 2, rng)
@@ -48,7 +53,7 @@ def starts(model: LobeModel, samples: LobeSamples, terms: Terms, count: int, see
     return found
 
 
-def slopes_of_profile(samples: LobeSamples, terms: Terms, lobes: int) -> Floats:
+def estimate_slopes(samples: LobeSamples, terms: Terms, lobes: int) -> Floats:
     """Return m (lobes,), falling, from the slopes of the profile's logarithm against tan²θh."""
     grey = np.maximum(np.exp(_grey(samples)) - samples.added, 1e-30) * math.pi
     order = np.argsort(terms.tan2_h)
@@ -85,7 +90,7 @@ def _columns(model: LobeModel, terms: Terms, slopes: Floats, reflected: Floats) 
     """Return (n, 1 + k): f_r of the matt part of kd = 1 and of lobes of a = 1."""
     rows = [np.full(len(terms.cos_d), 1.0 / math.pi)]
     for m, r in zip(slopes.tolist(), reflected.tolist(), strict=True):
-        share = fresnel(terms.cos_d, inverse_index_of(r))[0] / r
+        share = fresnel(terms.cos_d, inverse_index(r))[0] / r
         rows.append(share * np.exp(model.shape(terms, math.log(m))[0]) / math.pi)
     return np.stack(rows, axis=-1)
 
@@ -145,5 +150,5 @@ def _weighted(
         kd[channel] = weights[0]
         count = len(weights) - 1
         ks[:count, channel] = weights[1:] / reflected[:count]
-    e = [reflectance_of(inverse_index_of(r)) for r in reflected.tolist()]
+    e = [reflectance_from_inverse_index(inverse_index(r)) for r in reflected.tolist()]
     return model.vector(kd, ks, m, e)

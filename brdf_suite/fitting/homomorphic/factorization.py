@@ -66,7 +66,7 @@ class Factorization:
         return sum(values.size for values in self.logs.values()) + self.alpha.size
 
 
-def normalized(factors: tuple[Factor, ...], logs: Mapping[str, Floats], scale: Floats) -> Factorization:
+def normalize_maps(factors: tuple[Factor, ...], logs: Mapping[str, Floats], scale: Floats) -> Factorization:
     """Return the product of maps with mean logarithm 0, and α (3,) = ``scale`` times what the means held."""
     alpha = np.log(scale)
     centred: dict[str, Floats] = {}

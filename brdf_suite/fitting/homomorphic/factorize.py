@@ -15,8 +15,8 @@ import numpy.typing as npt
 
 from brdf_suite.errors import FittingError, ValueRangeError
 from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints, regularization
-from brdf_suite.fitting.homomorphic.factorization import Factorization, normalized
-from brdf_suite.fitting.homomorphic.projected import averaged, enlarged
+from brdf_suite.fitting.homomorphic.factorization import Factorization, normalize_maps
+from brdf_suite.fitting.homomorphic.projected import average_samples, enlarge_map
 from brdf_suite.fitting.homomorphic.solve import Solver, solve, way_for
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, Factor, parse_factors
@@ -31,7 +31,7 @@ _COARSEST = 8
 
 
 @dataclass(frozen=True, eq=False)
-class Factorized:
+class FactorizationResult:
     """Result of a factorization.
 
     ``product``: the maps. ``mean_correction`` (3,): what α was multiplied by so that the approximation sends back as
@@ -61,7 +61,7 @@ def factorize(
     keep_mean: bool = True,
     solver: Solver = "auto",
     progress: Progress | None = None,
-) -> Factorized:
+) -> FactorizationResult:
     """Factor samples of a reflectance.
 
     Parameters
@@ -116,19 +116,23 @@ def factorize(
         layout = MapLayout.of(chosen, size)
         matrix = constraints(layout, samples.wi, samples.wo)
         if number == 0:
-            start = averaged(matrix, layout, wanted)
+            start = average_samples(matrix, layout, wanted)
         else:
-            start = layout.unknowns({name: enlarged(log, layout.shapes[name]) for name, log in logs.items()})
+            start = layout.unknowns(
+                {name: enlarge_map(log, layout.shapes[name]) for name, log in logs.items()}
+            )
         found = solve(matrix, regularization(layout), smooth, wanted, samples.weights, start, way, step)
         if not np.isfinite(found).all():
             raise FittingError("The factorization has no finite answer; more smoothness may help.")
         logs = layout.maps(found)
-    product = normalized(chosen, logs, scale)
+    product = normalize_maps(chosen, logs, scale)
     correction = np.ones(3)
     if keep_mean:
         report(progress, 0.95, "mean")
-        product, correction = corrected_mean(product, samples.wi, samples.wo, samples.values, samples.weights)
-    return Factorized(product, correction, len(samples.values), samples.left_out, samples.raised, way)
+        product, correction = correct_mean(product, samples.wi, samples.wo, samples.values, samples.weights)
+    return FactorizationResult(
+        product, correction, len(samples.values), samples.left_out, samples.raised, way
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,7 +177,7 @@ def _sizes(resolution: int) -> list[int]:
     return sizes
 
 
-def corrected_mean(
+def correct_mean(
     product: Factorization, wi: Floats, wo: Floats, values: Floats, weights: Floats | None = None
 ) -> tuple[Factorization, Floats]:
     """Return ``product`` with α such that it sends back as much over samples as their ``values``, and by what factor.

@@ -27,7 +27,7 @@ from brdf_suite.fitting.homomorphic.factorization import Factorization
 from brdf_suite.fitting.homomorphic.factorize import (
     DEFAULT_RESOLUTION,
     DEFAULT_SMOOTHNESS,
-    Factorized,
+    FactorizationResult,
     factorize,
 )
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples
@@ -73,7 +73,7 @@ _PEAK_FIT_BIAS = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class WithPeak:
+class FactorizationWithPeak:
     """f_r = ``product`` + ``peak``, in 1/sr; ``peak`` is s(h) F(ω·h), or ``None`` without a peak."""
 
     product: Factorization
@@ -101,7 +101,7 @@ def factorize_with_peak(
     bias: float = PEAK_BIAS,
     weights: npt.ArrayLike | None = None,
     progress: Progress | None = None,
-) -> tuple[WithPeak, Factorized]:
+) -> tuple[FactorizationWithPeak, FactorizationResult]:
     """Factor ``samples`` cut off at ``cut`` times (over 1) the body itself, and what the cut took.
 
     All channels of a sample are cut by one factor, so that what is left keeps its colour. Other arguments as of
@@ -163,7 +163,7 @@ def factorize_with_peak(
         peak = (last or first).product
     raised = int((samples.values[good] < 0.0).any(axis=1).sum())
     result = replace(found, left_out=len(samples) - found.used, raised=raised)
-    return WithPeak(found.product, peak), result
+    return FactorizationWithPeak(found.product, peak), result
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,7 +187,7 @@ class _Body:
 
     def fit(
         self, samples: FactorizationSamples, values: Floats, weights: Floats, progress: Progress | None = None
-    ) -> Factorized:
+    ) -> FactorizationResult:
         return factorize(
             samples.wi,
             samples.wo,

@@ -12,7 +12,7 @@ from brdf_suite.fitting.homomorphic.constraints import MapLayout
 from brdf_suite.geometry.directions import Floats
 
 
-def averaged(matrix: sparse.csr_array, layout: MapLayout, wanted: Floats) -> Floats:
+def average_samples(matrix: sparse.csr_array, layout: MapLayout, wanted: Floats) -> Floats:
     """Return unknowns (n, channels): means of the logarithms ``wanted`` (samples, channels), shared by the factors.
 
     A texel takes the mean of its samples, by their bilinear weights, over the number of factors; one without a sample
@@ -25,7 +25,7 @@ def averaged(matrix: sparse.csr_array, layout: MapLayout, wanted: Floats) -> Flo
     return np.asarray(means / len(layout.factors))
 
 
-def enlarged(values: Floats, shape: tuple[int, ...]) -> Floats:
+def enlarge_map(values: Floats, shape: tuple[int, ...]) -> Floats:
     """Return a map (n, channels) or (n, n, channels) interpolated to ``shape`` texels, centres over the same square."""
     for axis, size in enumerate(shape):
         old = values.shape[axis]

@@ -61,7 +61,7 @@ def even_directions(count: int, rng: np.random.Generator) -> Floats:
     return spherical(np.arccos(height), 2.0 * np.pi * azimuth)
 
 
-def samples_of(
+def sample_reflectance(
     reflectance: Reflectance, pairs: int = DEFAULT_PAIRS, seed: int = DEFAULT_SEED
 ) -> FactorizationSamples:
     """Return the samples of anything that reflects: measured ones of measured data, else ``pairs`` even ones.
@@ -76,10 +76,10 @@ def samples_of(
     """
     rng = np.random.default_rng(seed)
     if isinstance(reflectance, IsotropicTable):
-        return turned(_of_table(reflectance), rng)
+        return rotate_pairs(_of_table(reflectance), rng)
     if isinstance(reflectance, ScatteredSamples):
         found = FactorizationSamples(reflectance.wi, reflectance.wo, reflectance.values)
-        return turned(found, rng) if reflectance.isotropic else found
+        return rotate_pairs(found, rng) if reflectance.isotropic else found
     if not 1 <= pairs <= MOST_PAIRS:
         raise ValueRangeError("pairs", f"1 to {MOST_PAIRS:,} are wanted, not {pairs}")
     wi, wo = even_directions(pairs, rng), even_directions(pairs, rng)
@@ -95,13 +95,13 @@ def samples_near_peak(reflectance: Reflectance, pairs: int, seed: int = DEFAULT_
     root, turn, height, azimuth = rng.random((4, max(pairs, 1)))
     h = spherical(2.0 * np.arctan(root**2), 2.0 * np.pi * turn)
     wi = spherical(np.arccos(height), 2.0 * np.pi * azimuth)
-    wo = warps.mirrored_at(wi, h)
+    wo = warps.mirror_at(wi, h)
     above = wo[:, 2] > 0.0
     wi, wo = wi[above], wo[above]
     return FactorizationSamples(wi, wo, np.asarray(reflectance.eval(wi, wo)))
 
 
-def turned(samples: FactorizationSamples, rng: np.random.Generator) -> FactorizationSamples:
+def rotate_pairs(samples: FactorizationSamples, rng: np.random.Generator) -> FactorizationSamples:
     """Return every pair turned about the normal by an angle of its own."""
     angle = rng.uniform(0.0, 2.0 * np.pi, len(samples))
     cos, sin = np.cos(angle), np.sin(angle)

@@ -23,14 +23,16 @@ STORES: Mapping[str, int] = MappingProxyType({"8-bit": 1, "half": 2, "float": 4}
 
 
 @dataclass(frozen=True)
-class Stored:
+class QuantizedFactorization:
     """A factorization after quantization to textures, and the bytes of all its maps."""
 
     product: Factorization
     texture_bytes: int
 
 
-def stored(product: Factorization, store: Store, *, logarithmic: bool = False) -> Stored:
+def quantize_maps(
+    product: Factorization, store: Store, *, logarithmic: bool = False
+) -> QuantizedFactorization:
     """Return ``product`` after its maps went through textures of ``store``."""
     logs: dict[str, Floats] = {}
     alpha = product.alpha.copy()
@@ -47,7 +49,7 @@ def stored(product: Factorization, store: Store, *, logarithmic: bool = False) -
             logs[name] = np.log(kept)
             alpha *= np.exp(top * sum(factor.name == name for factor in product.factors))
     count = sum(values.size for values in product.logs.values())
-    return Stored(Factorization(product.factors, logs, alpha), count * STORES[store])
+    return QuantizedFactorization(Factorization(product.factors, logs, alpha), count * STORES[store])
 
 
 def _read(product: Factorization, name: str) -> npt.NDArray[np.bool_]:

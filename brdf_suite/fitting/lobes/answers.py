@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.program import PartProgram
-from brdf_suite.fitting.lobes.refine import refined
+from brdf_suite.fitting.lobes.refine import refine_vertex
 from brdf_suite.fitting.lobes.solver import BlockSolution
 
 if TYPE_CHECKING:  # 3 ms with the logging that it loads, on the start-up path of programs that may not fit
@@ -58,7 +58,7 @@ class NormalizedTargets:
         return None if self.factors is None else self.factors[part]
 
 
-def request_of(
+def normalize_targets(
     parts: Sequence[PartProgram],
     channels: int,
     targets: Sequence[FloatArray],
@@ -102,7 +102,7 @@ def optimal_answer(
     """Return the answer of a solver that has come to its end, and the solutions of size 1 for the next start."""
     kept, errors = [], []
     for k, part in enumerate(parts):
-        solution, error = refined(
+        solution, error = refine_vertex(
             part, held.solutions[k], held.duals[k], request.targets[k], request.factors_of(k)
         )
         kept.append(solution)
@@ -119,10 +119,10 @@ def optimum(
         solutions = [np.where(on, x, 0.0) for on, x in zip(lit, solutions, strict=True)]
         errors = [np.where(on, e, 0.0) for on, e in zip(lit, errors, strict=True)]
     names = tuple((OPTIMUM,) * target.shape[1] for target in request.targets)
-    return scaled_back(request, solutions, errors, names, True, iterations), tuple(solutions)
+    return rescale_solutions(request, solutions, errors, names, True, iterations), tuple(solutions)
 
 
-def scaled_back(
+def rescale_solutions(
     request: NormalizedTargets,
     solutions: Sequence[FloatArray],
     errors: Sequence[FloatArray],

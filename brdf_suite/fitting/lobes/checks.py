@@ -18,7 +18,7 @@ CHANNELS = ("red", "green", "blue")
 BRIGHTEST = 1e100
 
 
-def checked_targets(
+def check_targets(
     subject: str,
     values: npt.ArrayLike,
     shape: tuple[int, ...],
@@ -50,14 +50,14 @@ def checked_targets(
     )
 
 
-def checked_limit(seconds: float) -> float:
+def check_limit(seconds: float) -> float:
     """Return the time limit of a fit, or raise a FittingError where it is not a positive number of seconds."""
     if not (math.isfinite(seconds) and seconds > 0.0):
         raise FittingError(f"The time limit of a fit is {seconds:g} s; it must be more than 0.")
     return float(seconds)
 
 
-def checked_ior(ior: float) -> float:
+def check_ior(ior: float) -> float:
     """Return the refractive index of a coat, or raise a FittingError where it is not a number from 1 on."""
     if not (math.isfinite(ior) and ior >= 1.0):
         raise FittingError(f"The refractive index of the coat is {ior:g}; it must be 1 or more.")

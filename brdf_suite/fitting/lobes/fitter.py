@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.answers import LimitedSolution
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
-from brdf_suite.fitting.lobes.checks import checked_ior, checked_limit, checked_targets
+from brdf_suite.fitting.lobes.checks import check_ior, check_limit, check_targets
 from brdf_suite.fitting.lobes.layer_programs import base_program, coat_program, with_energy
 from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
 from brdf_suite.fitting.lobes.weighting import (
     Weighting,
-    checked_weighting,
+    check_weighting,
     relative_factors,
     ring_solid_angles,
 )
@@ -127,8 +127,8 @@ class LobeFitter:
         diffuse: Diffuse = "joint",
         diffuse_gamma_deg: float = DIFFUSE_GAMMA_DEG,
     ) -> None:
-        self.time_limit_s = checked_limit(time_limit_s)
-        checked_weighting(weighting)
+        self.time_limit_s = check_limit(time_limit_s)
+        check_weighting(weighting)
         if diffuse not in get_args(Diffuse):
             raise FittingError(
                 f"There is no way {diffuse!r} for the diffuse term; choose 'joint' or 'measured'."
@@ -217,7 +217,7 @@ class LobeFitter:
         measured. Raises :class:`FittingError` for a negative or not finite sample, and for an index below 1.
         """
         start = time.perf_counter()
-        over = _Coat(checked_ior(ior), base_under_coat)
+        over = _Coat(check_ior(ior), base_under_coat)
         base = _checked("The base", base, self.base_samples.gamma_rad)
         coat = _checked("The coat", coat, self.coat_samples.gamma_rad)
         return self._solve(base, coat, over, start + self.time_limit_s, start, sampling_seconds)
@@ -297,4 +297,4 @@ def _checked(subject: str, values: FloatArray, gamma_rad: FloatArray) -> FloatAr
     def where(sample: tuple[int, ...]) -> str:
         return f"at the aspecular angle {np.rad2deg(gamma_rad[sample]):.4g}°"
 
-    return checked_targets(subject, values, (gamma_rad.size, 3), where)
+    return check_targets(subject, values, (gamma_rad.size, 3), where)

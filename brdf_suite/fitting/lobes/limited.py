@@ -28,10 +28,10 @@ from numpy.typing import NDArray
 from brdf_suite.fitting.lobes.answers import (
     LimitedSolution,
     NormalizedTargets,
+    normalize_targets,
     optimal_answer,
     optimum,
-    request_of,
-    scaled_back,
+    rescale_solutions,
 )
 from brdf_suite.fitting.lobes.background import MOST_TRIES, BackgroundSolver
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
@@ -130,10 +130,10 @@ class LimitedSolver:
         Raises
         ------
         FittingError
-            See :func:`~brdf_suite.fitting.lobes.answers.request_of`.
+            See :func:`~brdf_suite.fitting.lobes.answers.normalize_targets`.
         """
         self._background.supersede()
-        request = request_of(self.parts, self.channels, targets, factors)
+        request = normalize_targets(self.parts, self.channels, targets, factors)
         if self.inline:
             return self._solve_here(request, deadline, finish, then, watch)
         return self._solve_there(request, deadline, finish, then)
@@ -150,7 +150,7 @@ class LimitedSolver:
         For work that no caller waits for. The next call of this method or of :meth:`solve`, and :meth:`close`, cancel
         the future. Arguments and errors as :meth:`solve`.
         """
-        request = request_of(self.parts, self.channels, targets, factors)
+        request = normalize_targets(self.parts, self.channels, targets, factors)
         return self._background.start(request, then).future
 
     def close(self) -> None:
@@ -277,7 +277,7 @@ class LimitedSolver:
             errors.append(table[winner, channels])
             methods.append(tuple(names[w] for w in winner))
         self._background.last = tuple(solutions)
-        return scaled_back(request, solutions, errors, tuple(methods), False, iterations)
+        return rescale_solutions(request, solutions, errors, tuple(methods), False, iterations)
 
 
 def _fallbacks(parts: Sequence[PartProgram]) -> tuple[FallbackSolver, ...]:

@@ -25,7 +25,7 @@ IN_USE = 1e-10
 BETWEEN = 1e-7
 
 
-def refined(
+def refine_vertex(
     program: PartProgram,
     solution: FloatArray,
     dual: FloatArray,

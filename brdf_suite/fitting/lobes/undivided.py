@@ -25,13 +25,13 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
-from brdf_suite.fitting.lobes.checks import checked_limit, checked_targets
+from brdf_suite.fitting.lobes.checks import check_limit, check_targets
 from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import build_program
 from brdf_suite.fitting.lobes.undivided_samples import (
     UndividedRows,
-    rows_of_reflectance,
-    rows_of_scattered,
+    reflectance_rows,
+    scattered_rows,
     used_samples,
 )
 from brdf_suite.fitting.lobes.weights import LobeWeights
@@ -103,7 +103,7 @@ def fit_undivided(
     """
     if isinstance(reflectance, ScatteredSamples) and rows is None:
         return fit_scattered(reflectance, basis, time_limit_s=time_limit_s, progress=progress)
-    rows = rows or rows_of_reflectance(reflectance)
+    rows = rows or reflectance_rows(reflectance)
     values = reflectance.eval(rows.wi, rows.wo)
     return fit_rows(rows, values, basis, time_limit_s=time_limit_s, progress=progress)
 
@@ -116,13 +116,13 @@ def fit_scattered(
     progress: Progress | None = None,
 ) -> UndividedFit:
     """Fit lobes to scattered samples at the very directions of the samples; errors as :func:`fit_undivided`."""
-    rows = rows_of_scattered(samples)
-    values = values_of_scattered(samples)
+    rows = scattered_rows(samples)
+    values = scattered_values(samples)
     return fit_rows(rows, values, basis, time_limit_s=time_limit_s, progress=progress)
 
 
-def values_of_scattered(samples: ScatteredSamples) -> FloatArray:
-    """Return f_r (n, 3) of the samples that :func:`rows_of_scattered` takes, in its order."""
+def scattered_values(samples: ScatteredSamples) -> FloatArray:
+    """Return f_r (n, 3) of the samples that :func:`scattered_rows` takes, in its order."""
     return samples.values[used_samples(samples)]
 
 
@@ -135,7 +135,7 @@ def fit_rows(
     progress: Progress | None = None,
 ) -> UndividedFit:
     """Fit lobes to f_r ``values`` (p, 3), 1/sr, at the pairs of ``rows``; errors as :func:`fit_undivided`."""
-    checked_limit(time_limit_s)
+    check_limit(time_limit_s)
     if rows.weights.size == 0:
         raise FittingError("There is nothing to fit: no sample has light and view above the horizon.")
 
@@ -145,7 +145,7 @@ def fit_rows(
         from_mirror = f"the view {float(gamma):.4g}° from its mirror direction"
         return f"with the light at {light:.4g}° from the normal and {from_mirror}"
 
-    values = checked_targets("The reflectance", values, rows.wi.shape, where)
+    values = check_targets("The reflectance", values, rows.wi.shape, where)
     exponents = (basis or default_basis()).array()
     start = time.perf_counter()
 

@@ -123,7 +123,7 @@ def used_samples(samples: ScatteredSamples) -> Bools:
     return np.asarray((samples.wi[:, 2] > _LOWEST_COSINE) & (samples.wo[:, 2] > _LOWEST_COSINE))
 
 
-def rows_of_scattered(samples: ScatteredSamples) -> UndividedRows:
+def scattered_rows(samples: ScatteredSamples) -> UndividedRows:
     """Return one row for each of the :func:`used_samples`."""
     used = used_samples(samples)
     wi, wo = samples.wi[used], samples.wo[used]
@@ -184,7 +184,7 @@ def _solid_angles(wi: Floats, wo: Floats, theta: Floats) -> Floats:
     return result
 
 
-def rows_of_reflectance(
+def reflectance_rows(
     reflectance: Reflectance, incidences_deg: tuple[float, ...] = INCIDENCES_DEG
 ) -> UndividedRows:
     """Return the rings about the mirror directions of ``incidences_deg``, their sums, and the plane at 45°.

@@ -28,7 +28,7 @@ Weighting = Literal["absolute", "relative", "solid angle"]
 SMALLEST_SHARE = 0.05
 
 
-def checked_weighting(weighting: str) -> None:
+def check_weighting(weighting: str) -> None:
     """Raise a FittingError where there is no such weighting."""
     if weighting not in get_args(Weighting):
         known = ", ".join(repr(name) for name in get_args(Weighting))

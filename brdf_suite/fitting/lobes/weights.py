@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.checks import checked_ior
+from brdf_suite.fitting.lobes.checks import check_ior
 from brdf_suite.reflectance.lobe_sum import lobe_sums
 
 FloatArray = NDArray[np.float64]
@@ -69,7 +69,7 @@ class LobeWeights:
         if not (together.min() >= 0.0 and together.max() < np.inf):
             name = next(n for n in shapes if not _is_sound(getattr(self, n)))
             raise FittingError(f"The lobe weights {name} hold a negative or not finite value.")
-        checked_ior(self.ior)
+        check_ior(self.ior)
 
     def reflected(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
         """Return ``f_r·(N·L)`` in 1/sr: reflected radiance for light of unit strength (cosine included).

@@ -86,7 +86,7 @@ class Cells:
         )
 
 
-def cells_of(radiance: NDArray[np.float32], max_columns: int = MAX_COLUMNS) -> Cells:
+def sum_cells(radiance: NDArray[np.float32], max_columns: int = MAX_COLUMNS) -> Cells:
     """Return the cells of a map (h, w, 3) of finite radiance that is not negative."""
     height, width = radiance.shape[:2]
     step = -(-width // max_columns)

@@ -10,18 +10,18 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.lights.cells import Cells, cells_of
+from brdf_suite.lighting.lights.cells import Cells, sum_cells
 from brdf_suite.lighting.lights.directional import DirectionalLights
 from brdf_suite.lighting.lights.median_cut import median_cut
-from brdf_suite.lighting.lights.relaxed import relaxed
-from brdf_suite.lighting.lights.structured import structured
+from brdf_suite.lighting.lights.relaxed import relaxed_strata
+from brdf_suite.lighting.lights.structured import structured_strata
 
 MAX_LIGHTS = 1024
 DEFAULT_METHOD = "relaxed"
 METHODS: dict[str, Callable[[Cells, int], NDArray[np.intp]]] = {
     "median-cut": median_cut,
-    "structured": structured,
-    "relaxed": relaxed,
+    "structured": structured_strata,
+    "relaxed": relaxed_strata,
 }
 _NO_DIRECTION = 1e-6
 
@@ -50,11 +50,11 @@ def directional_lights(
         raise ValueRangeError("count", f"must be 1 to {MAX_LIGHTS} lights, not {count}")
     if method not in METHODS:
         raise ValueRangeError("method", f"must be one of {', '.join(METHODS)}, not {method!r}")
-    cells = cells_of(environment.radiance)
-    return lights_of(cells, METHODS[method](cells, count))
+    cells = sum_cells(environment.radiance)
+    return lights_from_labels(cells, METHODS[method](cells, count))
 
 
-def lights_of(cells: Cells, labels: NDArray[np.intp]) -> DirectionalLights:
+def lights_from_labels(cells: Cells, labels: NDArray[np.intp]) -> DirectionalLights:
     """Return one light for each of the ``labels`` (h, w) of cells, which are 0 and more, the strongest first."""
     at = labels.ravel()
     count = int(at.max()) + 1

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.lights.cells import Cells, cells_of
-from brdf_suite.lighting.lights.structured import structured
+from brdf_suite.lighting.lights.cells import Cells, sum_cells
+from brdf_suite.lighting.lights.structured import structured_strata
 
 Float64 = NDArray[np.float64]
 
@@ -80,7 +80,7 @@ def glint_lights(environment: Environment, count: int = MOST_LIGHTS) -> GlintLig
     """
     if not 1 <= count <= MOST_LIGHTS:
         raise ValueRangeError("count", f"must be 1 to {MOST_LIGHTS} lights, not {count}")
-    cells = cells_of(environment.radiance, _COLUMNS)
+    cells = sum_cells(environment.radiance, _COLUMNS)
     energy, moments, spread2 = _joined(*_strata(cells))
     luminous = energy @ LUMINANCE
     lit = luminous > _BLACK * max(float(luminous.sum()), _BLACK)
@@ -92,7 +92,7 @@ def glint_lights(environment: Environment, count: int = MOST_LIGHTS) -> GlintLig
 
 def _strata(cells: Cells) -> tuple[Float64, Float64, Float64]:
     """Light (k, 3), moments (k, 3) and squared spread along an axis (k,) of the strata."""
-    labels = structured(cells, _STRATA).ravel()
+    labels = structured_strata(cells, _STRATA).ravel()
     number = int(labels.max()) + 1
 
     def summed(values: Float64) -> Float64:

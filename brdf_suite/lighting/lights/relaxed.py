@@ -22,7 +22,7 @@ _STEPS = 10  # error against steps: docs/lights.md
 _DARK = 1e-9  # weight of a black cell against the same area of mean light
 
 
-def relaxed(cells: Cells, count: int) -> Labels:
+def relaxed_strata(cells: Cells, count: int) -> Labels:
     """Return for each cell (h, w) which of ``count`` strata it belongs to; fewer where there are fewer cells."""
     from scipy.spatial import cKDTree
 

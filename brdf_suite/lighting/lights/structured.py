@@ -26,7 +26,7 @@ _LEAST_SHARE = 0.5  # of a light: a region with less belongs to the layer below
 _ALL_ALIKE = 1e-6
 
 
-def structured(cells: Cells, count: int) -> Labels:
+def structured_strata(cells: Cells, count: int) -> Labels:
     """Return for each cell (h, w) which of ``count`` strata it belongs to; fewer where there are fewer cells."""
     areas = cells.areas()
     layers = _layers(cells, areas)

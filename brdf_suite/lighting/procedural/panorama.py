@@ -112,7 +112,7 @@ def finish(name: str, picture: Float64, description: str, *, absolute: bool = Tr
     return ProceduralEnvironment(name, shown, white * 1000.0 if absolute else None, description)
 
 
-def colour_of(x: float | Float64, y: float | Float64) -> Float64:
+def colour_from_chromaticity(x: float | Float64, y: float | Float64) -> Float64:
     """Return the working-space colour (..., 3) of unit luminance with CIE 1931 chromaticity (x, y)."""
     x, y = np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
     xyz = np.stack([x / y, np.ones_like(y), (1.0 - x - y) / y], axis=-1)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.lighting.procedural.panorama import colour_of
+from brdf_suite.lighting.procedural.panorama import colour_from_chromaticity
 
 Float64 = NDArray[np.float64]
 
@@ -79,5 +79,5 @@ def sky_radiance(toward: Float64, sun: Float64, turbidity: float = 3.0) -> Float
     cos_sun = toward @ sun
     at_zenith = _perez(np.ones(1), np.array([sun[1]]), turbidity)[0]
     values = zenith(turbidity, float(np.arccos(sun[1]))) * _perez(cos_zenith, cos_sun, turbidity) / at_zenith
-    colours = np.maximum(colour_of(values[..., 1], values[..., 2]), 0.0)
+    colours = np.maximum(colour_from_chromaticity(values[..., 1], values[..., 2]), 0.0)
     return np.asarray(colours * values[..., :1])

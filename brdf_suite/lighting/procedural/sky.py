@@ -38,7 +38,7 @@ CITATIONS = {
 _HORIZON = 0.004
 
 
-def sky_of(description: Sky) -> Radiance:
+def build_sky(description: Sky) -> Radiance:
     """Return the radiance of the sky alone, without ground and disc, kcd/m²."""
     sun = Sun(description.sun_elevation_deg, description.sun_azimuth_deg).direction
     if description.model == "hosek_wilkie":
@@ -58,7 +58,7 @@ def sky(
     Cancelled
         The progress callback asked for it.
     """
-    above = sky_of(description)
+    above = build_sky(description)
     clear = description.model != "overcast"
     disc = None
     if clear:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.lighting.procedural.panorama import colour_of, directions, solid_angles
+from brdf_suite.lighting.procedural.panorama import colour_from_chromaticity, directions, solid_angles
 
 Float64 = NDArray[np.float64]
 
@@ -46,7 +46,7 @@ class Sun:
         """Working-space colour (3,) of unit luminance."""
         k = _KELVIN
         x = -4.6070e9 / k**3 + 2.9678e6 / k**2 + 0.09911e3 / k + 0.244063
-        return colour_of(x, -3.0 * x * x + 2.870 * x - 0.275)
+        return colour_from_chromaticity(x, -3.0 * x * x + 2.870 * x - 0.275)
 
     @property
     def radiance(self) -> Float64:

@@ -8,7 +8,7 @@ from typing import Any
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.scene import Eye
+from brdf_suite.reference.scene import PinholeCamera
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,7 +23,7 @@ class Pinhole:
     height: Any
 
     @classmethod
-    def of(cls, eye: Eye, size: tuple[int, int]) -> Pinhole:
+    def of(cls, eye: PinholeCamera, size: tuple[int, int]) -> Pinhole:
         """Return the pinhole; ``right`` and ``up`` are half a pixel long at the distance 1."""
         half = eye.half_width_tangent / size[0]
         place, right, up, ahead = (

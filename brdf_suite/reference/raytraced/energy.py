@@ -8,7 +8,7 @@ import numpy as np
 
 from brdf_suite.reference import terms
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.raytraced.numbers import in_cube, own
+from brdf_suite.reference.raytraced.numbers import copy_to_device, in_cube
 
 _VIEWS_DEG = (0.0, 45.0, 65.0, 80.0)
 _SAMPLES = 4096
@@ -19,7 +19,7 @@ TOLERANCE = 0.005
 def largest_albedo(term: Any) -> float:
     """Return the largest directional albedo of any channel at four angles, sampled; 1 is all light."""
     lane = dr.arange(mi.UInt32, len(_VIEWS_DEG) * _SAMPLES)
-    cosines = own(np.cos(np.radians(_VIEWS_DEG)).astype(np.float32), mi.Float)
+    cosines = copy_to_device(np.cos(np.radians(_VIEWS_DEG)).astype(np.float32), mi.Float)
     cosine = dr.gather(mi.Float, cosines, lane // _SAMPLES)
     view = mi.Vector3f(dr.sqrt(dr.maximum(1.0 - dr.square(cosine), 0.0)), 0.0, cosine)
     choice, u = in_cube(lane % _SAMPLES, mi.UInt32(0))

@@ -27,7 +27,7 @@ from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference import directions as d
 from brdf_suite.reference.directions import Colour, Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.raytraced.numbers import scrambled
+from brdf_suite.reference.raytraced.numbers import scramble
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
 from brdf_suite.reflectance.flakes.texture import FADE_FROM, FADE_TO, RAREST_TILT
 
@@ -82,13 +82,13 @@ def flakes_seen(sparkle: SparkleField, at: Any, across: Any, down: Any) -> Flake
         cell = first + mi.Vector2f(i, j)
         key = _cell_key(cell)
         r1, r2 = _halves(key)
-        x_in, y_in = _halves(scrambled(key + mi.UInt32(_GOLDEN)))
+        x_in, y_in = _halves(scramble(key + mi.UInt32(_GOLDEN)))
         beside = (on_grid - cell - mi.Vector2f(x_in, y_in)) / per_mm
         covers.append(part.cover(beside) * area)
         tangent = m * dr.sqrt(-dr.log(1.0 - r1))
         sine, cosine = dr.sincos(2.0 * math.pi * r2)
         slopes.append(mi.Vector2f(tangent * cosine, tangent * sine))
-        word = scrambled(key + mi.UInt32(_TINT))
+        word = scramble(key + mi.UInt32(_TINT))
         turn = (mi.Float(word >> 16) + 0.5) * (2.0 * math.pi / 65536.0)
         tints.append(mi.Color3f(*(1.0 + spread * dr.cos(turn + k * (2.0 * math.pi / 3.0)) for k in range(3))))
     return FlakesSeen(tuple(covers), tuple(slopes), tuple(tints), contrast)
@@ -173,7 +173,7 @@ class _Footprint:
 
 def _cell_key(cell: Any) -> Any:
     x, y = (mi.UInt32(mi.Int32(c)) for c in (cell.x, cell.y))
-    return scrambled(x + scrambled(y + mi.UInt32(_SALT)))
+    return scramble(x + scramble(y + mi.UInt32(_SALT)))
 
 
 def _halves(word: Any) -> tuple[Real, Real]:

@@ -12,8 +12,8 @@ import numpy.typing as npt
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.camera import Pinhole
-from brdf_suite.reference.raytraced.numbers import own
-from brdf_suite.reference.raytraced.tracer import Deal, TracerScene, trace
+from brdf_suite.reference.raytraced.numbers import copy_to_device
+from brdf_suite.reference.raytraced.tracer import SampleBudget, TracerScene, trace
 
 Pixels = npt.NDArray[np.float64]
 _TILE = 4
@@ -42,7 +42,11 @@ class Film:
             edges = [min(count, -(-count * k // number // 16) * 16) for k in range(number)] + [count]
             self._pieces = {
                 number: [
-                    (slice(a, b), own(self._column[a:b], mi.UInt32), own(self._row[a:b], mi.UInt32))
+                    (
+                        slice(a, b),
+                        copy_to_device(self._column[a:b], mi.UInt32),
+                        copy_to_device(self._row[a:b], mi.UInt32),
+                    )
                     for a, b in pairwise(edges)
                     if b > a
                 ]
@@ -60,7 +64,7 @@ class Film:
 def trace_samples(
     stage: TracerScene,
     camera: Pinhole,
-    deal: Deal,
+    deal: SampleBudget,
     film: Film,
     first: int,
     count: int,

@@ -21,8 +21,8 @@ from brdf_suite.appearance.colour_temperature import lamp_colour
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import direction
-from brdf_suite.lighting.lights.cells import Cells, cells_of
-from brdf_suite.lighting.lights.extract import DEFAULT_METHOD, METHODS, lights_of
+from brdf_suite.lighting.lights.cells import Cells, sum_cells
+from brdf_suite.lighting.lights.extract import DEFAULT_METHOD, METHODS, lights_from_labels
 
 _GOLDEN = 0.6180339887498949
 
@@ -130,7 +130,7 @@ class Strata:
     @classmethod
     def of(cls, environment: Environment, count: int, tint: Floats, method: str = DEFAULT_METHOD) -> Strata:
         """Return the strata of ``count`` lights; ``tint`` (3, 3) is what their colours are multiplied by."""
-        cells = cells_of(environment.radiance)
+        cells = sum_cells(environment.radiance)
         return cls(cells, METHODS[method](cells, count), tint)
 
     def tinted(self, tint: Floats) -> Strata:
@@ -155,7 +155,7 @@ class Strata:
 
     def middles(self) -> LightSet:
         """Return the lights in the mean directions of their strata, the strongest first."""
-        lights = lights_of(self.cells, self.labels)
+        lights = lights_from_labels(self.cells, self.labels)
         order, _, _ = self._order
         return self._set(lights.directions, lights.strengths, order)
 

@@ -32,7 +32,7 @@ LARGEST_MIRROR_SLOPE = 0.05
 """The same where narrow lobes are mirrored: of a wider one the mirror image would be no likeness."""
 
 
-def exponent_of(slope: float) -> float:
+def equivalent_exponent(slope: float) -> float:
     """Return n of the cosine lobe that stands for facets of ``slope`` m.
 
     >>> round(exponent_of(0.1), 2)
@@ -99,11 +99,11 @@ class FacetGlint:
 
     def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
-        return cosine_lobe_mirrored(view, u, d.number(exponent_of(self.slope)))
+        return cosine_lobe_mirrored(view, u, d.number(equivalent_exponent(self.slope)))
 
     def pdf(self, light: Vector, view: Vector) -> Real:
         """Return the density of :meth:`sample` per solid angle."""
-        return cosine_lobe_pdf(Half.of(light, view), d.number(exponent_of(self.slope)))
+        return cosine_lobe_pdf(Half.of(light, view), d.number(equivalent_exponent(self.slope)))
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,7 +22,7 @@ _ALPHA_3 = (0xD1B54A32, 0xABC98388, 0x8CB92BA7)
 """1/g, 1/g², 1/g³ of g⁴ = g + 1, times 2³²."""
 
 
-def scrambled(x: Words) -> Words:
+def scramble(x: Words) -> Words:
     """Return words of 32 bits, each bit of which hangs on each of ``x``; as ``reflectance.flakes.hashing``."""
     x = (x ^ (x >> 16)) * mi.UInt32(0x21F0AAAD)
     x = (x ^ (x >> 15)) * mi.UInt32(0xD35A2D97)
@@ -42,13 +42,13 @@ def in_pixel(index: Words) -> Any:
 def in_cube(index: Words, turn: Words) -> tuple[Any, Any]:
     """Return a number and a pair, all even, for the sample ``index`` of the pixel given by ``turn``."""
     a, b, c = (
-        fraction(index * mi.UInt32(alpha) + scrambled(turn + mi.UInt32(0x9E3779B9 * (k + 1) & 0xFFFFFFFF)))
+        fraction(index * mi.UInt32(alpha) + scramble(turn + mi.UInt32(0x9E3779B9 * (k + 1) & 0xFFFFFFFF)))
         for k, alpha in enumerate(_ALPHA_3)
     )
     return a, mi.Point2f(b, c)
 
 
-def own(values: npt.NDArray[Any], kind: Any) -> Any:
+def copy_to_device(values: npt.NDArray[Any], kind: Any) -> Any:
     """Return values (n,) as an array of ``kind`` in memory of the renderer's own.
 
     What numpy lends may begin anywhere, and a program that walks along it is compiled for where it begins.

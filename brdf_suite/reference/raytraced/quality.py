@@ -56,7 +56,7 @@ PRESETS: Mapping[str, Quality] = MappingProxyType(
 DEFAULT_PRESET = "medium"
 
 
-def quality_of(name_or_quality: str | Quality) -> Quality:
+def find_quality(name_or_quality: str | Quality) -> Quality:
     """Return a preset by name, or the quality as it is; ValueRangeError where there is no such preset."""
     if isinstance(name_or_quality, Quality):
         return name_or_quality

@@ -15,7 +15,7 @@ from brdf_suite.reference import directions as d
 from brdf_suite.reference.coated import UnderCoat
 from brdf_suite.reference.directions import Colour, Real, Square, Vector
 from brdf_suite.reference.lobe_weights import LobeWeightsTerm
-from brdf_suite.reference.measured import Measured
+from brdf_suite.reference.measured import MeasuredTerm
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.lobes import (
     LARGEST_MIRROR_SLOPE,
@@ -36,7 +36,7 @@ _MIRROR_NODES, _MIRROR_SAMPLES = 64, 1024
 class Split:
     """``broad`` and ``narrow`` of one material; f_r is the sum of all."""
 
-    broad: Broad
+    broad: BroadPart
     narrow: tuple[Any, ...]
 
     @property
@@ -81,14 +81,14 @@ class Split:
 
 
 @dataclass(frozen=True, eq=False)
-class Mirrored:
+class MirroredSplit:
     """A split whose narrow lobes are replaced by mirror reflection with their whole albedo."""
 
     split: Split
     albedo: Any
 
     @classmethod
-    def of(cls, split: Split) -> Mirrored:
+    def of(cls, split: Split) -> MirroredSplit:
         """Return it with the lobes' albedo over the cosine of the view, from 64 angles of 1,024 samples."""
         lane = dr.arange(mi.UInt32, _MIRROR_NODES * _MIRROR_SAMPLES)
         cosine = (mi.Float(lane // _MIRROR_SAMPLES) + 0.5) / _MIRROR_NODES
@@ -128,7 +128,7 @@ class Mirrored:
 
 
 @dataclass(frozen=True, eq=False)
-class Broad:
+class BroadPart:
     """The sum of a material's broad parts; zero without any."""
 
     parts: tuple[Any, ...]
@@ -183,12 +183,12 @@ class PartOfWeights(LobeWeightsTerm):
         return LobeWeightsTerm._gains(self.whole or self, cosine)
 
 
-def split(term: Any, *, mirror: bool = False, tables: TableSplit = "clamp") -> Split | Mirrored:
+def split(term: Any, *, mirror: bool = False, tables: TableSplit = "clamp") -> Split | MirroredSplit:
     """Return a term cut in two; ``mirror``: its narrow lobes are mirrored, and then fewer lobes are narrow."""
     largest = LARGEST_MIRROR_SLOPE if mirror else LARGEST_SLOPE
     broad, narrow = _parts(term, largest, tables, mirror)
-    whole = Split(Broad(tuple(broad)), tuple(narrow))
-    return Mirrored.of(whole) if mirror and narrow else whole
+    whole = Split(BroadPart(tuple(broad)), tuple(narrow))
+    return MirroredSplit.of(whole) if mirror and narrow else whole
 
 
 def _parts(term: Any, largest: float, tables: TableSplit, mirror: bool) -> tuple[list[Any], list[Any]]:
@@ -213,7 +213,7 @@ def _parts(term: Any, largest: float, tables: TableSplit, mirror: bool) -> tuple
         return [*seen, *coat_broad], [*lobes, *coat_narrow]
     if isinstance(term, LobeWeightsTerm):
         return _of_lobe_weights(term, largest)
-    if isinstance(term, (HalfAngleTable, Measured)):
+    if isinstance(term, (HalfAngleTable, MeasuredTerm)):
         return split_by_values(term, tables, mirror=mirror)
     return [term], []
 

@@ -30,9 +30,9 @@ from brdf_suite.reference.raytraced.lobes import (
     LEAST_SUNLIT_SLOPE,
     cosine_lobe_mirrored,
     cosine_lobe_pdf,
-    exponent_of,
+    equivalent_exponent,
 )
-from brdf_suite.reference.raytraced.numbers import own
+from brdf_suite.reference.raytraced.numbers import copy_to_device
 from brdf_suite.reference.terms import Facets
 
 TableSplit = Literal["clamp", "subtract"]
@@ -55,13 +55,13 @@ Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class OverDifference:
+class DifferenceAngleTable:
     """Values (65, 3) over the cosine of θd, at even steps from 0 to 1, in the renderer's memory."""
 
     table: Any
 
     @classmethod
-    def of(cls, values: Floats) -> OverDifference:
+    def of(cls, values: Floats) -> DifferenceAngleTable:
         """Return the values as arrays of the renderer."""
         table = mi.Float(np.ascontiguousarray(values, np.float32).ravel())
         dr.eval(table)
@@ -76,11 +76,11 @@ class OverDifference:
 
 
 @dataclass(frozen=True, eq=False)
-class AtMost:
+class ClampedTerm:
     """A term clamped to ``cap``."""
 
     term: Any
-    cap: OverDifference | FittedPeak
+    cap: DifferenceAngleTable | FittedPeak
 
     def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
@@ -88,11 +88,11 @@ class AtMost:
 
 
 @dataclass(frozen=True, eq=False)
-class Above:
+class ExcessTerm:
     """The excess of a term over ``cap``."""
 
     term: Any
-    cap: OverDifference | FittedPeak
+    cap: DifferenceAngleTable | FittedPeak
 
     def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
@@ -100,12 +100,12 @@ class Above:
 
 
 @dataclass(frozen=True, eq=False)
-class Between:
+class BandTerm:
     """The part of a term between two caps."""
 
     term: Any
-    low: OverDifference
-    high: OverDifference
+    low: DifferenceAngleTable
+    high: DifferenceAngleTable
 
     def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
@@ -117,7 +117,7 @@ class Between:
 class FittedPeak:
     """A lobe A(θd) exp(-tan²θh / m²): its ``heights``, the slope m."""
 
-    heights: OverDifference
+    heights: DifferenceAngleTable
     slope: float
 
     def eval(self, light: Vector, view: Vector) -> Colour:
@@ -154,7 +154,7 @@ class FacetMixture:
         for share, slope in self.lobes:
             mine = (u.x >= low) if share > 0.0 else mi.Bool(False)
             width = d.number(share)
-            exponent = dr.select(mine, d.number(exponent_of(slope)), exponent)
+            exponent = dr.select(mine, d.number(equivalent_exponent(slope)), exponent)
             inside = dr.select(mine, (u.x - low) / width, inside)
             low = low + width
         # A number of 24 bits, less those that chose the lobe, is enough for a direction.
@@ -164,7 +164,7 @@ class FacetMixture:
         """Return the density of :meth:`sample` per solid angle."""
         half, total = Half.of(light, view), mi.Float(0.0)
         for share, slope in self.lobes:
-            total += d.number(share) * cosine_lobe_pdf(half, d.number(exponent_of(slope)))
+            total += d.number(share) * cosine_lobe_pdf(half, d.number(equivalent_exponent(slope)))
         return total
 
 
@@ -175,27 +175,27 @@ def split_by_values(term: Any, how: TableSplit, *, mirror: bool = False) -> tupl
         return [term], []
     if how == "clamp" and not mirror:
         return _clamped_twice(term, facets)
-    cap = caps_of(term, CLAMP_DEG)
+    cap = find_caps(term, CLAMP_DEG)
     if how == "clamp":
-        clamp = OverDifference.of(cap)
-        return [AtMost(term, clamp)], [FacetMixture(Above(term, clamp), _mixture(facets, _FLANK))]
+        clamp = DifferenceAngleTable.of(cap)
+        return [ClampedTerm(term, clamp)], [FacetMixture(ExcessTerm(term, clamp), _mixture(facets, _FLANK))]
     peak = fitted_peak(term, cap)
     if peak is None:
         return [term], []
     only = ((1.0 - _FLANK_SHARE, peak.slope), (_FLANK_SHARE, min(2.0 * peak.slope, LARGEST_SLOPE)))
-    return [Above(term, peak)], [FacetMixture(AtMost(term, peak), only)]
+    return [ExcessTerm(term, peak)], [FacetMixture(ClampedTerm(term, peak), only)]
 
 
 def _clamped_twice(term: Any, facets: Sequence[Facets]) -> tuple[list[Any], list[Any]]:
-    high = caps_of(term, INNER_DEG)
-    inner = OverDifference.of(high)
-    outer = OverDifference.of(np.minimum(caps_of(term, OUTER_DEG), high))
+    high = find_caps(term, INNER_DEG)
+    inner = DifferenceAngleTable.of(high)
+    outer = DifferenceAngleTable.of(np.minimum(find_caps(term, OUTER_DEG), high))
     narrow = [f for f in facets if f.slope < _INNER_FLANK]
     total = sum(f.weight for f in facets)
     share = min(max(sum(f.weight for f in narrow) / total, _LEAST_SHARE), 1.0 - _LEAST_SHARE)
-    return [AtMost(term, outer)], [
-        FacetMixture(Above(term, inner), _mixture(narrow, _INNER_FLANK), share),
-        FacetMixture(Between(term, outer, inner), _OUTER_LOBES, 1.0 - share),
+    return [ClampedTerm(term, outer)], [
+        FacetMixture(ExcessTerm(term, inner), _mixture(narrow, _INNER_FLANK), share),
+        FacetMixture(BandTerm(term, outer, inner), _OUTER_LOBES, 1.0 - share),
     ]
 
 
@@ -206,7 +206,7 @@ def _mixture(facets: Sequence[Facets], flank: float) -> tuple[tuple[float, float
     return (*shares, (1.0 - sum(share for share, _ in shares), flank))
 
 
-def caps_of(term: Any, beside_deg: float) -> Floats:
+def find_caps(term: Any, beside_deg: float) -> Floats:
     """Return for each θd (65, 3) the largest value that many degrees beside the mirror direction."""
     theta_d = np.arccos(np.clip(np.linspace(0.0, 1.0, _HEIGHTS), 0.03, 1.0))
     tilt = math.radians(0.5 * beside_deg)
@@ -219,7 +219,7 @@ def caps_of(term: Any, beside_deg: float) -> Floats:
         wi, wo = (_rotated(directions, axis, tilt) for directions in (light, view))
         above = (wi[:, 2] > _LEAST_COSINE) & (wo[:, 2] > _LEAST_COSINE)
         wi[~above] = wo[~above] = (0.0, 0.0, 1.0)
-        caps = np.maximum(caps, np.where(above[:, None], values_of(term, wi, wo), 0.0))
+        caps = np.maximum(caps, np.where(above[:, None], evaluate_term(term, wi, wo), 0.0))
     # Towards grazing no such pair is above the horizon: there the last cap that is known holds.
     known = np.flatnonzero(caps.max(axis=1) > 0.0)
     if len(known):
@@ -237,21 +237,24 @@ def _rotated(directions: Floats, axis: Floats, angle: float) -> Floats:
 def fitted_peak(term: Any, caps: Floats) -> FittedPeak | None:
     """Return the lobe that is fitted to a term's peak above ``caps`` (65, 3); None where there is no peak."""
     theta = np.arccos(np.clip(np.linspace(0.0, 1.0, _HEIGHTS), 0.03, 1.0))
-    heights = np.maximum(values_of(term, spherical(theta, math.pi), spherical(theta, 0.0)) - caps, 0.0)
+    heights = np.maximum(evaluate_term(term, spherical(theta, math.pi), spherical(theta, 0.0)) - caps, 0.0)
     tilt = np.linspace(0.0, math.radians(0.5 * CLAMP_DEG), _WIDTHS)
     light = spherical(_PROFILE - 2.0 * tilt, np.full(_WIDTHS, math.pi))
     cap = caps[round(math.cos(_PROFILE) * (_HEIGHTS - 1))]
-    profile = np.maximum(values_of(term, light, spherical(_PROFILE, 0.0)) - cap, 0.0) @ LUMINANCE
+    profile = np.maximum(evaluate_term(term, light, spherical(_PROFILE, 0.0)) - cap, 0.0) @ LUMINANCE
     if not profile[0] > 0.0:
         return None
     below = np.flatnonzero(profile < 0.5 * profile[0])
     halved = tilt[below[0]] if len(below) else tilt[-1]
     slope = max(math.tan(halved) / math.sqrt(math.log(2.0)), 1e-3)
-    return FittedPeak(OverDifference.of(heights), min(slope, LARGEST_SLOPE))
+    return FittedPeak(DifferenceAngleTable.of(heights), min(slope, LARGEST_SLOPE))
 
 
-def values_of(term: Any, light: Floats, view: Floats) -> Floats:
+def evaluate_term(term: Any, light: Floats, view: Floats) -> Floats:
     """Return f_r (n, 3) of a term for lights (n, 3) and views (n, 3), or one (3,), as numbers."""
     views = np.broadcast_to(view, light.shape)
-    at, to = (mi.Vector3f(*(own(row, mi.Float) for row in x.T.astype(np.float32))) for x in (light, views))
+    at, to = (
+        mi.Vector3f(*(copy_to_device(row, mi.Float) for row in x.T.astype(np.float32)))
+        for x in (light, views)
+    )
     return np.asarray(np.array(term.eval(at, to), np.float64).T)

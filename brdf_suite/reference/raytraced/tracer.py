@@ -29,7 +29,7 @@ from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced import flakes as fl
 from brdf_suite.reference.raytraced.camera import Pinhole
 from brdf_suite.reference.raytraced.light_set import ENVIRONMENT, NEAR_LAMP, SUN, LightSet
-from brdf_suite.reference.raytraced.numbers import in_cube, in_pixel, scrambled
+from brdf_suite.reference.raytraced.numbers import in_cube, in_pixel, scramble
 from brdf_suite.reference.raytraced.quality import Quality
 from brdf_suite.reference.raytraced.sky import TracedSky
 from brdf_suite.reference.raytraced.surface import Surface, SurfaceHit
@@ -76,7 +76,7 @@ class LightArrays:
 
 
 @dataclass(frozen=True, eq=False)
-class Deal:
+class SampleBudget:
     """How many lights each of the ``hands`` p samples gets, how many rays it reflects, how many lights such a ray."""
 
     hands: Any
@@ -85,7 +85,7 @@ class Deal:
     lights_a_ray: Any
 
     @classmethod
-    def of(cls, quality: Quality, lights: int) -> Deal:
+    def of(cls, quality: Quality, lights: int) -> SampleBudget:
         """Return the numbers for ``lights`` that were dealt; other numbers compile nothing anew."""
         hands, rays = quality.samples, quality.reflections_a_sample
         numbers = (hands, lights // hands, rays, -(-quality.lights_a_sample // rays))
@@ -110,7 +110,7 @@ class TracerScene:
 
 
 @dataclass
-class Traced:
+class TracedSums:
     """Sums over samples: radiance of the object, its coverage, and the ground's darkening."""
 
     radiance: Colour
@@ -119,13 +119,13 @@ class Traced:
 
 
 def trace(
-    stage: TracerScene, camera: Pinhole, deal: Deal, column: Any, row: Any, first: Any, count: Any
-) -> Traced:
+    stage: TracerScene, camera: Pinhole, deal: SampleBudget, column: Any, row: Any, first: Any, count: Any
+) -> TracedSums:
     """Return the sums over ``count`` samples from number ``first`` on, for pixels at ``column`` and ``row``.
 
     Sample numbers go on beyond p in later rounds.
     """
-    turn = scrambled(row * mi.UInt32(0x10001) + column)
+    turn = scramble(row * mi.UInt32(0x10001) + column)
 
     def one_more(k: Any, radiance: Colour, coverage: Real, darkness: Colour) -> tuple[Any, ...]:
         origin, direction = camera.ray(column, row, in_pixel(k))
@@ -144,7 +144,7 @@ def trace(
     _, radiance, coverage, darkness = dr.while_loop(
         state, lambda k, *_: k < end, one_more, label="samples of a pixel"
     )
-    return Traced(radiance, coverage, darkness)
+    return TracedSums(radiance, coverage, darkness)
 
 
 def _meeting(
@@ -183,12 +183,12 @@ Pick = Callable[[Any, Any], tuple[Any, Real]]
 """From a count to the number of a light, and the factor on its strength; whether for the ground."""
 
 
-def _dealt(deal: Deal, hand: Any) -> Pick:
+def _dealt(deal: SampleBudget, hand: Any) -> Pick:
     """The lights of one of p samples, with p times their strength."""
     return lambda i, _on_ground: (hand + i * deal.hands, mi.Float(deal.hands))
 
 
-def _drawn_lights(lights: LightArrays, deal: Deal, word: Any) -> Pick:
+def _drawn_lights(lights: LightArrays, deal: SampleBudget, word: Any) -> Pick:
     """Lights drawn as often as they have light, evenly starting at a place given by ``word``.
 
     The few lights of a reflected ray stand for all of them: dealt, most rays would miss the sun.
@@ -293,7 +293,9 @@ def _value(
     return dr.select(material == stage.paint, bright, value)
 
 
-def _reflected(stage: TracerScene, deal: Deal, hit: SurfaceHit, met: Any, k: Any, turn: Any) -> Colour:
+def _reflected(
+    stage: TracerScene, deal: SampleBudget, hit: SurfaceHit, met: Any, k: Any, turn: Any
+) -> Colour:
     """The light that the narrow lobes of a sample bring."""
     if not any(split.narrow for split in stage.materials):
         return mi.Color3f(0.0)
@@ -319,7 +321,7 @@ def _reflected(stage: TracerScene, deal: Deal, hit: SurfaceHit, met: Any, k: Any
             direction = frame.to_world(local)
             going &= dr.max(weight) > 0.0
             met, on_ground, hit = _meeting(stage, off, direction, going, coherent=False)
-            word = number * mi.UInt32(_GOLDEN) + scrambled(turn + bounce)
+            word = number * mi.UInt32(_GOLDEN) + scramble(turn + bounce)
             pick = _drawn_lights(stage.lights, deal, word)
             arriving, shade = _lit(stage, hit, met, on_ground, pick, deal.lights_a_ray)
             gone = going & ~met

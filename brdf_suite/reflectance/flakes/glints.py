@@ -19,7 +19,7 @@ import numpy as np
 
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, Footprint, flake_footprint
-from brdf_suite.reflectance.flakes.hashing import GOLDEN, Words, cell_key, halves, scrambled, wrapped
+from brdf_suite.reflectance.flakes.hashing import GOLDEN, Words, cell_key, halves, scramble, wrap_words
 
 APPEARING = 0.2
 """Flakes of a level appear over this range of its weight."""
@@ -72,7 +72,7 @@ def shown_share(weight: Floats) -> Floats:
     return np.asarray((first - last) * (APPEARING / (1.0 - APPEARING)))
 
 
-def shown(order: Floats, weight: Floats) -> Floats:
+def shown_amount(order: Floats, weight: Floats) -> Floats:
     """Return how much of the flake of an ``order`` 0…1 is shown at a level's weight (...)."""
     low = (1.0 - APPEARING) * order
     s = np.clip((weight - low) / APPEARING, 0.0, 1.0)
@@ -108,25 +108,27 @@ def _of_level(field: GlintField, level: Floats, weight: Floats, place: Floats, w
     at = field.footprint.at
     first_cell = np.floor(at * per_mm[:, None] - 0.5)
     first_tilt = np.floor(place * per_square[:, None] - 0.5)
-    salt = wrapped(level) * GOLDEN
+    salt = wrap_words(level) * GOLDEN
     total = np.zeros((len(level), 3))
     for cell_x, cell_y in product((0, 1), repeat=2):
         cell = first_cell + np.array([cell_x, cell_y])
         key = cell_key(cell[:, 0], cell[:, 1], salt)
-        beside = at - (cell + np.stack(halves(scrambled(key)), -1)) / per_mm[:, None]
+        beside = at - (cell + np.stack(halves(scramble(key)), -1)) / per_mm[:, None]
         cover = field.footprint.cover(beside[:, 0], beside[:, 1])
         for tilt_x, tilt_y in product((0, 1), repeat=2):
             tilt = first_tilt + np.array([tilt_x, tilt_y])
-            mixed = wrapped(tilt[:, 0]) * np.uint32(0x3C6EF35F) + wrapped(tilt[:, 1]) * np.uint32(0x19660D)
-            word = scrambled(key + mixed)
+            mixed = wrap_words(tilt[:, 0]) * np.uint32(0x3C6EF35F) + wrap_words(tilt[:, 1]) * np.uint32(
+                0x19660D
+            )
+            word = scramble(key + mixed)
             apart = place - (tilt + np.stack(halves(word), -1)) / per_square[:, None]
             bell = np.maximum(1.0 - (apart**2).sum(-1) * narrow, 0.0) ** 2
-            other = scrambled(word + GOLDEN)
+            other = scramble(word + GOLDEN)
             order = ((other & np.uint32(0xFF)).astype(float) + 0.5) / 256.0
             area = (
                 FLAKE_AREA * ((((other >> np.uint32(8)) & np.uint32(0xFF)).astype(float) + 0.5) / 256.0) ** 2
             )
-            seen = bell * cover * area * shown(order, weight)
+            seen = bell * cover * area * shown_amount(order, weight)
             total += seen[:, None] * flake_tint(other, field.colour_spread)
     scale = 3.0 * narrow / (math.pi * (per_mm * per_square) ** 2)
     mean = shown_share(weight)[:, None]

@@ -16,7 +16,7 @@ Words = npt.NDArray[np.uint32]
 GOLDEN = np.uint32(0x9E3779B9)
 
 
-def scrambled(x: npt.ArrayLike) -> Words:
+def scramble(x: npt.ArrayLike) -> Words:
     """Return words (...) for words (...) of 32 bits.
 
     >>> hex(int(scrambled(np.uint32(1))))
@@ -31,10 +31,10 @@ def scrambled(x: npt.ArrayLike) -> Words:
 
 def cell_key(x: npt.ArrayLike, y: npt.ArrayLike, salt: npt.ArrayLike) -> Words:
     """Return a word (...) for whole numbers ``x``, ``y`` (...) of either sign, and a salt (...)."""
-    return scrambled(wrapped(x) + scrambled(wrapped(y) + np.asarray(salt, np.uint32)))
+    return scramble(wrap_words(x) + scramble(wrap_words(y) + np.asarray(salt, np.uint32)))
 
 
-def wrapped(whole: npt.ArrayLike) -> Words:
+def wrap_words(whole: npt.ArrayLike) -> Words:
     """Return whole numbers (...) modulo 2³²."""
     return np.asarray(whole).astype(np.int64).astype(np.uint32)
 

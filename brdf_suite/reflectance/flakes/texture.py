@@ -15,7 +15,7 @@ import numpy as np
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, flake_footprint
 from brdf_suite.reflectance.flakes.glints import flake_tint
-from brdf_suite.reflectance.flakes.hashing import GOLDEN, cell_key, halves, scrambled
+from brdf_suite.reflectance.flakes.hashing import GOLDEN, cell_key, halves, scramble
 from brdf_suite.reflectance.flakes.tilt import beckmann_slopes, beckmann_tilt
 
 RAREST_TILT = 0.002
@@ -56,11 +56,11 @@ def flake_texture_ratio(
     for cell_x, cell_y in product((0, 1), repeat=2):
         cell = first + np.array([cell_x, cell_y])
         key = cell_key(cell[:, 0], cell[:, 1], _SALT)
-        beside = at - (cell + np.stack(halves(scrambled(key + GOLDEN)), -1)) / per_mm
+        beside = at - (cell + np.stack(halves(scramble(key + GOLDEN)), -1)) / per_mm
         cover = part.cover(beside[:, 0], beside[:, 1]) / density
         apart2 = ((beckmann_tilt(*halves(key), roughness) - slope) ** 2).sum(-1)
         bell = np.maximum(1.0 - apart2 * narrow, 0.0) ** 2
-        total += (cover * bell)[:, None] * flake_tint(scrambled(key + _TINT), colour_spread)
+        total += (cover * bell)[:, None] * flake_tint(scramble(key + _TINT), colour_spread)
     total *= (3.0 / math.pi * narrow)[..., None] if np.ndim(narrow) else 3.0 / math.pi * narrow
     wide = np.sqrt(roughness**2 + 2.0 * np.asarray(spread, float) ** 2)
     mean = beckmann_slopes((slope**2).sum(-1), wide)

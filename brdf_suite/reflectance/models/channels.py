@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from brdf_suite.appearance.colorimetry import LUMINANCE
-from brdf_suite.documents.cook_torrance import checked_rgb
+from brdf_suite.documents.cook_torrance import check_rgb
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.geometry.directions import Floats
 
@@ -22,7 +22,7 @@ def rgb(value: object, place: str, parameter: Parameter) -> Floats:
         value = value.tolist()
     if isinstance(value, (int, float)) and not isinstance(value, bool):
         value = (value, value, value)
-    channels = np.array(checked_rgb(value, place, parameter))
+    channels = np.array(check_rgb(value, place, parameter))
     channels.setflags(write=False)
     return channels
 

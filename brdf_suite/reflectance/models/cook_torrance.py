@@ -62,7 +62,11 @@ class CookTorrance:
         """(1/m², scale of D, n² - 1 or None for F = 1) of each lobe."""
         scale = 0.25 * self._facet_scale
         return tuple(
-            (1.0 / lobe.m**2, scale / lobe.m**2, index_of(lobe.r) ** 2 - 1.0 if lobe.r < 1.0 else None)
+            (
+                1.0 / lobe.m**2,
+                scale / lobe.m**2,
+                index_from_reflectance(lobe.r) ** 2 - 1.0 if lobe.r < 1.0 else None,
+            )
             for lobe in self.paint.lobes
         )
 
@@ -129,7 +133,7 @@ class CookTorrance:
         return mixture.pdf(self._parts, wi, wo)
 
 
-def index_of(r: float) -> float:
+def index_from_reflectance(r: float) -> float:
     """Return the index of refraction that reflects ``r`` < 1 along the normal: r = ((n-1)/(n+1))².
 
     >>> round(index_of(0.04), 9)

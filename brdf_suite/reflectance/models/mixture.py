@@ -73,7 +73,7 @@ def beckmann(weight: float, m: float) -> MixturePart:
         h = warps.half_vector(wi, wo)
         return warps.mirrored_pdf(warps.beckmann_normal_pdf(h, m), wo, h)
 
-    return MixturePart(weight, lambda wo, u: warps.mirrored_at(wo, warps.beckmann_normal(u, m)), density)
+    return MixturePart(weight, lambda wo, u: warps.mirror_at(wo, warps.beckmann_normal(u, m)), density)
 
 
 def ggx(weight: float, alpha: float) -> MixturePart:
@@ -84,7 +84,7 @@ def ggx(weight: float, alpha: float) -> MixturePart:
         return warps.mirrored_pdf(warps.ggx_visible_normal_pdf(h, wo, alpha), wo, h)
 
     return MixturePart(
-        weight, lambda wo, u: warps.mirrored_at(wo, warps.ggx_visible_normal(u, wo, alpha)), density
+        weight, lambda wo, u: warps.mirror_at(wo, warps.ggx_visible_normal(u, wo, alpha)), density
     )
 
 

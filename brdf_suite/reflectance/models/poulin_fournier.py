@@ -176,7 +176,7 @@ class PoulinFournier:
         ]
 
     def _draw_floor(self, wo: Floats, u: Floats) -> Floats:
-        return warps.mirrored_at(wo, warps.cosine_lobe(u, np.array([0.0, 0.0, 1.0]), self.exponent))
+        return warps.mirror_at(wo, warps.cosine_lobe(u, np.array([0.0, 0.0, 1.0]), self.exponent))
 
     def _floor_pdf(self, wi: Floats, wo: Floats) -> Floats:
         h = warps.half_vector(wi, wo)
@@ -190,7 +190,7 @@ class PoulinFournier:
         phi = (2.0 * (np.floor(scaled) + 0.5) / cells - 1.0) * self.steepest
         normal = np.stack((np.zeros_like(phi), np.sin(phi), np.cos(phi)), axis=-1)
         h = warps.cosine_lobe(np.stack((u[:, 0], turn), axis=-1), normal, self.exponent)
-        return warps.mirrored_at(wo, h)
+        return warps.mirror_at(wo, h)
 
     def _arc_pdf(self, wi: Floats, wo: Floats) -> Floats:
         h = warps.half_vector(wi, wo)

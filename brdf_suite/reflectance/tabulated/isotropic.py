@@ -69,7 +69,7 @@ class IsotropicTable:
         values = np.ascontiguousarray(self.values, np.float32).view()
         if values.ndim != 4 or values.shape[3] != 3:
             raise ValueRangeError("values", f"has the shape {values.shape}; (θh, θd, φd, 3) is wanted")
-        grid_of(values, self.reciprocal)
+        infer_grid(values, self.reciprocal)
         # A NaN is neither.
         if not (values.min() >= 0.0 and values.max() < np.inf):
             at = np.argwhere(~((values >= 0.0) & (values < np.inf)))[0].tolist()
@@ -111,7 +111,7 @@ class IsotropicTable:
             raise ValueRangeError("holes", f"has the shape {mask.shape}, values {own.shape}")
         if mask.all():
             raise ValueRangeError("holes", "every bin is a hole; nothing was measured")
-        fill_holes(own, mask, grid_of(own, reciprocal))
+        fill_holes(own, mask, infer_grid(own, reciprocal))
         return cls(own, mask, reciprocal, source, facts or {})
 
     @classmethod
@@ -146,7 +146,7 @@ class IsotropicTable:
     @cached_property
     def grid(self) -> HalfAngleGrid:
         """Return the bins."""
-        return grid_of(self.values, self.reciprocal)
+        return infer_grid(self.values, self.reciprocal)
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, working space, without the cosine; 0 below the horizon."""
@@ -202,12 +202,12 @@ class IsotropicTable:
         one, other = self.values[:, :, :half], self.values[:, :, half:]
         values = np.where(first & second, 0.5 * (one + other), np.where(first, one, other))
         holes = ~(first | second)[..., 0]
-        fill_holes(values, holes, grid_of(values, True))
+        fill_holes(values, holes, infer_grid(values, True))
         coverage = None if self.coverage is None else self.coverage.folded()
         return replace(self, values=values, holes=holes, reciprocal=True, coverage=coverage)
 
 
-def grid_of(values: npt.NDArray[Any], reciprocal: bool) -> HalfAngleGrid:
+def infer_grid(values: npt.NDArray[Any], reciprocal: bool) -> HalfAngleGrid:
     """Return the bins of an array (θh, θd, φd, ...)."""
     theta_h, theta_d, phi_d = values.shape[:3]
     return HalfAngleGrid(theta_h, theta_d, phi_d, reciprocal)

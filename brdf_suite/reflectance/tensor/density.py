@@ -25,7 +25,7 @@ Blend = Sequence[tuple[Indices, Floats]]
 """For each of n queries: which grids take part (flat index over φi and θi), and with what weight."""
 
 
-def blend_of(axes: Sequence[Floats], values: Sequence[Floats]) -> list[tuple[Indices, Floats]]:
+def blend_weights(axes: Sequence[Floats], values: Sequence[Floats]) -> list[tuple[Indices, Floats]]:
     """Return the grids and weights of a multilinear blend over ``axes`` at ``values`` (n,) each.
 
     Beyond the first and last node the nearest node holds. An axis of one node does not interpolate.

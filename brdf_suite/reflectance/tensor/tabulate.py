@@ -27,7 +27,7 @@ from brdf_suite.appearance.spectra import spectrum_to_working
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates, spherical
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.tensor.density import GridDensity, blend_of
+from brdf_suite.reflectance.tensor.density import GridDensity, blend_weights
 from brdf_suite.reflectance.tensor.tensor_reflectance import Float32s, TensorReflectance
 
 # Nodes of D and σ along √θ: a coat of roughness 0.002 falls by half within 20 of them.
@@ -99,7 +99,7 @@ def tabulate(
     density = GridDensity(warp[None])
     along, around = np.meshgrid(np.linspace(0.0, 1.0, resolution), np.linspace(0.0, 1.0, resolution))
     nodes = np.stack((along.ravel(), around.ravel()), axis=1)
-    u, p = density.sample(nodes, blend_of([np.zeros(1)], [np.zeros(len(nodes))]))
+    u, p = density.sample(nodes, blend_weights([np.zeros(1)], [np.zeros(len(nodes))]))
     u[:, 1] = nodes[:, 1]  # the warp is even around; sampling keeps off 0 and 1 by a hair
 
     channels = len(brightness)

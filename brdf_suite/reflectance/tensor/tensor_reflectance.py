@@ -31,7 +31,7 @@ from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.reflectance.blocks import in_blocks
-from brdf_suite.reflectance.tensor.density import Blend, GridDensity, bilinear, blend_of, cells
+from brdf_suite.reflectance.tensor.density import Blend, GridDensity, bilinear, blend_weights, cells
 
 if TYPE_CHECKING:
     from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
@@ -220,7 +220,7 @@ class TensorReflectance:
 
     def _blend(self, phi_i: Floats, theta_i: Floats) -> Blend:
         axes = [np.asarray(self.phi_i, np.float64), np.asarray(self.theta_i, np.float64)]
-        return blend_of(axes, [phi_i, theta_i])
+        return blend_weights(axes, [phi_i, theta_i])
 
     def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
         """Return directions (..., 3) to the light for views ``wo`` and ``u`` (..., 3): about as the values are."""

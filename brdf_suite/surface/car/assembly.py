@@ -7,7 +7,7 @@ import numpy as np
 from brdf_suite.surface.car.blends import Floats
 from brdf_suite.surface.car.fittings import exhaust, grille_bars, mirror
 from brdf_suite.surface.car.nets import Soup
-from brdf_suite.surface.car.pieces import LIP_DROP, Piece, joined, mirrored, turned_in, walls
+from brdf_suite.surface.car.pieces import LIP_DROP, Piece, join_pieces, mirror_piece, turn_edges_in, walls
 from brdf_suite.surface.car.proportions import AXLES, FRONT_AXLE_Z, FRONT_FACE_X, REAR_FACE_X, WHEEL_RADIUS
 from brdf_suite.surface.car.shell import AREAS, PANELS, Shell, build_shell, groove_depth, take
 from brdf_suite.surface.car.wells import floor, wells
@@ -25,11 +25,11 @@ def car() -> Mesh:
     Parts are named after what they are; materials are the words of :data:`brdf_suite.surface.mesh.MATERIALS`.
     """
     half = [*body_pieces(build_shell()), *floor(), *wells(), *mirror(), *grille_bars(), *exhaust(), *wheels()]
-    everything = [piece for one in half for piece in (one, mirrored(one))]
+    everything = [piece for one in half for piece in (one, mirror_piece(one))]
     groups: dict[str, list[Piece]] = {}
     for piece in everything:
         groups.setdefault(piece.name, []).append(piece)
-    return Mesh("car", tuple(joined(name, pieces) for name, pieces in sorted(groups.items())))
+    return Mesh("car", tuple(join_pieces(name, pieces) for name, pieces in sorted(groups.items())))
 
 
 def body_pieces(shell: Shell) -> list[Piece]:
@@ -41,7 +41,7 @@ def body_pieces(shell: Shell) -> list[Piece]:
             drops = (np.full(len(normals), drop) for drop in (LIP_DROP, _FLANGE_DEPTH))
             flange, facing = walls(soup, normals, at_arch[:, ::-1], *drops)
             pieces.append(Piece("arch_flanges", "cavity", flange, facing))
-        soup, normals = turned_in(soup, normals, np.concatenate([shared, at_arch]))
+        soup, normals = turn_edges_in(soup, normals, np.concatenate([shared, at_arch]))
         pieces.append(Piece("body" if name == "paint" else name, "paint", soup, normals))
     soup, normals, _, _ = take(shell, shell.chosen("groove"))
     down = LIP_DROP + groove_depth(soup.points, _GROOVE_DEPTH)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.surface.car.blends import Field, Floats
-from brdf_suite.surface.car.nets import Ints, Soup, edges_of, gradient, normals
+from brdf_suite.surface.car.nets import Ints, Soup, gradient, normals, unique_edges
 
 PointFunction: TypeAlias = Callable[[Floats], Floats]
 """A function of points (n, 3) -> (n,)."""
@@ -81,7 +81,7 @@ def _cut(soup: Soup, function: PointFunction, snap: bool) -> tuple[Soup, NDArray
     """Return the cut soup, which old points lie on the zero, and the two old ends of each new point's edge."""
     value = function(soup.points)
     value[np.abs(value) < _ON_CURVE] = 0.0
-    edge, edge_of_side = edges_of(soup.triangles)
+    edge, edge_of_side = unique_edges(soup.triangles)
     a, b = edge.T
     crossing = value[a] * value[b] < 0.0
     if snap:

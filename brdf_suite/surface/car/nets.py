@@ -30,7 +30,7 @@ class Soup:
         return compact(self.points, self.triangles[chosen])[0]
 
 
-def turned_over(soup: Soup, normals: Floats) -> NDArray[np.bool_]:
+def find_turned_over(soup: Soup, normals: Floats) -> NDArray[np.bool_]:
     """Return which triangles (k,) face away from the mean of the normals (n, 3) at their corners."""
     a, b, c = (soup.points[soup.triangles[:, i]] for i in range(3))
     mean = normals[soup.triangles].sum(axis=1)
@@ -137,7 +137,7 @@ def _split_quads(points: Floats, quad: Ints) -> Ints:
     return np.concatenate([one, two])
 
 
-def edges_of(triangles: Ints) -> tuple[Ints, Ints]:
+def unique_edges(triangles: Ints) -> tuple[Ints, Ints]:
     """Return the unique edges (e, 2), lower index first, and the edge of each triangle side (k, 3).
 
     Side i of a triangle goes from its corner i to corner i + 1.
@@ -200,7 +200,7 @@ def refine(
     Edges of at most ``shortest`` (m) stay. An edge whose ends lie on a crease (function, how near its zero) is
     halved on the crease: the middle of a chord lies beside it, where the normal is already another.
     """
-    edge, edge_of_side = edges_of(soup.triangles)
+    edge, edge_of_side = unique_edges(soup.triangles)
     n = normals(field, soup.points)
     cosine = np.einsum("ij,ij->i", n[edge[:, 0]], n[edge[:, 1]])
     length = np.linalg.norm(soup.points[edge[:, 0]] - soup.points[edge[:, 1]], axis=1)
@@ -209,11 +209,11 @@ def refine(
     for function, near in creases:
         along = np.flatnonzero((np.abs(function(soup.points)) < near)[edge[chosen]].all(axis=1))
         if len(along):
-            middles[along] = slid(field, middles[along], function)
+            middles[along] = slide_points(field, middles[along], function)
     return split_edges(soup, chosen, middles, edge_of_side)
 
 
-def slid(field: Field, points: Floats, function: Callable[[Floats], Floats]) -> Floats:
+def slide_points(field: Field, points: Floats, function: Callable[[Floats], Floats]) -> Floats:
     """Return the points moved along the surface, by at most 3 mm, to the zero of a function."""
     slope = gradient(lambda x, y, z: function(np.stack([x, y, z], axis=1)), points)
     n = normals(field, points)
@@ -233,7 +233,7 @@ def refine_near(
     Cuts follow a curve only where edges cross it: bands must not be narrower than the triangles.
     """
     for _ in range(4):
-        edge, edge_of_side = edges_of(soup.triangles)
+        edge, edge_of_side = unique_edges(soup.triangles)
         a, b = soup.points[edge[:, 0]], soup.points[edge[:, 1]]
         length = np.linalg.norm(a - b, axis=1)
         value = np.abs(near(soup.points))
@@ -252,7 +252,7 @@ def refine_bends(field: Field, soup: Soup, region: Field, reach: float, shortest
     20° along it: a cut through its triangle would cut the corner off.
     """
     for _ in range(4):
-        edge, edge_of_side = edges_of(soup.triangles)
+        edge, edge_of_side = unique_edges(soup.triangles)
         a, b = soup.points[edge[:, 0]], soup.points[edge[:, 1]]
         value = np.abs(region(soup.points[:, 0], soup.points[:, 1], soup.points[:, 2]))[edge].min(axis=1)
         length = np.linalg.norm(a - b, axis=1)

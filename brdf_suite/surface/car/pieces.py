@@ -26,7 +26,7 @@ class Piece:
     normals: Floats
 
 
-def turned_in(soup: Soup, normals: Floats, edge: Ints) -> tuple[Soup, Floats]:
+def turn_edges_in(soup: Soup, normals: Floats, edge: Ints) -> tuple[Soup, Floats]:
     """Return a panel whose given edges bend inwards: the rounded edge of pressed sheet metal.
 
     Points on the border drop by a fraction of a millimetre and their normals lean outwards, so each shut line
@@ -66,14 +66,14 @@ def walls(soup: Soup, normals: Floats, edge: Ints, top: Floats, depth: Floats) -
     return Soup(points, np.concatenate(triangles)), np.repeat(facing, 4, axis=0)
 
 
-def mirrored(piece: Piece) -> Piece:
+def mirror_piece(piece: Piece) -> Piece:
     """Return the piece on the other side of the middle plane."""
     flip = np.array([-1.0, 1.0, 1.0])
     soup = Soup(piece.soup.points * flip, piece.soup.triangles[:, ::-1])
     return Piece(piece.name, piece.material, soup, piece.normals * flip)
 
 
-def joined(name: str, pieces: list[Piece]) -> PartGeometry:
+def join_pieces(name: str, pieces: list[Piece]) -> PartGeometry:
     """Return pieces of one name and material as a part, with box-projected UVs."""
     offset = np.cumsum([0] + [len(piece.soup.points) for piece in pieces])
     points = np.concatenate([piece.soup.points for piece in pieces])
@@ -81,7 +81,7 @@ def joined(name: str, pieces: list[Piece]) -> PartGeometry:
     triangles = np.concatenate([piece.soup.triangles + o for piece, o in zip(pieces, offset, strict=False)])
     triangles = without_slivers(points, triangles)
     if pieces[0].material == "paint":
-        points, normals, uvs, triangles = box_projected(points, normals, triangles)
+        points, normals, uvs, triangles = project_box(points, normals, triangles)
     else:
         uvs = planar(points, normals)
     return PartGeometry(name, pieces[0].material, points, normals, uvs, triangles)
@@ -104,7 +104,7 @@ def planar(points: Floats, normals: Floats) -> Floats:
     return result
 
 
-def box_projected(points: Floats, normals: Floats, triangles: Ints) -> tuple[Floats, Floats, Floats, Ints]:
+def project_box(points: Floats, normals: Floats, triangles: Ints) -> tuple[Floats, Floats, Floats, Ints]:
     """Return points, normals, UVs (mm) and triangles, points doubled where the projection axis changes.
 
     Each triangle is seen along the axis that it faces most, so lengths shrink by at most 1/√3, and

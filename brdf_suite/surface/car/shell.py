@@ -20,15 +20,15 @@ from brdf_suite.surface.car.nets import (
     border,
     compact,
     extract,
+    find_turned_over,
     normals,
     project,
     refine,
     refine_bends,
     refine_near,
-    slid,
-    turned_over,
+    slide_points,
 )
-from brdf_suite.surface.car.simplify import merged
+from brdf_suite.surface.car.simplify import merge_points
 
 GAP = 0.0055
 """Width of a shut line, m."""
@@ -148,9 +148,9 @@ def smooth_surface() -> Soup:
     points = before.copy()
     for column, function in enumerate(lines):
         alone = marks[:, column] & (marks.sum(axis=1) == 1) & (points[:, 0] > 1e-6)
-        points[alone] = slid(body, points[alone], function)
+        points[alone] = slide_points(body, points[alone], function)
     for _ in range(6):  # take back the moves that turned a sliver over
-        turned = turned_over(Soup(points, soup.triangles), normals(body, points))
+        turned = find_turned_over(Soup(points, soup.triangles), normals(body, points))
         moved_back = soup.triangles[turned].ravel()
         points[moved_back] = before[moved_back]
     soup = Soup(_on_centre(points), soup.triangles)
@@ -220,7 +220,7 @@ def build_shell() -> Shell:
     normal = normals(body, soup.points)
     # Separated before merging: afterwards a triangle in a narrow bend may have its middle on the other side.
     piece = _pieces(soup, distances)
-    triangles, kept = merged(soup.points, normal, soup.triangles, marks, MERGE, 6.0)
+    triangles, kept = merge_points(soup.points, normal, soup.triangles, marks, MERGE, 6.0)
     return Shell(Soup(soup.points, triangles), normal, piece[kept], NAMES)
 
 

@@ -11,14 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.surface.car.blends import Floats
-from brdf_suite.surface.car.nets import Ints, edges_of
+from brdf_suite.surface.car.nets import Ints, unique_edges
 
 _ROUNDS = 24
 _TIGHT_RADIUS = 0.15
 _TIGHT_EDGE = 0.004
 
 
-def merged(
+def merge_points(
     points: Floats,
     normals: Floats,
     triangles: Ints,
@@ -60,7 +60,7 @@ def merged(
 
 def in_tight_bends(points: Floats, triangles: Ints, curves: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return which points (n,) lie where a curve bends with a radius below 150 mm."""
-    edge, _ = edges_of(triangles)
+    edge, _ = unique_edges(triangles)
     tight = np.zeros(len(points), dtype=bool)
     for column in range(curves.shape[1]):
         own = edge[curves[edge, column].all(axis=1)]
@@ -90,7 +90,7 @@ def _candidates(
     limit: float,
 ) -> tuple[Ints, Floats]:
     """Return for each point the neighbour that it may move to (or -1), and the length of that move."""
-    edge, edge_of_side = edges_of(triangles)
+    edge, edge_of_side = unique_edges(triangles)
     length = np.linalg.norm(points[edge[:, 0]] - points[edge[:, 1]], axis=1)
     flat = np.einsum("ij,ij->i", normals[edge[:, 0]], normals[edge[:, 1]]) > limit
     short = (length < reach[edge].min(axis=1)) & flat

@@ -36,7 +36,7 @@ def with_area(positions: Float64, triangles: NDArray[np.int64]) -> NDArray[np.in
     return np.asarray(triangles[doubled > 1e-9 * doubled.max()])
 
 
-def normals_of(surface: Surface, first: Float64, second: Float64, step: float = 1e-5) -> Float64:
+def grid_normals(surface: Surface, first: Float64, second: Float64, step: float = 1e-5) -> Float64:
     """Return unit normals (..., 3) along ∂/∂first × ∂/∂second, by central differences of ``surface``.
 
     In double precision the error is about ``step``² times the third derivative: 1e-9 for the forms here.

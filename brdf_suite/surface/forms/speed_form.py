@@ -15,7 +15,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.surface.forms.grid import grid_triangles, lengths_along, normals_of, smooth_step, with_area
+from brdf_suite.surface.forms.grid import grid_normals, grid_triangles, lengths_along, smooth_step, with_area
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 Float64 = NDArray[np.float64]
@@ -126,7 +126,7 @@ def speed_form() -> Mesh:
     polar, around = speed_form_grid()
     points = speed_form_point(polar, around)
     normals = np.zeros_like(points)
-    normals[1:-1] = normals_of(speed_form_point, polar[1:-1], around[1:-1])
+    normals[1:-1] = grid_normals(speed_form_point, polar[1:-1], around[1:-1])
     normals[0], normals[-1] = [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]
     crown = around.shape[1] // 2
     uvs = np.stack([lengths_along(points, 0, ROWS // 2), lengths_along(points, 1, crown)], axis=-1)

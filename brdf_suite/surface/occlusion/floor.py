@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.geometry.low_harmonics import low_harmonics, turned
+from brdf_suite.geometry.low_harmonics import low_harmonics, rotate_harmonics
 from brdf_suite.progress import Progress
 from brdf_suite.surface.occlusion.baked import GroundLight
 from brdf_suite.surface.occlusion.rays import RayScene
@@ -50,7 +50,7 @@ def bake_floor(scene: RayScene, low: Float64, high: Float64, progress: Progress 
     harmonics = low_harmonics(directions, DEGREE) * (np.pi / _RAYS)
     # What is taken from an open floor: exactly nothing where nothing is in the way.
     hidden = (1 - seen).astype(np.float32) @ harmonics.astype(np.float32)
-    lost = turned(hidden.astype(np.float64), turns)
+    lost = rotate_harmonics(hidden.astype(np.float64), turns)
     lost = _smooth(lost.reshape(rows, columns, -1)) * _window(rows, columns)[..., None]
     transfer = open_floor(DEGREE) - lost
     return GroundLight(

@@ -27,7 +27,7 @@ from brdf_suite.files.palettes import (
     read_palette,
     write_palette,
 )
-from brdf_suite.files.palettes.css_colour import colour_of
+from brdf_suite.files.palettes.css_colour import parse_colour
 
 WRITTEN = [known for known in FORMATS if known.write is not None]
 NAMES = [known.name for known in FORMATS]
@@ -346,7 +346,7 @@ def test_a_further_model_in_another_space_is_converted_too() -> None:
     ],
 )
 def test_white_and_black_of_hwb_beyond_the_whole_are_a_grey(text: str, wanted: tuple[float, ...]) -> None:
-    found = colour_of(text)
+    found = parse_colour(text)
     assert found is not None
     assert found[0].values == pytest.approx(wanted)
 

@@ -15,7 +15,7 @@ from types import ModuleType
 import pytest
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.palettes import FORMATS, PaletteFormat, format_named, read_content, read_palette
+from brdf_suite.files.palettes import FORMATS, PaletteFormat, find_format, read_content, read_palette
 from brdf_suite.files.palettes.collecting import MOST_COLOURS
 
 NAMES = [known.name for known in FORMATS]
@@ -46,7 +46,7 @@ def known(request: pytest.FixtureRequest) -> PaletteFormat:
 def refused(content: bytes, name: str) -> FileError:
     """The error of a content read as a format; it must have a place."""
     with pytest.raises(FileError) as caught:
-        read_content(content, "bad", format_named(name))
+        read_content(content, "bad", find_format(name))
     assert caught.value.place
     assert "bad" in str(caught.value)
     return caught.value
@@ -142,7 +142,7 @@ def test_zip_files_unpack_within_bounds_and_write_nothing(
     evil = zipped(
         {"../../evil.icc": b"x", "/etc/evil": b"x", "colorset.xml": b'<ColorSet name="a" version="2.0"/>'}
     )
-    palette, notes = format_named("kpl").read(evil, "evil.kpl")
+    palette, notes = find_format("kpl").read(evil, "evil.kpl")
     assert (len(palette), list(tmp_path.iterdir())) == (0, [])
     assert "2 parts of the file without colours are left out." in notes
     twice = io.BytesIO()
@@ -183,7 +183,7 @@ LONG = "n" * 1_000_000
     ],
 )
 def test_names_of_a_million_characters_are_cut_and_reported(name: str, content: bytes) -> None:
-    palette, notes = format_named(name).read(content, "long")
+    palette, notes = find_format(name).read(content, "long")
     assert len(palette.entries[0].name) == 1000
     assert any("1 name was cut" in note for note in notes)
     assert palette.entries[0].content.values == pytest.approx((1 / 255, 2 / 255, 3 / 255), abs=1e-4)
@@ -253,12 +253,12 @@ def test_what_is_wrong_is_named_with_its_place(name: str, content: bytes, place:
 
 def test_repairs_are_reported() -> None:
     gpl = b"GIMP Palette\nName: \xe4\n300 -1 20\tl\xe4\tst\n"
-    palette, notes = format_named("gpl").read(gpl, "a")
+    palette, notes = find_format("gpl").read(gpl, "a")
     assert palette.entries[0].content.values == (1.0, 0.0, 20 / 255)
     assert palette.entries[0].name == "lä st"
     assert len(notes) == 3
     assert any("Latin-1" in note for note in notes)
-    ase = format_named("ase")
+    ase = find_format("ase")
     assert ase.write is not None
     group = struct.pack(">HIH", 0xC001, 4, 1) + b"\0\0" + struct.pack(">HI", 0xC002, 0)
     twice = b"ASEF" + struct.pack(">HHI", 1, 0, 6) + group + group + struct.pack(">HIHI", 0xC002, 0, 0x77, 0)
@@ -266,13 +266,13 @@ def test_repairs_are_reported() -> None:
     assert [found.path for found in palette.groups] == [("",), (" (2)",)]
     assert len(notes) == 3
     jasc = b"JASC-PAL\r\n0100\r\n1\r\n1 2 3\r\n4 5 6\r\n"
-    assert "1 line beyond the count" in format_named("jasc").read(jasc, "a")[1][0]
+    assert "1 line beyond the count" in find_format("jasc").read(jasc, "a")[1][0]
 
 
 def test_tables_as_spreadsheets_and_people_leave_them_are_read() -> None:
     rows = b"a,Lab,1 2 3,D65,10.0,red;\nb,Lab,1 2 3,D65,2,red; red ;;deep\nc,Lab,1 2 3,,,\n"
     table = b"name,model,values,illuminant,observer_deg,tags\n" + rows
-    palette, notes = format_named("csv").read(table, "a.csv")
+    palette, notes = find_format("csv").read(table, "a.csv")
     assert [entry.tags for entry in palette] == [("red",), ("red", "deep"), ()]
     assert [entry.content.observer_deg for entry in palette] == [10, 2, 0]
     assert notes == ("In 2 rows empty or repeated tags were left out.",)
@@ -280,7 +280,7 @@ def test_tables_as_spreadsheets_and_people_leave_them_are_read() -> None:
 
 def test_numbers_of_absurd_exponents_are_the_numbers_that_they_are_near() -> None:
     text = b'<SCRIBUSCOLORS><COLOR SPACE="CMYK" C="1e-99999999999999999999" M="100" Y="7" K="0"/></SCRIBUSCOLORS>'
-    palette, _ = format_named("scribus").read(text, "a")
+    palette, _ = find_format("scribus").read(text, "a")
     assert palette.entries[0].content.values == (0.0, 1.0, 0.07, 0.0)
 
 

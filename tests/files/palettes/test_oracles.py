@@ -16,9 +16,9 @@ from brdf_suite.appearance.flat_colours import flat_labs
 from brdf_suite.documents.flat_colour import CHANNELS, FlatColour
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.palette import Entry, Palette
-from brdf_suite.files.palettes import format_named, write_palette
+from brdf_suite.files.palettes import find_format, write_palette
 from brdf_suite.files.palettes.conversions import lab_d50
-from brdf_suite.files.palettes.css_colour import css_of
+from brdf_suite.files.palettes.css_colour import format_css
 
 PAINT = Paint(
     "Silver",
@@ -148,14 +148,14 @@ def test_coloraide_sees_the_colours_of_our_css_as_we_do(model: str, space: str) 
         top = [c.high if c.unit else 1.0 if c.high in (1.0, 64.0) else 60.0 for c in CHANNELS[model]]
         values = tuple(random.uniform(0.0, top).tolist())
         colour = FlatColour("x", model, values, space, *white)  # type: ignore[arg-type]  # one of its words
-        theirs = coloraide.Color(css_of(colour)).convert("srgb")
+        theirs = coloraide.Color(format_css(colour)).convert("srgb")
         ours = working_to_display(lab_to_working(flat_labs([colour])[0])).tolist()
         # Whites of four and five digits make a few thousandths.
         assert theirs.delta_e(coloraide.Color("srgb", ours), method="2000") < 0.02
 
 
 def test_pillow_reads_the_colours_of_our_css() -> None:
-    write = format_named("css").write
+    write = find_format("css").write
     assert write is not None
     random = np.random.default_rng(3)
     rows = [tuple((row / 255.0).tolist()) for row in random.integers(0, 256, (50, 3))]

@@ -14,10 +14,10 @@ import pytest
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles import AngleFitter
 from brdf_suite.fitting.lobes.angles import fitter as fitter_module
-from brdf_suite.fitting.lobes.angles.late import one_after_another
+from brdf_suite.fitting.lobes.angles.late import chain_futures
 from brdf_suite.pipeline.scene import find_any_paint, find_paint
 from brdf_suite.reflectance.build import build_paint, build_reflectance
-from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.layers import split_layers
 from brdf_suite.reflectance.protocol import Layered
 
 SECONDS = 120.0
@@ -32,7 +32,7 @@ def hurried() -> Iterator[AngleFitter]:
 
 
 def paint(name: str) -> Layered:
-    layers = layered(build_reflectance(find_any_paint(name)))
+    layers = split_layers(build_reflectance(find_any_paint(name)))
     assert layers is not None
     return layers
 
@@ -171,7 +171,7 @@ def test_a_fit_whose_optimum_is_to_come_can_be_pickled(hurried: AngleFitter) -> 
 
 def test_one_after_another_carries_values_errors_and_cancelling() -> None:
     first, second = Future[int](), Future[str]()
-    whole = one_after_another(first, lambda value, _: second if value == 3 else None)
+    whole = chain_futures(first, lambda value, _: second if value == 3 else None)
     first.set_result(3)
     assert not whole.done()
     second.set_result("three")
@@ -181,14 +181,14 @@ def test_one_after_another_carries_values_errors_and_cancelling() -> None:
         raise FittingError("not to be begun")
 
     first = Future[int]()
-    whole = one_after_another(first, fails)
+    whole = chain_futures(first, fails)
     first.set_result(1)
     with pytest.raises(FittingError, match="not to be begun"):
         whole.result(timeout=0.0)
 
     for ended in ("first", "second", "whole"):
         first, second = Future[int](), Future[str]()
-        whole = one_after_another(first, lambda _value, _whole, second=second: second)
+        whole = chain_futures(first, lambda _value, _whole, second=second: second)
         if ended != "first":
             first.set_result(1)
         {"first": first, "second": second, "whole": whole}[ended].cancel()
@@ -199,6 +199,6 @@ def test_one_after_another_carries_values_errors_and_cancelling() -> None:
             whole.result(timeout=0.0)
 
     first = Future[int]()
-    whole = one_after_another(first, lambda _value, _whole: Future[str]())
+    whole = chain_futures(first, lambda _value, _whole: Future[str]())
     whole.cancel()
     assert first.cancelled(), "what is not begun yet is not needed"

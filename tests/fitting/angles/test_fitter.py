@@ -20,7 +20,7 @@ from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.pipeline.paint import PaintFitter
 from brdf_suite.pipeline.scene import find_any_paint, find_paint
 from brdf_suite.reflectance.build import build_paint, build_reflectance
-from brdf_suite.reflectance.layers import layered
+from brdf_suite.reflectance.layers import split_layers
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 
 
@@ -309,7 +309,7 @@ def test_a_paint_without_transmission_is_flat_over_its_angles(
 @pytest.mark.parametrize("name", ["table1_blue", "table1_polaris_silver"])
 def test_wide_facet_lobes_are_true_on_both_sides_of_the_mirror(name: str) -> None:
     model = build_reflectance(find_any_paint(name))
-    layers = layered(model)
+    layers = split_layers(model)
     assert layers is not None
     facets = AngleFitter(facets=True, time_limit_s=20.0).fit(layers).weights
     plain = AngleFitter(time_limit_s=20.0).fit(layers).weights

@@ -7,7 +7,7 @@ import pytest
 
 from brdf_suite.fitting.cook_torrance.losses import Cost
 from brdf_suite.fitting.cook_torrance.model import LobeModel
-from brdf_suite.fitting.cook_torrance.samples import checked_samples, half_and_difference, spread
+from brdf_suite.fitting.cook_torrance.samples import check_samples, half_and_difference, spread
 from brdf_suite.fitting.cook_torrance.shapes import Terms, fresnel
 from brdf_suite.fitting.cook_torrance.solve import FitProblem
 from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates
@@ -87,7 +87,7 @@ def test_the_reduced_problem_has_cost_and_gradient_of_the_whole(
 ) -> None:
     model = LobeModel("cook-torrance", 3)
     truth = CookTorrance(TABLE_1["table1_ford_f8"]).eval(*pairs)
-    problem = FitProblem.of(model, checked_samples(*pairs, truth * 1.3))
+    problem = FitProblem.of(model, check_samples(*pairs, truth * 1.3))
     x, cost = vector(model, "table1_ford_f8"), Cost(kind, 0.1)
 
     def whole(at: Floats) -> float:

@@ -13,9 +13,9 @@ from brdf_suite.fitting.homomorphic.accuracy import accuracy
 from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints, smoothness
 from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.peak import factorize_with_peak
-from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, even_directions, samples_of
+from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, even_directions, sample_reflectance
 from brdf_suite.fitting.homomorphic.separable import separate
-from brdf_suite.fitting.homomorphic.storage import compression, stored
+from brdf_suite.fitting.homomorphic.storage import compression, quantize_maps
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.factor_projections import PROJECTIONS
 from brdf_suite.geometry.factor_words import COSINE_FACTORS, DEFAULT_FACTORS, RADIAL_FACTORS, parse_factors
@@ -70,7 +70,7 @@ def test_a_product_is_found_also_where_no_sample_was(solver: str) -> None:
 
 
 def test_the_energy_is_kept_in_each_channel() -> None:
-    samples = samples_of(CookTorrance(TABLE_1["table1_polaris_silver"]), 8000)
+    samples = sample_reflectance(CookTorrance(TABLE_1["table1_polaris_silver"]), 8000)
     found = factorize(samples.wi, samples.wo, samples.values, resolution=16)
     cosines = (samples.wi[:, 2] * samples.wo[:, 2])[:, None]
     sent = (cosines * found.product.eval(samples.wi, samples.wo)).mean(axis=0)
@@ -104,7 +104,7 @@ def test_the_masks_of_figure_3() -> None:
     "factors", [DEFAULT_FACTORS, COSINE_FACTORS, RADIAL_FACTORS, "a:h b:w.h", "a:wi.wo b:h"]
 )
 def test_every_projection_comes_near_an_isotropic_paint(factors: str) -> None:
-    samples = samples_of(Shiny(), 6000)
+    samples = sample_reflectance(Shiny(), 6000)
     found = factorize(samples.wi, samples.wo, samples.values, factors=factors, resolution=16)
     near = accuracy(samples.values, found.product.eval(samples.wi, samples.wo))
     flat = accuracy(samples.values, np.broadcast_to(samples.values.mean(axis=0), samples.values.shape))
@@ -197,7 +197,7 @@ def test_wrong_settings_are_named(change: dict, place: str) -> None:
 
 
 def test_the_peak_apart_comes_nearer_than_a_product_alone() -> None:
-    samples = samples_of(Shiny(), 8_000)
+    samples = sample_reflectance(Shiny(), 8_000)
     whole = factorize(samples.wi, samples.wo, samples.values, resolution=16).product
     apart, _ = factorize_with_peak(samples, resolution=16)
     errors = [accuracy(samples.values, one.eval(samples.wi, samples.wo)) for one in (whole, apart)]
@@ -209,7 +209,7 @@ def test_the_peak_apart_comes_nearer_than_a_product_alone() -> None:
 def test_more_terms_of_the_expansion_come_nearer_on_its_grid() -> None:
     reflectance = Shiny()
     whole = separate(reflectance, 8, half_size=12, difference_size=8)
-    samples = samples_of(reflectance, 3000)
+    samples = sample_reflectance(reflectance, 3000)
     found = [
         accuracy(samples.values, whole.first(terms).eval(samples.wi, samples.wo)).rms for terms in (1, 3, 8)
     ]
@@ -222,7 +222,7 @@ def test_textures_cost_what_their_bits_cost() -> None:
     found = factorize(wi, wo, product(wi, wo), resolution=16).product
     truth = found.eval(wi, wo)
     errors = {
-        (store, log): relative(stored(found, store, logarithmic=log).product.eval(wi, wo), truth)
+        (store, log): relative(quantize_maps(found, store, logarithmic=log).product.eval(wi, wo), truth)
         for store in ("8-bit", "half", "float")
         for log in (False, True)
     }
@@ -230,7 +230,7 @@ def test_textures_cost_what_their_bits_cost() -> None:
     # Of a factor of wide range the dark texels keep few of eight bits; its logarithm keeps them all.
     assert errors["8-bit", True] < errors["8-bit", False]
     assert compression(found, 6000) == pytest.approx(6000 / (2 * 16 * 16))
-    assert stored(found, "half").texture_bytes == 2 * 3 * 2 * 16 * 16
+    assert quantize_maps(found, "half").texture_bytes == 2 * 3 * 2 * 16 * 16
 
 
 def test_measured_samples_are_taken_and_turned() -> None:
@@ -238,7 +238,7 @@ def test_measured_samples_are_taken_and_turned() -> None:
     from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
     table = IsotropicTable.from_reflectance(CookTorrance(TABLE_1["table1_blue"]), HalfAngleGrid(12, 8, 12))
-    samples = samples_of(table)
+    samples = sample_reflectance(table)
     assert len(samples) == int(table.measured_mask().sum())
     np.testing.assert_allclose(table.eval(samples.wi, samples.wo), samples.values, rtol=1e-4, atol=1e-6)
     around = np.arctan2(samples.wi[:, 1], samples.wi[:, 0])

@@ -8,7 +8,7 @@ import pytest
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.fitting.homomorphic.constraints import MapLayout
 from brdf_suite.fitting.homomorphic.factorization import Factorization
-from brdf_suite.fitting.homomorphic.factorize import corrected_mean
+from brdf_suite.fitting.homomorphic.factorize import correct_mean
 from brdf_suite.fitting.homomorphic.radial import as_radial, asymmetries
 from brdf_suite.fitting.homomorphic.samples import even_directions
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, MEASURED_FACTORS, factor_words, parse_factors
@@ -66,6 +66,6 @@ def test_the_mean_is_restored_in_each_channel_and_reported() -> None:
     wi, wo = pairs()
     values = whole.eval(wi, wo) * np.array([2.0, 1.0, 0.5])
     values[4, 1] = np.nan
-    found, times = corrected_mean(whole, wi, wo, values)
+    found, times = correct_mean(whole, wi, wo, values)
     np.testing.assert_allclose(times, [2.0, 1.0, 0.5], rtol=1e-9)
     np.testing.assert_allclose(found.alpha, whole.alpha * times)

@@ -19,9 +19,9 @@ from brdf_suite.fitting.lobes.undivided import (
     fit_rows,
     fit_scattered,
     fit_undivided,
-    values_of_scattered,
+    scattered_values,
 )
-from brdf_suite.fitting.lobes.undivided_samples import rows_of_reflectance, rows_of_scattered
+from brdf_suite.fitting.lobes.undivided_samples import reflectance_rows, scattered_rows
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination, spherical
 from brdf_suite.reflectance.models.lambertian import Lambertian
@@ -86,7 +86,7 @@ def scattered_from(known: LobeWeights, incidences_deg: tuple[float, ...]) -> Sca
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_a_lobe_sum_is_found_again(incidences: tuple[float, ...], seed: int) -> None:
     known = lobe_sum(seed)
-    fit = fit_undivided(known, rows=rows_of_reflectance(known, incidences))
+    fit = fit_undivided(known, rows=reflectance_rows(known, incidences))
     assert fit.split_determined
     assert fit.relative_error.max() < 1e-9
     assert fit.notices == ()
@@ -105,7 +105,7 @@ def test_two_incidences_leave_the_split_undetermined() -> None:
     known = lobe_sum(5)
     scattered = scattered_from(known, (20.0, 65.0))
     for fit in (
-        fit_undivided(known, rows=rows_of_reflectance(known, (20.0, 65.0))),
+        fit_undivided(known, rows=reflectance_rows(known, (20.0, 65.0))),
         fit_undivided(scattered),
     ):
         assert not fit.split_determined
@@ -127,9 +127,9 @@ def test_a_split_that_is_determined_is_right_at_an_angle_not_sampled() -> None:
     views = aspecular_view(75.0, np.array([0.0, 2.0, 10.0, 30.0]))
     wi = np.broadcast_to(light, views.shape)
     truth = known.reflected(wi, views)
-    three = fit_undivided(known, rows=rows_of_reflectance(known, (20.0, 45.0, 60.0))).weights
+    three = fit_undivided(known, rows=reflectance_rows(known, (20.0, 45.0, 60.0))).weights
     np.testing.assert_allclose(three.reflected(wi, views), truth, rtol=1e-5)
-    two = fit_undivided(known, rows=rows_of_reflectance(known, (20.0, 60.0))).weights
+    two = fit_undivided(known, rows=reflectance_rows(known, (20.0, 60.0))).weights
     assert np.abs(two.reflected(wi, views) / truth - 1.0).max() > 0.2
 
 
@@ -149,10 +149,10 @@ def test_every_real_file(shared_data: Path, name: str) -> None:
 def test_scattered_samples_are_fitted_where_they_were_measured(shared_data: Path) -> None:
     """The fit takes each sample's own value and direction, and asks for no other."""
     samples = read_measured(shared_data / "brdf" / "krylon_blue.brdf")
-    rows = rows_of_scattered(samples)
+    rows = scattered_rows(samples)
     np.testing.assert_array_equal(rows.wi, samples.wi)
     np.testing.assert_array_equal(rows.wo, samples.wo)
-    np.testing.assert_array_equal(values_of_scattered(samples), samples.values)
+    np.testing.assert_array_equal(scattered_values(samples), samples.values)
     assert [round(float(np.degrees(angle))) for angle in rows.incidences_rad] == [
         10,
         20,
@@ -322,7 +322,7 @@ def test_an_incidence_of_which_little_was_measured_is_none(last: int, split: boo
     table = IsotropicTable.from_reflectance(known, HalfAngleGrid(90, 90, 36))
     holes = np.zeros(table.values.shape[:3], np.bool_)
     holes[:, last:] = True
-    rows = rows_of_reflectance(IsotropicTable(table.values, holes))
+    rows = reflectance_rows(IsotropicTable(table.values, holes))
     fit = fit_undivided(IsotropicTable(table.values, holes), rows=rows)
     assert fit.split_determined == split
     assert fit.weights.kg.any() == split
@@ -334,16 +334,16 @@ def test_an_incidence_of_which_little_was_measured_is_none(last: int, split: boo
 
 def test_a_part_of_the_rows_has_the_incidences_that_are_in_it() -> None:
     samples = scattered_from(lobe_sum(14), (20.0, 45.0, 65.0))
-    rows = rows_of_scattered(samples)
+    rows = scattered_rows(samples)
     near = rows.theta_rad < np.radians(50.0)
     part = rows.subset(near)
     np.testing.assert_allclose(np.degrees(part.incidences_rad), (20.0, 45.0))
-    assert not fit_rows(part, values_of_scattered(samples)[near]).split_determined
+    assert not fit_rows(part, scattered_values(samples)[near]).split_determined
     some = np.zeros(near.size, np.bool_)
     some[::3] = True
     assert rows.subset(some).incidences_rad == rows.incidences_rad
     # One that does not count as a whole does not count in a part.
-    whole = rows_of_reflectance(lobe_sum(14))
+    whole = reflectance_rows(lobe_sum(14))
     fewer = replace(whole, incidences_rad=whole.incidences_rad[:2])
     assert fewer.subset(np.ones(fewer.weights.size, np.bool_)).incidences_rad == fewer.incidences_rad
 
@@ -403,7 +403,7 @@ def test_scattered_values_of_any_kind_give_sound_weights(seed: int, count: int, 
     )
     values = size * rng.random((count, 3)) ** 4 * (rng.random((count, 3)) < 0.7)
     samples = ScatteredSamples(wi, wo, values)
-    fit = fit_rows(rows_of_scattered(samples), values_of_scattered(samples))
+    fit = fit_rows(scattered_rows(samples), scattered_values(samples))
     assert np.isfinite(fit.relative_error).all()
     # No answer at all would leave an error of 1.
     assert fit.relative_error.max() <= 1.0 + 1e-6

@@ -16,7 +16,7 @@ from brdf_suite.geometry.directions import illumination, mirror, spherical
 from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.build import build_reflectance
 from brdf_suite.reflectance.models.coated import Coated
-from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_of
+from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_from_reflectance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 
 NORMAL = np.array([0.0, 0.0, 1.0])
@@ -71,8 +71,8 @@ def test_grooves_shade_at_grazing_light_and_view_by_hand() -> None:
 
 @pytest.mark.parametrize(("r", "index"), [(0.0, 1.0), (0.04, 1.5), (0.25, 3.0), (0.9, 37.974)])
 def test_the_index_gives_back_the_reflectance(r: float, index: float) -> None:
-    assert index_of(r) == pytest.approx(index, abs=1e-3)
-    n = index_of(r)
+    assert index_from_reflectance(r) == pytest.approx(index, abs=1e-3)
+    n = index_from_reflectance(r)
     assert ((n - 1.0) / (n + 1.0)) ** 2 == pytest.approx(r, abs=1e-12)
 
 

@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles.grid import AngleGrid
-from brdf_suite.fitting.lobes.angles.late import one_after_another
+from brdf_suite.fitting.lobes.angles.late import chain_futures
 from brdf_suite.fitting.lobes.angles.program import base_program, coat_program
 from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
-from brdf_suite.fitting.lobes.angles.targets import AngleSamples, base_target, checked_samples, coat_target
+from brdf_suite.fitting.lobes.angles.targets import AngleSamples, base_target, check_samples, coat_target
 from brdf_suite.fitting.lobes.angles.weights import AngleWeights
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
-from brdf_suite.fitting.lobes.checks import checked_ior, checked_limit
+from brdf_suite.fitting.lobes.checks import check_ior, check_limit
 from brdf_suite.fitting.lobes.fitter import PartError
 from brdf_suite.fitting.lobes.limited import LimitedSolution, LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram
@@ -119,7 +119,7 @@ class AngleFitter:
         self.basis = default_basis() if basis is None else basis
         self.grid = grid or AngleGrid()
         self.smoothness = float(smoothness)
-        self.time_limit_s = checked_limit(time_limit_s)
+        self.time_limit_s = check_limit(time_limit_s)
         if (base_gammas_deg is None) != (base_weights is None):
             raise FittingError("Give the base's aspecular angles and their weights together.")
         self.base_samples = AngleBaseSamples(
@@ -201,8 +201,8 @@ class AngleFitter:
             raise FittingError(
                 "The base is seen through a coat; fit it without facets, which are for Cook-Torrance paints."
             )
-        checked_ior(samples.ior)
-        checked = checked_samples(samples, self.base_samples, self.coat_samples)
+        check_ior(samples.ior)
+        checked = check_samples(samples, self.base_samples, self.coat_samples)
         return self._fit(checked, start, self.time_limit_s)
 
     def _fit(self, samples: AngleSamples, start: float, limit_s: float) -> AngleFit:
@@ -226,7 +226,7 @@ class AngleFitter:
         found = self._result(samples, self._part(0, answered, below, below_scale), coat, start)
         self._exact = answered.exact
         if answer.exact is not None:
-            self._exact = one_after_another(
+            self._exact = chain_futures(
                 answer.exact, lambda coat, whole: self._begin_base(samples, coat, start, whole)
             )
         return replace(found, exact=self._exact)

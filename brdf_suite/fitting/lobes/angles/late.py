@@ -13,7 +13,7 @@ First = TypeVar("First")
 Second = TypeVar("Second")
 
 
-def one_after_another(
+def chain_futures(
     first: Future[First], begin: Callable[[First, Future[Second]], Future[Second] | None]
 ) -> Future[Second]:
     """Return a future of what ``begin`` begins with the result of ``first``.

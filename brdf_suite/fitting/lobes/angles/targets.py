@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
 from brdf_suite.fitting.lobes.angles.weights import gloss_brdf, leaving
-from brdf_suite.fitting.lobes.checks import checked_targets
+from brdf_suite.fitting.lobes.checks import check_targets
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 
@@ -43,7 +43,7 @@ class AngleSamples:
     seconds: float = 0.0
 
 
-def checked_samples(samples: AngleSamples, flat: AngleBaseSamples, rings: AngleCoatSamples) -> AngleSamples:
+def check_samples(samples: AngleSamples, flat: AngleBaseSamples, rings: AngleCoatSamples) -> AngleSamples:
     """Return ``samples`` as float64 of the right shapes, or raise a FittingError that names the first bad one."""
     theta = np.arccos(np.clip(flat.grid.cosines, 0.0, 1.0))
 
@@ -52,7 +52,7 @@ def checked_samples(samples: AngleSamples, flat: AngleBaseSamples, rings: AngleC
             gamma, light = np.rad2deg(gamma_rad[place]), np.rad2deg(theta_rad[place])
             return f"at the aspecular angle {gamma:.4g}° under light at {light:.4g}°"
 
-        return checked_targets(f"The {part}", values, (*gamma_rad.shape, 3), where)
+        return check_targets(f"The {part}", values, (*gamma_rad.shape, 3), where)
 
     around = np.broadcast_to(theta[:, None], rings.gamma_rad.shape)
     return replace(
