@@ -121,7 +121,7 @@ POOL_SCRIPT = """
 from brdf_suite.fitting.basis_search.database import load_database
 from brdf_suite.fitting.basis_search.workers import Workers
 
-def told(done):
+def report(done):
     pass
 
 if __name__ == "__main__":
@@ -133,7 +133,7 @@ if __name__ == "__main__":
     for name in ("blue", "solid_red"):
         shutil.copy(resource_root() / "paints" / f"{name}.brdfpaint", folder)
     workers = Workers(load_database(folder), 2)
-    print(len(workers.run([(1.0, 20.0), (5.0, 100.0)], told)))
+    print(len(workers.run([(1.0, 20.0), (5.0, 100.0)], report)))
     workers.close()
 """
 

@@ -31,7 +31,7 @@ from PySide6.QtWidgets import (
 )
 
 HOSTILE = '<img src="/nonexistent.png"><b>x</b>'
-"""A name that Qt draws as a picture and a bold letter wherever it is not told otherwise."""
+"""A name that Qt draws as a picture and a bold letter unless stated otherwise."""
 HOSTILE_FILE = '<img src="nonexistent.png"><b>x'
 """The same as a name that a file can have."""
 
@@ -101,7 +101,7 @@ def _columns(model: QAbstractItemModel, parent: QModelIndex) -> int:
 
 
 def turn_wheel(widget: QWidget, notches: int = 1) -> None:
-    """Turn the wheel over the middle of a widget, as the window system tells it where the widget can be seen."""
+    """Turn the wheel over the middle of a widget, as the window system reports it where the widget is visible."""
     window, middle = widget.window(), widget.rect().center()
     there = widget.mapTo(window, middle)
     seen = window.childAt(there) if widget.isVisible() and window.isVisible() else None

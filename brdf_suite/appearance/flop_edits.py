@@ -66,7 +66,7 @@ def unwrap_hues(lab: npt.ArrayLike) -> Floats:
 
     The first is 0 to 360; each further one lies within 180° of the one before it that has a hue.
 
-    >>> unwrapped_hues([[50.0, 9.0, -1.0], [50.0, 0.0, 0.0], [50.0, 9.0, 1.0]]).round(1).tolist()
+    >>> unwrap_hues([[50.0, 9.0, -1.0], [50.0, 0.0, 0.0], [50.0, 9.0, 1.0]]).round(1).tolist()
     [353.7, nan, 366.3]
     """
     lch = lab_to_lch(np.asarray(lab, float))

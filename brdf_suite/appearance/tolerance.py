@@ -46,8 +46,8 @@ _SAME_DEG = 1e-6
 def find_difference(name: str) -> Difference:
     """Return the formula called ``name``: a key of :data:`DIFFERENCES`, or ``cmc:l:c`` with weights of one's own.
 
-    >>> float(difference_named("cmc:2:1")([50.0, 0.0, 0.0], [51.0, 0.0, 0.0])) == float(
-    ...     difference_named("cmc21")([50.0, 0.0, 0.0], [51.0, 0.0, 0.0])
+    >>> float(find_difference("cmc:2:1")([50.0, 0.0, 0.0], [51.0, 0.0, 0.0])) == float(
+    ...     find_difference("cmc21")([50.0, 0.0, 0.0], [51.0, 0.0, 0.0])
     ... )
     True
 

@@ -97,7 +97,7 @@ def name_differences(
     ``weights`` are S_L, S_C and S_H of the two (:func:`~brdf_suite.appearance.difference.weights_2000`), for callers
     that works them out for many pairs at once.
 
-    >>> [named.text() for named in named_differences((25.0, 4.0, -38.0), (22.0, 4.0, -38.0))]
+    >>> [named.text() for named in name_differences((25.0, 4.0, -38.0), (22.0, 4.0, -38.0))]
     ['darker']
     """
     lightness, chroma, hue = difference_parts(standard, sample)
@@ -157,7 +157,7 @@ def sentence(
     words
         Per angle its words, as :func:`name_differences` gives them; angles without any are left out.
 
-    >>> sentence(["15°", "110°"], [(), named_differences((25.0, 4.0, -38.0), (22.0, 4.0, -38.0))])
+    >>> sentence(["15°", "110°"], [(), name_differences((25.0, 4.0, -38.0), (22.0, 4.0, -38.0))])
     'darker at 110°'
     """
     groups: dict[tuple[tuple[str, str], ...], list[int]] = {}

@@ -27,7 +27,7 @@ def flatten_paint(paint: Paint) -> dict[str, Setting]:
     """Return the fields by their names in the paint's file, those of parts after a dot; what is not there is left out.
 
     >>> from brdf_suite.documents.paint import solid_paint
-    >>> settings_of(solid_paint("white", (95.0, 0.0, 1.0)))["interpolation"]
+    >>> flatten_paint(solid_paint("white", (95.0, 0.0, 1.0)))["interpolation"]
     'flake'
     """
     found: dict[str, Setting] = {}

@@ -142,7 +142,7 @@ def probe(variant: str, llvm_path: str) -> ProbeResult:
 def parse_version(path: str) -> int:
     """Return the LLVM version from a library's name; 0 where it has none.
 
-    >>> version_of("usr/lib/x86_64-linux-gnu/libLLVM.so.19.1"), version_of("usr/lib/libLLVM.so")
+    >>> parse_version("usr/lib/x86_64-linux-gnu/libLLVM.so.19.1"), parse_version("usr/lib/libLLVM.so")
     (19, 0)
     """
     numbers = [int(number) for number in _VERSION.findall(path)]

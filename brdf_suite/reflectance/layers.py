@@ -79,7 +79,7 @@ def split_layers(reflectance: object, *, sharp_slope: float = SHARP_SLOPE) -> La
     counts as coat.
 
     >>> from brdf_suite.reflectance.models.table_1 import TABLE_1
-    >>> layers = layered(CookTorrance(TABLE_1["table1_white"]))
+    >>> layers = split_layers(CookTorrance(TABLE_1["table1_white"]))
     >>> round(layers.ior, 2)
     2.4
     """

@@ -117,7 +117,7 @@ class Mesh:
 
     >>> import numpy as np
     >>> corner = np.eye(3)
-    >>> part = Part("facet", "paint", corner, np.tile([0.0, 0.0, 1.0], (3, 1)), corner[:, :2], [[0, 1, 2]])
+    >>> part = PartGeometry("facet", "paint", corner, np.tile([0.0, 0.0, 1.0], (3, 1)), corner[:, :2], [[0, 1, 2]])
     >>> Mesh("facet", (part,)).triangle_count
     1
     """

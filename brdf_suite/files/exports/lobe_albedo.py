@@ -24,7 +24,7 @@ _EACH = 40
 def single_scattering_albedo(alpha: float, cosine: Floats) -> Floats:
     """Return E (n,) for roughness α and the cosines (n,) of the direction's polar angle.
 
-    >>> bool(one_bounce(0.03, np.array([0.9]))[0] > 0.999)
+    >>> bool(single_scattering_albedo(0.03, np.array([0.9]))[0] > 0.999)
     True
     """
     table = _table()

@@ -41,7 +41,7 @@ _LMS_TO_RGB = (
 def parse_colour(text: str, name: str = "") -> tuple[FlatColour, float] | None:
     """Return the colour in a CSS value and its opacity, or None where it is none that is known here.
 
-    >>> colour_of("rgb(51 102 153)")[0].values == colour_of("#336699")[0].values
+    >>> parse_colour("rgb(51 102 153)")[0].values == parse_colour("#336699")[0].values
     True
     """
     text = text.strip().lower()

@@ -94,7 +94,7 @@ def fresnel(cosine: Floats, e: float) -> tuple[Floats, Floats]:
 def reflectance_from_inverse_index(e: float) -> float:
     """Return r, F along the normal, of e = 1/n.
 
-    >>> round(reflectance_of(1.0 / 1.5), 9)
+    >>> round(reflectance_from_inverse_index(1.0 / 1.5), 9)
     0.04
     """
     return ((1.0 - e) / (1.0 + e)) ** 2
@@ -103,7 +103,7 @@ def reflectance_from_inverse_index(e: float) -> float:
 def inverse_index(r: float) -> float:
     """Return e = 1/n of a reflectance ``r`` along the normal, 0 to 1.
 
-    >>> round(1.0 / inverse_index_of(0.04), 9)
+    >>> round(1.0 / inverse_index(0.04), 9)
     1.5
     """
     root = math.sqrt(r)

@@ -35,7 +35,7 @@ LARGEST_MIRROR_SLOPE = 0.05
 def equivalent_exponent(slope: float) -> float:
     """Return n of the cosine lobe that stands for facets of ``slope`` m.
 
-    >>> round(exponent_of(0.1), 2)
+    >>> round(equivalent_exponent(0.1), 2)
     156.08
     """
     return 2.0 * math.pi / (4.0 * slope * slope) - 1.0

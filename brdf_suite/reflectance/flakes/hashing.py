@@ -19,7 +19,7 @@ GOLDEN = np.uint32(0x9E3779B9)
 def scramble(x: npt.ArrayLike) -> Words:
     """Return words (...) for words (...) of 32 bits.
 
-    >>> hex(int(scrambled(np.uint32(1))))
+    >>> hex(int(scramble(np.uint32(1))))
     '0x6d3fa73'
     """
     # At least one axis: numpy wraps whole numbers silently in arrays, but warns for a single one.

@@ -136,7 +136,7 @@ class CookTorrance:
 def index_from_reflectance(r: float) -> float:
     """Return the index of refraction that reflects ``r`` < 1 along the normal: r = ((n-1)/(n+1))².
 
-    >>> round(index_of(0.04), 9)
+    >>> round(index_from_reflectance(0.04), 9)
     1.5
     """
     root = math.sqrt(r)
