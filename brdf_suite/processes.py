@@ -61,7 +61,7 @@ def run_module(module: str, arguments: Sequence[str]) -> None:
 
 @contextmanager
 def safe_path_inherited() -> Iterator[None]:
-    """Let processes that ``multiprocessing`` starts meanwhile leave the working folder out of ``sys.path``.
+    """Exclude the working folder from ``sys.path`` in processes started by ``multiprocessing`` inside the block.
 
     It builds its command lines itself; the environment is what they can be reached by.
     """

@@ -13,7 +13,7 @@ _X_FIRST_PORT = 6000
 
 
 def screen_missing() -> str | None:
-    """Say why no window can be opened here; ``None`` where one can."""
+    """Return the reason why no window can be opened here; ``None`` where one can."""
     platform = os.environ.get("QT_QPA_PLATFORM", "").partition(":")[0]
     if not sys.platform.startswith("linux") or platform not in {"", "xcb", "wayland", "wayland-egl"}:
         return None

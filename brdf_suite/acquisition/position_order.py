@@ -77,7 +77,7 @@ class PositionOrder:
         return tuple(found)
 
     def _between(self, at: int, order: list[int], columns: list[float], rising: list[int]) -> str:
-        """Say where this highlight would fit, in angles."""
+        """Describe where this highlight would fit, in angles."""
         angles = [self._session.positions[order[i]].angle_deg for i in rising]
         place = bisect.bisect([columns[i] for i in rising], columns[at])
         if place == 0:

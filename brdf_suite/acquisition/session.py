@@ -271,7 +271,7 @@ class Session:
                 )
 
     def _check_counts(self) -> None:
-        """Each series has as many photographs as it has exposures."""
+        """Check that each series has as many photographs as exposures."""
         count = len(self.exposures_s)
         series = [(f"positions[{i}].photographs", p.photographs, count) for i, p in enumerate(self.positions)]
         if self.dark:

@@ -93,7 +93,7 @@ def _indices(place: str) -> tuple[int | None, int | None]:
 
 
 def _severity_of_loss(place: str) -> Severity:
-    """How much is lost where a file is: a photograph alone, its position, a little, or everything."""
+    """Return the extent of a loss at a file: a photograph alone, its position, a minor part, or everything."""
     if place.endswith("].mask"):
         return "position"
     if place == "mask":
@@ -108,7 +108,7 @@ def _add(seen: _Seen, folder: _Path, severity: Severity, place: str, reason: str
 
 
 def _sizes(folder: _Path, seen: _Seen) -> None:
-    """All photographs of the sphere, and what is compared with them pixel by pixel, have one size."""
+    """Check that all photographs of the sphere, and those compared pixel by pixel, have one size."""
     compared = {
         place: facts for place, (_, facts) in seen.facts.items() if not place.startswith("camera.board")
     }
@@ -135,7 +135,7 @@ def _depths(folder: _Path, session: Session, seen: _Seen) -> None:
 
 
 def _floats(folder: _Path, seen: _Seen) -> None:
-    """Floats and codes are in different units, so what is not of the kind of most positions is left out."""
+    """Check for mixed units: floats and codes differ, so files unlike most positions are left out."""
     kinds = {
         place: facts.bits is None
         for place, (_, facts) in seen.facts.items()
@@ -156,7 +156,7 @@ def _floats(folder: _Path, seen: _Seen) -> None:
 
 
 def _calibrations(folder: _Path, session: Session, seen: _Seen) -> None:
-    """What session.json names for calibration must be there, if only in part, and show what it says."""
+    """Check that the calibration files named in session.json exist, at least in part, and are suitable."""
     fields = {
         "dark": session.dark,
         "white": session.white.photographs if session.white else (),
@@ -187,7 +187,7 @@ def _calibrations(folder: _Path, session: Session, seen: _Seen) -> None:
 
 
 def _times(folder: _Path, session: Session, seen: _Seen) -> None:
-    """EXIF against the session: nominal times may differ a little, another exposure's time may not."""
+    """Compare EXIF with the session: nominal times may differ a little, another exposure's time may not."""
     for place, (_, facts) in list(seen.facts.items()):
         position, exposure = _indices(place)
         if exposure is None and place.startswith("dark["):
@@ -214,7 +214,7 @@ def _nearest(session: Session, seconds: float) -> int:
 
 
 def _curve(folder: _Path, session: Session, seen: _Seen) -> None:
-    """A JPEG picture is never linear, and its curve must be stated or recovered from the exposures."""
+    """Check the curve: a JPEG picture is never linear, so its curve must be stated or recovered."""
     jpegs = [
         place
         for place, (_, facts) in seen.facts.items()

@@ -70,7 +70,7 @@ def session_to_json(session: Session) -> dict[str, object]:
 
 
 def _fields(value: object) -> dict[str, object]:
-    """The fields of a value as JSON has them; those that are absent are left out."""
+    """Return the fields of a value as JSON data; absent ones are left out."""
     found = {
         field.name: getattr(value, field.name)
         for field in dataclasses.fields(value)  # type: ignore[arg-type]  # only dataclasses come here
@@ -117,7 +117,7 @@ def _camera(reader: FieldReader) -> SessionCamera:
 def _optional(
     reader: FieldReader, name: str, kind: Callable[..., _T], required: tuple[str, ...]
 ) -> _T | None:
-    """The object in field ``name``, or None where it is absent or null."""
+    """Return the object in field ``name``, or None where it is absent or null."""
     value = reader.take_or(name, None)
     if value is None:
         return None

@@ -136,7 +136,7 @@ def _groups(folder: Path) -> dict[str, list[Path]]:
 
 
 def _natural(file: Path) -> list[tuple[int, float, str]]:
-    """Order 2 before 10."""
+    """Return a sort key with 2 before 10."""
     parts = re.split(r"(\d+)", file.as_posix())
     return [(0, float(part), "") if part.isdigit() else (1, 0.0, part.lower()) for part in parts]
 
@@ -150,7 +150,7 @@ def _taken(groups: dict[str, list[Path]], word: str) -> list[Path]:
 
 
 def _by_time(files: list[Path]) -> list[Path]:
-    """Shortest exposure first, where all files state their times; else by name."""
+    """Sort by exposure time, where all files state it; else by name."""
     times = [photograph_facts(file).exposure_s for file in files]
     if any(time is None for time in times):
         return files
@@ -200,7 +200,7 @@ def _angles(draft: _Draft, hints: list[float | None]) -> list[float]:
 
 
 def _bits(draft: _Draft, facts: PhotographFacts, longest: Path) -> int:
-    """The depth that the codes use: 12 bits often stand in files of 16."""
+    """Return the depth in use: 12-bit codes are often stored in 16-bit files."""
     if facts.bits is None or facts.bits == 8 or facts.kind == "raw":
         return 8 if facts.bits == 8 else 16
     highest = int(read_photograph(longest).codes.max())

@@ -66,7 +66,7 @@ def read_exposure(page: TiffPage) -> float | None:
 
 
 def _number(value: object) -> float | None:
-    """A rational, which tifffile gives as top and bottom, or a plain number; None of anything else."""
+    """Return the value of a rational, stored as a pair by tifffile, or a plain number; None for anything else."""
     if isinstance(value, tuple) and len(value) == 2 and all(isinstance(part, int) for part in value):
         return value[0] / value[1] if value[1] else None
     return float(value) if isinstance(value, int | float) and abs(value) < 1e30 else None

@@ -85,7 +85,7 @@ def weights_2000(lab1: npt.ArrayLike, lab2: npt.ArrayLike) -> Floats:
 def _terms_2000(
     lab1: npt.ArrayLike, lab2: npt.ArrayLike
 ) -> tuple[Floats, Floats, Floats, tuple[Floats, Floats, Floats], Floats, Floats]:
-    """ΔL', ΔC', ΔH', their weights, and the means of C' and of h' (radians)."""
+    """Return ΔL', ΔC', ΔH', their weights, and the means of C' and of h' (radians)."""
     first, second = np.asarray(lab1, float), np.asarray(lab2, float)
     l1, a1, b1 = first[..., 0], first[..., 1], first[..., 2]
     l2, a2, b2 = second[..., 0], second[..., 1], second[..., 2]

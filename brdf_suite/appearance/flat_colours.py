@@ -138,7 +138,7 @@ def display_notes(colours: Sequence[FlatColour]) -> tuple[str, ...]:
 
 
 def _labs(like: FlatColour, values: Floats) -> Floats:
-    """L*a*b* of the numbers (n, k) of colours that are like this one in all but the numbers."""
+    """Return L*a*b* of the numbers (n, k) of colours with this colour's model and white."""
     model = like.model
     if model == "spectrum":
         return spectrum_to_lab(values, np.array(like.wavelengths_nm))
@@ -163,7 +163,7 @@ def _transform_of(colour: FlatColour) -> AdaptationTransform:
 
 
 def _decoded(encoded: Floats, power: float | None) -> Floats:
-    """Linear light of encoded values: the sRGB curve, or a power, which ProPhoto RGB replaces by a line near black."""
+    """Return linear light of encoded values: the sRGB curve, or a power, with ProPhoto RGB's line near black."""
     if power is None:
         return srgb_decode(encoded)
     size = np.abs(encoded)
@@ -204,7 +204,7 @@ def _encoded_rgb(model: str, values: Floats) -> Floats:
 
 
 def _from_hue(values: Floats, *, lightness: bool) -> Floats:
-    """RGB of hue in degrees, saturation, and brightness or lightness (Smith 1978)."""
+    """Return RGB of hue in degrees, saturation, and brightness or lightness (Smith 1978)."""
     hue, saturation, level = values.T
     if lightness:
         spread = saturation * np.minimum(level, 1.0 - level)
@@ -228,7 +228,7 @@ def _srgb() -> tuple[Floats, float | None]:
 
 @cache
 def _space(name: str) -> tuple[Floats, float | None] | None:
-    """The matrix to the working space and the power of a named RGB space (None: the sRGB curve)."""
+    """Return the matrix to the working space and the power of a named RGB space (None: the sRGB curve)."""
     plain = "".join(character for character in name.lower() if character.isalnum())
     if not plain or "srgb" in plain:
         return _srgb()

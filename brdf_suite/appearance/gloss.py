@@ -140,7 +140,7 @@ def _from_one(gu_20: float, base: float) -> tuple[Coat, str | None]:
 
 
 def _from_two(gu_20: float, gu_60: float, base_20: float, base_60: float) -> tuple[Coat, str | None]:
-    """For each roughness the 20° reading gives one index; along that line the 60° reading picks one coat.
+    """Solve for both readings: each roughness and the 20° reading give an index; the 60° reading selects one coat.
 
     The 60° gloss rises along the line while the lobe fits the wide receptor. Past that both receptors lose
     alike and it may fall again: of two coats the one nearest to the usual index is taken.
@@ -183,7 +183,7 @@ def _from_two(gu_20: float, gu_60: float, base_20: float, base_60: float) -> tup
 
 
 def _ior_for(wanted_20: float, roughness: float, lowest: float) -> float:
-    """The index that gives ``wanted_20`` at this roughness, held to the range."""
+    """Return the index that gives ``wanted_20`` at this roughness, clamped to the range."""
     target = wanted_20 / 100.0 * black_glass(20) / receptor_fraction(20, roughness)
     if target <= fresnel_at(20, lowest):
         return lowest
@@ -193,7 +193,7 @@ def _ior_for(wanted_20: float, roughness: float, lowest: float) -> float:
 
 
 def _roughness_for(wanted_20: float, ior: float) -> float:
-    """The roughness that gives ``wanted_20`` with this index, held to the range."""
+    """Return the roughness that gives ``wanted_20`` with this index, clamped to the range."""
     share = wanted_20 / gloss_units(20, ior, 0.0)
     if share >= receptor_fraction(20, LOWEST_ROUGHNESS):
         return LOWEST_ROUGHNESS

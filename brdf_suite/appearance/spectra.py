@@ -42,7 +42,7 @@ _LOWEST_NM, _HIGHEST_NM = 100.0, 10_000.0
 
 @cache
 def _tables() -> dict[str, Floats]:
-    """Every column of the packaged table by its name, each (421,)."""
+    """Return every column of the packaged table by its name, each (421,)."""
     path = resource("colour", "cie.csv")
     lines = [line for line in path.read_text(encoding="ascii").splitlines() if not line.startswith("#")]
     numbers = np.array([[float(cell) for cell in line.split(",")] for line in lines[1:]])
@@ -70,7 +70,7 @@ def illuminant_power(illuminant: str = "D65") -> Floats:
 
 @cache
 def _integrand(illuminant: str, observer_deg: int) -> Floats:
-    """100 S x̄ / Σ S ȳ (421, 3): what a reflectance at 1 nm is multiplied with and summed."""
+    """Return 100 S x̄ / Σ S ȳ (421, 3), the weights of reflectance per nm."""
     weighted = illuminant_power(illuminant)[:, None] * colour_matching(observer_deg)
     return np.asarray(100.0 * weighted / weighted[:, 1].sum())
 
@@ -114,7 +114,7 @@ def _weights(bands: bytes, illuminant: str, observer_deg: int) -> Floats:
 
 
 def _reading(bands: Floats, at: Floats) -> Floats:
-    """The matrix (n, k) that reads a spectrum of k bands at n wavelengths."""
+    """Return the matrix (n, k) that interpolates a spectrum of k bands at n wavelengths."""
     count = min(4, len(bands))
     held = np.clip(at, bands[0], bands[-1])
     cell = np.clip(np.searchsorted(bands, held, side="right") - 1, 0, max(len(bands) - 2, 0))

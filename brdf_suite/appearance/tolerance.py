@@ -138,7 +138,7 @@ class Limits:
 
 
 def _share(value: float, limit: float) -> float:
-    """A component in units of its half axis; of no width at all only 0 is inside."""
+    """Return a component in units of its half axis; for zero width only 0 is inside."""
     if limit > 0.0:
         return value / limit
     return 0.0 if value == 0.0 else math.inf

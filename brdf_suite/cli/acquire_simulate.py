@@ -61,7 +61,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def is_requested(options: argparse.Namespace) -> bool:
-    """Say whether a template or a simulation is asked for, and no reconstruction."""
+    """Return whether a template or a simulation is requested instead of a reconstruction."""
     return bool(options.template or options.simulate)
 
 

@@ -88,7 +88,7 @@ def info(options: argparse.Namespace) -> int:
 
 
 def clear(options: argparse.Namespace) -> int:
-    """Empty the cache and print how much that was."""
+    """Empty the cache and print the size of the removed files."""
     from brdf_suite.errors import FileError
     from brdf_suite.lighting.cache import MapCache
     from brdf_suite.lighting.cache_folder import remove
@@ -203,7 +203,7 @@ def verify(options: argparse.Namespace) -> int:
 
 
 def _row(entry: CacheEntry) -> dict[str, object]:
-    """One entry as plain values; ``environment`` is empty where the file does not name it."""
+    """Return one entry as plain values; ``environment`` is empty where the file does not name it."""
     from brdf_suite.lighting.map_file import DamagedMapFileError, read_facts
 
     try:

@@ -73,6 +73,6 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _read_notes(facts: Mapping[str, object]) -> tuple[str, ...]:
-    """What the reader assumed or repaired."""
+    """Return the reader's assumptions and repairs."""
     notes = facts.get("notes", ())
     return tuple(str(note) for note in notes) if isinstance(notes, (tuple, list)) else (str(notes),)

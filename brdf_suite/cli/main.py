@@ -62,7 +62,7 @@ class _Rows(argparse.RawDescriptionHelpFormatter):
     """Help formatter with a column wide enough for command names."""
 
     def add_argument(self, action: argparse.Action) -> None:
-        """Count the indent of a command too, which the base class forgets: else its help goes below it."""
+        """Count the indent of a command, which the base class ignores: otherwise its help starts on the next line."""
         super().add_argument(action)
         for command in self._iter_indented_subactions(action):
             width = (
@@ -154,7 +154,7 @@ def _run_module(words: Sequence[str]) -> int:
 
 
 def _drop_output() -> None:
-    """Let what is not yet written go nowhere, or it would fail once more at exit."""
+    """Discard buffered output, which would fail again at exit."""
     if sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 

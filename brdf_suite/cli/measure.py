@@ -58,7 +58,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def add_instrument(command: argparse.ArgumentParser) -> None:
-    """Declare the options that say how the instrument looks."""
+    """Declare the options of the virtual instrument."""
     command.add_argument("--geometry", default="six", metavar="NAME", help=GEOMETRY_HELP)
     command.add_argument("--aperture", default="point", metavar="DEG", help=APERTURE_HELP)
     command.add_argument(
@@ -155,5 +155,5 @@ def _print_csv(measured: list[tuple[Measurable, InstrumentReport]], illuminant: 
 
 
 def _column(geometry: str) -> str:
-    """The columns of the usual light are named by the aspecular angle alone."""
+    """Return the name of a column; those of the usual light are named by the aspecular angle alone."""
     return geometry.removeprefix("45as")

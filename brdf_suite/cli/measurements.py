@@ -35,7 +35,7 @@ class Bound:
         return "–" if sign is None or self.bound is None else f"{sign} {self.bound:g} {self.unit}".rstrip()
 
     def holds(self, value: float | None) -> bool | None:
-        """Say whether ``value`` keeps the bound; ``None`` where there is none or no value."""
+        """Return whether ``value`` keeps the bound; ``None`` where there is none or no value."""
         compare = _COMPARE.get(self.comparison)
         return None if compare is None or value is None or self.bound is None else compare(value, self.bound)
 

@@ -157,7 +157,7 @@ def _display_notes(palette: Palette) -> tuple[str, ...]:
 
 
 def _shown(palette: Palette) -> list[dict[str, object]]:
-    """What each entry looks like: L*a*b* (D65, 10°) of its one angle, or of the angles that it was read at."""
+    """Return each entry's appearance: L*a*b* (D65, 10°) of its one angle, or of its measured angles."""
     from brdf_suite.appearance.flat_colours import flat_labs, lab_to_hex
     from brdf_suite.documents.flat_colour import FlatColour
     from brdf_suite.documents.paint import Paint

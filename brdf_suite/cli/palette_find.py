@@ -110,7 +110,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _labs(name_or_path: str) -> tuple[str, Floats]:
-    """The name and L*a*b* (3, 3) of what is looked for."""
+    """Return the name and L*a*b* (3, 3) of the paint to search for."""
     from brdf_suite.pipeline.measuring import is_measured_file
 
     if is_measured_file(Path(name_or_path)):

@@ -13,7 +13,7 @@ _COLOUR_SPACES = ("srgb", "display-p3", "rec2020")
 
 
 def add_picture(command: argparse.ArgumentParser, *, radiance: bool = True, sheet: bool = False) -> None:
-    """Declare what :func:`parse_settings` reads; ``radiance``: EXR is offered beside PNG; ``sheet``: text is in it."""
+    """Declare the options read by :func:`parse_settings`; ``radiance``: EXR beside PNG; ``sheet``: with text."""
     spaces = _COLOUR_SPACES if radiance else _COLOUR_SPACES[:2]
     exr = "; 16 or 32 of an EXR (default: 32)" if radiance else ""
     command.set_defaults(bits=None, transparent=False)

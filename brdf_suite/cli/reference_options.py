@@ -53,7 +53,7 @@ def add_reference(command: argparse.ArgumentParser) -> None:
 
 
 def add_raytraced(command: argparse.ArgumentParser) -> None:
-    """Declare what the ray tracer is asked for, and that a traced picture may be begun anew."""
+    """Declare the options of the ray tracer, and the restart of a traced picture."""
     command.add_argument(
         "--quality",
         choices=QUALITIES,

@@ -14,7 +14,7 @@ from brdf_suite.errors import ValueRangeError
 
 
 def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = (1280, 720)) -> None:
-    """Declare what :func:`parse_view` reads, and ``--size``."""
+    """Declare the options read by :func:`parse_view`, and ``--size``."""
     command.add_argument(
         "--view", type=Path, default=None, metavar="FILE", help="a .brdfview file; other options change it"
     )

@@ -16,7 +16,7 @@ _PARTS = {"E": "difference", "L": "lightness", "C": "chroma", "H": "hue"}
 
 
 def add_tolerances(command: argparse.ArgumentParser) -> None:
-    """Declare the options that say what passes, and by which formula."""
+    """Declare the tolerance options and the difference formula."""
     command.add_argument(
         "--tolerance",
         action="append",
@@ -94,7 +94,7 @@ def check_angles(wanted: Iterable[float], read: Sequence[float]) -> None:
 
 
 def verdict_text(row: AngleVerdict) -> str:
-    """Pass or fail, and the limits: those that are exceeded, or all."""
+    """Return the verdict as text: pass or fail, and the limits, the exceeded ones or all."""
     known = {
         name: f"{'Δ' if letter != 'E' else ''}{letter} ≤ {getattr(row.limits, name):g}"
         for letter, name in _PARTS.items()

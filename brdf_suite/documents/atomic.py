@@ -69,7 +69,7 @@ def encode(value: Mapping[str, object]) -> bytes:
 
 
 def _mode_of(target: Path) -> int | None:
-    """The mode of the old file, or None where there is none yet."""
+    """Return the mode of the old file, or None where there is none yet."""
     try:
         found = target.stat()
     except FileNotFoundError:
@@ -80,7 +80,7 @@ def _mode_of(target: Path) -> int | None:
 
 
 def _sync_folder(folder: Path) -> None:
-    """Force the folder's own entry to the disk, where the system knows that."""
+    """Flush the folder's own entry to disk, where the system supports it."""
     if os.name == "nt":
         return
     descriptor = os.open(folder, os.O_RDONLY)

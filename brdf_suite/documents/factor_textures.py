@@ -181,5 +181,5 @@ def _target(document: Path, digest: str) -> Path:
 
 
 def _stem(document: Path) -> str:
-    """The document's name without what an earlier copy's hash added."""
+    """Return the document's name without the hash of an earlier copy."""
     return re.sub(rf"-[0-9a-f]{{{_DIGITS}}}$", "", document.stem)[:80] or "textures"

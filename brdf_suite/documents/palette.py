@@ -142,6 +142,7 @@ class Palette:
     Groups that entries are in but that are not declared are added, those around a group before it. ``columns`` is how
     many stand in a row (0: not said).
 
+    >>> from brdf_suite.documents.paint import solid_paint
     >>> palette = Palette("Summer", (Entry(solid_paint("white", (95.0, 0.0, 1.0)), group=("Light",)),))
     >>> [(entry.id, entry.name) for entry in palette], [group.name for group in palette.groups]
     ([('1', 'white')], ['Light'])
@@ -254,7 +255,7 @@ def _set(value: object, name: str, item: object) -> None:
 
 
 def _with_ids(entries: tuple[Entry, ...]) -> tuple[Entry, ...]:
-    """The entries, each with an id; those without get their number, or the next that is free."""
+    """Return the entries, each with an id; those without get their number, or the next free one."""
     taken = {entry.id for entry in entries}
     if len(taken) == len(entries) and "" not in taken:
         return entries

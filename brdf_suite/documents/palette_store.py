@@ -124,7 +124,7 @@ _DEFAULTS: dict[type, dict[str, object]] = {
 
 
 def _changed(value: Any, names: tuple[str, ...]) -> dict[str, object]:
-    """The named fields that do not have their default."""
+    """Return the named fields that differ from their default."""
     defaults = _DEFAULTS[type(value)]
     found = {name: getattr(value, name) for name in names}
     return {
@@ -168,7 +168,7 @@ _ENTRY_FIELDS = {field.name for field in dataclasses.fields(Entry)} - {"content"
 
 
 def _quick_entry(value: object) -> Entry | None:
-    """The entry of a paint in a JSON object, or None where the usual reader must look at it, who names places."""
+    """Return the paint entry in a JSON object, or None where the regular reader must parse it for error places."""
     if type(value) is not dict or not value.keys() <= _ENTRY_FIELDS:
         return None
     paint = quick_paint(value.get("paint"))

@@ -47,7 +47,7 @@ class Parameter:
 
 
 def describe(value: object) -> str:
-    """Say what kind of value was found, in the words of a JSON file, short enough for a message."""
+    """Return the kind of value found, in JSON terms, short enough for a message."""
     if value is None:
         return "null"
     if isinstance(value, bool):

@@ -136,7 +136,7 @@ def _measurements(items: object) -> tuple[Measurement, ...] | None:
 
 
 def _made(kind: type[_T], **fields: Any) -> _T:
-    """A frozen value of fields that have been checked already; every field must be given."""
+    """Return a frozen value of fields that are already checked; every field must be given."""
     value = object.__new__(kind)
     value.__dict__.update(fields)
     return value

@@ -106,7 +106,7 @@ def fill(
 
 @functools.cache
 def _fields_of(kind: Callable[..., object]) -> tuple[str, ...]:
-    """The names that ``kind`` takes; asked once, as a palette holds thousands of objects of a few kinds."""
+    """Return the names that ``kind`` takes; cached, as a palette holds thousands of objects of a few kinds."""
     return tuple(inspect.signature(kind).parameters)
 
 

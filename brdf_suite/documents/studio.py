@@ -90,7 +90,7 @@ class BoothRoom:
             raise ValueRangeError("eye_height_m", f"must lie below the ceiling, {self.height_m:g} m")
 
     def holds(self, position: Point) -> bool:
-        """Say whether a point lies within the room, walls included."""
+        """Return whether a point lies within the room, walls included."""
         x, y, z = position
         upright = -self.eye_height_m <= y <= self.height_m - self.eye_height_m
         return abs(x) <= 0.5 * self.width_m and upright and abs(z) <= 0.5 * self.length_m

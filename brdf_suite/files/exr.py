@@ -151,7 +151,7 @@ class _Rows:
         return planes
 
     def _from_part(self, y0: int, y1: int) -> dict[str, NDArray[np.floating]]:
-        """Rows of a later part, or of chroma at half resolution, which only the whole-file reader takes."""
+        """Read rows of a later part, or of half-resolution chroma, which only the whole-file reader supports."""
         import OpenEXR
 
         header = self._light.header

@@ -170,7 +170,7 @@ class _Reader:
         return text
 
     def at_end_of_headers(self) -> bool:
-        """Say whether the empty header is next that ends those of a file of several parts; step over it."""
+        """Consume the empty header that ends a multi-part file's headers, if it is next; return whether it was."""
         if self.take(1) == b"\0":
             return True
         self.at -= 1

@@ -97,7 +97,7 @@ def _blocks(size: tuple[int, int], strips: Iterable[NDArray[Any]]) -> Iterator[t
 
 
 def _packed(block: NDArray[Any], kind: str) -> bytes:
-    """ZIP as the format has it: low and high bytes apart, each as the difference to the one before."""
+    """Return data compressed as ZIP in OpenEXR: low and high bytes apart, each as difference to the previous one."""
     if kind == "<f2":
         block = np.clip(block, -_LARGEST_HALF, _LARGEST_HALF)
     # Channels in the order of the alphabet (A, B, G, R), line by line.

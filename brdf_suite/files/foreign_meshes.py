@@ -78,7 +78,7 @@ def gltf_parts(
 
 
 def _in_words(error: Exception) -> str:
-    """Say what stopped the library; its own text is about variables and axes, of no use to the reader."""
+    """Return the cause of a library error in plain words; its own text names variables and axes."""
     if isinstance(error, FileNotFoundError) or (isinstance(error, OSError) and error.filename):
         name = Path(str(error.filename)).name if error.filename else "another file"
         return f"needs {name} beside it, which cannot be read ({error.strerror or 'it is not there'})"

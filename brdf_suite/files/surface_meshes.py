@@ -92,5 +92,5 @@ def write_ply(path: str | os.PathLike[str], mesh: PointMesh, comments: Sequence[
 
 
 def _lines(comments: Sequence[str]) -> list[str]:
-    """Comments as single lines, whatever a name holds."""
+    """Return comments as single lines for any name."""
     return [" ".join(comment.split()) for comment in comments]

@@ -45,7 +45,7 @@ def _half(wi: Floats, wo: Floats) -> Floats:
 
 
 def _across(wi: Floats, wo: Floats) -> Floats:
-    """Light to view, from -1 to 1, in [0, 1]."""
+    """Return the azimuth from light to view as cosine, from -1 to 1, in [0, 1]."""
     return np.asarray(0.5 * (_dot(wi, wo) + 1.0))[:, None]
 
 
@@ -66,12 +66,12 @@ def _radius(w: Floats) -> Floats:
 
 
 def _fine_radius(wi: Floats, wo: Floats) -> Floats:
-    """The root of the half vector's radius: texels get finer towards the normal, where a peak stands."""
+    """Return the root of the half vector's radius: texels are finer near the normal, where peaks are."""
     return np.sqrt(_radius(_half(wi, wo)))
 
 
 def _elevations(wi: Floats, wo: Floats) -> Floats:
-    """Both cosines from the normal, the smaller first: light and view may be exchanged."""
+    """Return both cosines from the normal, the smaller first, so that light and view are exchangeable."""
     both = np.stack((wi[:, 2], wo[:, 2]), axis=-1)
     return np.sort(np.clip(both, 0.0, 1.0), axis=-1)
 

@@ -126,5 +126,5 @@ def rotate_to_axis(axis: npt.ArrayLike, local: npt.ArrayLike) -> Floats:
 
 
 def _from_cosine(cosine: Floats, turn: Floats) -> Floats:
-    """Directions (..., 3) at a polar angle of given cosine and an azimuth of ``turn`` full turns."""
+    """Return directions (..., 3) at a polar angle of given cosine and an azimuth of ``turn`` full turns."""
     return spherical(np.arccos(np.clip(cosine, -1.0, 1.0)), 2.0 * math.pi * turn)

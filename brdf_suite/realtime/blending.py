@@ -8,7 +8,7 @@ import moderngl
 
 
 def blend_over(context: moderngl.Context, on: bool) -> None:
-    """Blend what is drawn over what is there by its alpha, and leave the object's coverage as it is; or do not."""
+    """Enable or disable blending of the drawn paint by its alpha; the object's coverage stays unchanged."""
     if not on:
         context.disable(moderngl.BLEND)
         return

@@ -66,7 +66,7 @@ class ComparisonRenderer:
         """What is shown as the first where its size is the first's: a traced picture instead of a drawn one."""
 
     def set_picture(self, picture: ComparedPicture | None) -> None:
-        """Compare with a picture instead of a second paint, or with the paint again."""
+        """Set a picture for the comparison instead of a second paint; None restores the paint."""
         if picture is self._picture:
             return
         if self._picture_texture is not None:

@@ -110,13 +110,13 @@ class _Loader:
         return self._load(name)
 
     def release(self) -> None:
-        """Nothing to give back: the toolkit owns the context."""
+        """Do nothing: the toolkit owns the context."""
 
     def __enter__(self) -> _Loader:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Nothing was made current."""
+        """Do nothing: no context was made current."""
 
 
 def draws_in_software(context: moderngl.Context) -> bool:

@@ -137,7 +137,7 @@ def _look_up(target: Target, exponent: float, shifted: bool, ladder: Ladder) -> 
 
 
 def _amplitude(target: Target, exponent: float, shifted: bool) -> Floats:
-    """The look-up's amplitude (64,): from the table, or the paper's N·R (equation 7) and 1 (equation 8)."""
+    """Return the look-up's amplitude (64,): from the table, or the paper's N·R (equation 7) and 1 (equation 8)."""
     if shifted:
         return look_up_table().find(target, exponent).amplitude
     solid = 2.0 * np.pi / (exponent + 1.0)

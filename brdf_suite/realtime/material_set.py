@@ -114,7 +114,7 @@ class MaterialSet:
 
 
 def _table(weights: MaterialWeights, modes: Modes) -> WeightsOverAngle | None:
-    """The weights over the angle that take the place of the single fit in these modes; None: it holds."""
+    """Return the weights over the angle that replace the single fit in these modes; None: the single fit is used."""
     table = None
     if weights.by_view is not None and modes.look_up == "shifted" and modes.fresnel != "off":
         table = weights.by_view.weights()

@@ -110,7 +110,7 @@ class Renderer(OffscreenPictures):
 
     @property
     def objects(self) -> GpuObjects:
-        """Where the objects of this context are made; :meth:`release` gives back those of others too."""
+        """Factory of this context's objects; :meth:`release` also releases those created by others."""
         return self._objects
 
     @property
@@ -134,7 +134,7 @@ class Renderer(OffscreenPictures):
 
     @property
     def factors(self) -> FactorTextures:
-        """The maps of factored materials, by which their lamps are shaded instead of by their lobes."""
+        """Maps of factored materials; lamps are shaded by them instead of by lobes."""
         return self._factors
 
     def set_ground(self, field: GroundField | None) -> None:
@@ -216,7 +216,7 @@ class Renderer(OffscreenPictures):
         region: Region | None = None,
         display: Display | None = None,
     ) -> None:
-        """Finish ``light``, exposed radiance of any number of samples, as :meth:`render` does with what it drew."""
+        """Finish ``light``, exposed radiance of any number of samples, as :meth:`render` finishes its own."""
         with graphics_errors(self.context, "finishing a picture"):
             self._bind(framebuffer, check_size(size), region)
             self._finish.draw(light, view, display or self.screen)
@@ -371,7 +371,7 @@ class Renderer(OffscreenPictures):
         return drawn
 
     def _draw_ground(self, view: View, camera: CameraMatrices, cropping: NDArray[np.float64]) -> None:
-        """Darken the background by the shadow on the ground, which is seen from above only."""
+        """Darken the background by the shadow on the ground, which is visible from above only."""
         height = self._ground.height
         if view.surface_look.ground and height is not None and camera.eye[1] > height:
             self._ground.draw(

@@ -54,7 +54,7 @@ class AspecularBaseTerm:
 
     @property
     def samplers(self) -> Sequence[Sampler]:
-        """Half matt, half about the flop."""
+        """Half diffuse, half about the flop."""
         return (Diffuse(0.5 * self.albedo + 0.01), Facets(0.5 * self.albedo, _FLOP_SLOPE))
 
     def eval(self, light: Vector, view: Vector) -> Colour:

@@ -79,6 +79,6 @@ def _plug_in() -> Any:
 
 
 def _facing(direction: Any) -> tuple[Any, Any]:
-    """The direction on the side of the normal, and the side: 1 or -1."""
+    """Return the direction on the side of the normal, and the side: 1 or -1."""
     side = dr.select(direction.z >= 0.0, mi.Float(1.0), mi.Float(-1.0))
     return mi.Vector3f(direction.x, direction.y, direction.z * side), side

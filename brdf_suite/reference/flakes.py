@@ -119,7 +119,7 @@ class _Field:
         return total
 
     def _level(self, level: Real, wanted: Real) -> _Level:
-        """A level's cells to a millimetre and to the square, a bell's width there, and the contrast that is left."""
+        """Return a level's cells per millimetre and on the square, a bell's width there, and the remaining contrast."""
         roughness, waviness = self.layer.flakes.roughness, self.layer.waviness
         finest = max(math.floor(math.log2(roughness / (math.sqrt(0.5) * FOOTPRINT_END * waviness))), 0)
         angular = dr.minimum(level, d.number(finest))
@@ -135,7 +135,7 @@ class _Field:
     def _of_cell(
         self, number: Real, weight: Real, corner: tuple[Real, Real], place: Any, wanted: Real
     ) -> Colour:
-        """What the flakes of one cell of the surface add to the ratio."""
+        """Return the contribution of one surface cell's flakes to the ratio."""
         level = self._level(number, wanted)
         at, per_mm, per_square = self.spot.at, level.per_mm, level.per_square
         x, y = (dr.floor(along * per_mm - 0.5) + c for along, c in zip((at.x, at.y), corner, strict=True))
@@ -177,7 +177,7 @@ def _root(layer: FlakeLayer) -> float:
 
 
 def _on_square(slope: Any, roughness: float) -> tuple[Any, Real]:
-    """The place of a tilt on the unit square, and how an angle is stretched there; see ``flakes.tilt.tilt_place``."""
+    """Return the place of a tilt on the unit square, and the stretch of angles; see ``flakes.tilt.tilt_place``."""
     wide = slope * d.number(1.0 / roughness)
     up = dr.rsqrt(1.0 + dr.squared_norm(wide))
     place = 0.5 + wide * (0.5 * up * dr.rsqrt(1.0 + up))

@@ -186,7 +186,7 @@ def _plug_in() -> Any:
 
 
 def _smooth(field: Pixels, axis: int) -> Pixels:
-    """Blur by (1 2 1)/4 along an axis: what is left of noise from place to place."""
+    """Blur by (1 2 1)/4 along an axis, to reduce noise between neighbours."""
     padded = np.concatenate([field.take([0], axis), field, field.take([-1], axis)], axis)
     count = field.shape[axis]
     before, here, after = (padded.take(range(k, k + count), axis) for k in (0, 1, 2))

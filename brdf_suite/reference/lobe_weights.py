@@ -60,7 +60,7 @@ class LobeWeightsTerm:
 
     @property
     def samplers(self) -> Sequence[Sampler]:
-        """Even, and one for each lobe with a weight."""
+        """One diffuse, and one for each lobe with a weight."""
         y = (self.kdd + self.kg) @ LUMINANCE * self._solid
         matt = math.pi * float(self.kd @ LUMINANCE)
         lobes = [AboutMirror(float(y[k]), float(self.exponents[k])) for k in self._lobes]
@@ -81,7 +81,7 @@ class LobeWeightsTerm:
         return base * base_gain + gloss * (gloss_gain / light.z)
 
     def _gains(self, cosine: Real) -> tuple[Real, Colour]:
-        """The shader's ``fresnel_gains``; see its derivation there."""
+        """Return the shader's ``fresnel_gains``; see its derivation there."""
         one = mi.Float(1.0)
         if not self.raised or self.coat == "none":
             return one, mi.Color3f(1.0)

@@ -108,7 +108,7 @@ class Place:
 
 
 def _moved(axis: Vector, length: Real, forward: Vector, normal: Vector) -> Vector:
-    """How the place moves on its plane where the ray moves by ``length`` along ``axis`` at the place's depth."""
+    """Return the displacement on the plane for a ray displaced by ``length`` along ``axis`` at the place's depth."""
     along = dr.dot(axis, normal) / _off_zero(dr.dot(forward, normal))
     return length * (axis - forward * along)
 

@@ -14,7 +14,7 @@ from brdf_suite.reference.variant import NOT_LOADED
 
 
 def main() -> int:
-    """Try the variant that the command line names."""
+    """Run the variant named on the command line."""
     try:
         from brdf_suite.reference.mitsuba_modules import dr, mi
     except ExtraError as error:

@@ -70,7 +70,7 @@ class TracedScene:
     bsdfs: Mapping[str, Any] = field(default_factory=dict)
 
     def set_term(self, material: str, term: Any) -> None:
-        """Let a material reflect by another term from the next pass on."""
+        """Set the term of a material from the next pass on."""
         self.bsdfs[material].term = term
         self.terms = {**self.terms, material: term}
 

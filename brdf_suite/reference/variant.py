@@ -150,7 +150,7 @@ def parse_version(path: str) -> int:
 
 
 def _libraries() -> list[str]:
-    """The library that the user named, alone; else those of the usual places, the newest first."""
+    """Return the library named by the user, alone; else those of the usual places, newest first."""
     named = os.environ.get(LLVM_VARIABLE)
     if named:
         return [named]
@@ -166,7 +166,7 @@ def _has_cuda() -> bool:
 
 
 def start(*, scalar: bool = False) -> Variant:
-    """Choose the variant, once in a process, and make it Mitsuba's. Errors as :func:`choose_variant`.
+    """Choose the variant, once per process, and activate it in Mitsuba. Errors as :func:`choose_variant`.
 
     With ``scalar``, where neither LLVM nor a graphics card can be used, it is the scalar variant, which needs neither.
     """

@@ -144,7 +144,7 @@ def build_reflectance(paint: AnyPaint) -> PaintReflectance | CookTorrance | Fact
 
 
 def _collect(paint: Paint) -> tuple[_Readings, ...]:
-    """The readings of each light angle, the one with the most first."""
+    """Return the readings of each light angle, the largest group first."""
     angles = [measurement.illumination_deg for measurement in paint.measurements]
     ordered = sorted(set(angles), key=lambda angle: (-angles.count(angle), angle))
     most = angles.count(ordered[0])
@@ -157,7 +157,7 @@ def _collect(paint: Paint) -> tuple[_Readings, ...]:
 
 
 def _under_light(paint: Paint, light_deg: float, *, several: bool) -> _Readings:
-    """The readings of one light angle, sorted; the colours clamped into the space."""
+    """Return the readings of one light angle, sorted, with colours clamped to the space."""
     notices: list[str] = []
     used = [m for m in paint.measurements if m.illumination_deg == light_deg]
     used.sort(key=lambda measurement: (abs(measurement.aspecular_deg), measurement.aspecular_deg))
@@ -190,7 +190,7 @@ def _directions(light_deg: float, aspecular_deg: tuple[float, ...]) -> tuple[Flo
 def _base_under(
     paint: Paint, lights: tuple[_Readings, ...], coat: CoatLobe, shares: list[Floats]
 ) -> tuple[AspecularBase | SeveralLights, tuple[str, ...]]:
-    """The base left under ``coat`` and its ``shares``; what would be negative is 0 here and refused at the end."""
+    """Return the base under ``coat`` and its ``shares``; negative values become 0 here and are refused at the end."""
     first, notices = _base_of_light(paint, lights[0], coat, shares[0], None)
     if len(lights) == 1:
         return first, notices
@@ -206,7 +206,7 @@ def _base_under(
 def _base_of_light(
     paint: Paint, readings: _Readings, coat: CoatLobe, share: Floats, lent: Rule | None
 ) -> tuple[AspecularBase, tuple[str, ...]]:
-    """The base from one light's readings; fewer than three borrow the rule ``lent`` by another light."""
+    """Return the base from one light's readings; fewer than three borrow the rule ``lent`` by another light."""
     left = np.maximum(readings.rho - share, 0.0)
     by_half_vector = paint.out_of_plane == "half_vector"
     light = math.radians(readings.illumination_deg)
@@ -305,7 +305,7 @@ def _through_own_tilts(readings: _Readings, rho: Floats, ior: float) -> FlakeRul
 def _rule(
     paint: Paint, gamma: Floats, rho: Floats, weight: Floats, light: float, ior: float
 ) -> tuple[Rule, tuple[str, ...]]:
-    """The paint's rule through the base's readings, and what to say about it."""
+    """Return the paint's rule through the base's readings, with notices."""
     if len(gamma) < 3:
         return MonotoneRule.through(gamma, rho), (
             "There are fewer than three different aspecular angles: straight lines in L*a*b* join them.",

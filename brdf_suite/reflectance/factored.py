@@ -131,7 +131,7 @@ class Factored:
 
     @cached_property
     def terms(self) -> tuple[Term, ...]:
-        """The products that are added: p twice, q and ``more``, times α; and ``peak``, where there is one."""
+        """The products of the sum: p twice, q and ``more``, times α; and ``peak``, where there is one."""
         around_p = ("wi", "wo") if self.p.ndim == 3 else ("|wi|", "|wo|")
         about_h = "h" if self.q.ndim == 3 else "|h|"
         body = (
@@ -175,7 +175,7 @@ class Factored:
 
     @cached_property
     def samplers(self) -> tuple[MapSampler, ...]:
-        """The maps by which directions are drawn, each as often as it is uneven; what their shares leave is matt."""
+        """The sampling maps, weighted by their unevenness; the remaining share is diffuse."""
         wanted = [
             (factor, factor.projection in HALF_PROJECTIONS)
             for factor in self.terms[0][1]
@@ -198,7 +198,7 @@ class Factored:
         return (*body, MapSampler(share, density, mirrored=True))
 
     def _peak_share(self, density: Floats) -> float:
-        """How much of what is sent to 45° the peak does, by a few even numbers."""
+        """Return the peak's fraction of the light reflected at 45°, from a few quasi-random numbers."""
         count = 1024
         u = np.stack(
             ((np.arange(count) + 0.5) / count, (np.arange(count) * 0.6180339887498949) % 1.0), axis=-1
@@ -254,5 +254,5 @@ def _half_density(density: Floats, wi: Floats, wo: Floats) -> Floats:
 
 
 def _mirrored_above(wo: Floats, h: Floats) -> Floats:
-    """Mirror views at half vectors; those below the horizon, which no pair has, are lost."""
+    """Mirror views at half vectors; those below the horizon are discarded."""
     return np.where(h[:, 2:] > 0.0, warps.mirror_at(wo, h), np.array([0.0, 0.0, -1.0]))

@@ -44,12 +44,12 @@ class Layered(Protocol):
 
     @property
     def base(self) -> Reflectance:
-        """Pigment, flakes and wide lobes, as they are seen from outside."""
+        """The base: pigment, flakes and wide lobes, seen from outside."""
         ...
 
     @property
     def coat(self) -> Reflectance:
-        """The sharp reflection of the first surface."""
+        """The coat: the specular reflection of the first surface."""
         ...
 
     @property

@@ -47,7 +47,7 @@ class ModelEntry:
 
     @property
     def parameters(self) -> Mapping[str, Parameter]:
-        """What the model declares of its parameters, by field."""
+        """The declared parameters of the model, by field."""
         declared: Mapping[str, Parameter] = getattr(self.default, "parameters", {})
         return declared
 

@@ -49,7 +49,7 @@ class SolvedPaint:
 
     @property
     def notices(self) -> tuple[str, ...]:
-        """Notices for the user: how it was built, and by how much the rule misses the readings."""
+        """Notices for the user: the construction, and the residuals of the rule at the readings."""
         misses = format_interpolation_notice(self.paint, self.missed)
         if misses and self.aperture != POINT:
             misses += (

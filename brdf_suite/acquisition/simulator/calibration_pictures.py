@@ -95,7 +95,7 @@ def _pose(optics: SimulatedCamera, settings: SimulatorSettings, index: int) -> t
 
 
 def _turned(axis: Floats, angle: float) -> Floats:
-    """The rotation about a unit axis (Rodrigues)."""
+    """Return the rotation about a unit axis (Rodrigues)."""
     x, y, z = axis
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     turned: Floats = np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * (cross @ cross)

@@ -41,7 +41,7 @@ class SimulatedLamp:
         return directions, relative
 
     def hides(self, origin: Floats, rays: Floats, reach: Floats) -> NDArray[np.bool_]:
-        """Say which rays (n, 3) meet the lamp's housing or its post before ``reach`` (n,)."""
+        """Return which rays (n, 3) meet the lamp's housing or its post before ``reach`` (n,)."""
         away = self.place - origin
         along = rays @ away
         beside = np.linalg.norm(away - along[:, None] * rays, axis=-1)

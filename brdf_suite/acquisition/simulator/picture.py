@@ -148,7 +148,7 @@ def _frames(normals: Floats) -> Floats:
 
 
 def _uneven(luminance: Floats) -> NDArray[np.bool_]:
-    """Say of cells (n, side, side) of n pixels which differ much from a neighbour."""
+    """Return which cells (n, side, side) of n pixels differ much from a neighbour."""
     span = _around(luminance, np.maximum, -np.inf) - _around(luminance, np.minimum, np.inf)
     uneven: NDArray[np.bool_] = span > _UNEVEN * luminance.mean(axis=(1, 2), keepdims=True)
     return uneven

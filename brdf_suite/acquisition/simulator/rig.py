@@ -137,7 +137,7 @@ class Simulator:
 
     @cached_property
     def _strength(self) -> Floats:
-        """Full wells per second of radiance 1 at irradiance 1, (3,): the lamp as the photographer sets it."""
+        """Return full wells per second of radiance 1 at irradiance 1, (3,): the lamp as set by the photographer."""
         lamp = self._unit_lamp(_METER_ANGLE_DEG)
         seen = self._scene(0).mean_radiance(lamp).mean(axis=-1)
         lit = seen[seen > 0.0]
@@ -168,7 +168,7 @@ class Simulator:
         return SimulatedLamp(place, settings.profile)
 
     def _centre(self, position: int) -> Floats:
-        """Where the sphere truly stands at a position."""
+        """Return the true centre of the sphere at a position."""
         settings = self.settings
         right, down = settings.centre_offset_px
         if settings.moved is not None and position >= settings.moved[0]:
@@ -187,7 +187,7 @@ class Simulator:
 
     @cached_property
     def _vignette(self) -> Floats:
-        """(h, w, 1): what is left of the light, 1 in the middle of the picture."""
+        """Return vignetting (h, w, 1): the transmitted fraction, 1 in the middle of the picture."""
         width, height = self.settings.size
         rows, columns = np.mgrid[0.0:height, 0.0:width]
         off = ((rows - 0.5 * (height - 1)) ** 2 + (columns - 0.5 * (width - 1)) ** 2) / (
@@ -201,7 +201,7 @@ class Simulator:
 
 
 def _tilt(settings: SimulatorSettings) -> float:
-    """The camera looks at the origin."""
+    """Return the tilt that aims the camera at the origin."""
     return math.atan2(-settings.camera_height_m, settings.camera_distance_m)
 
 

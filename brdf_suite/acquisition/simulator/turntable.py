@@ -29,7 +29,7 @@ def turntable_reflection(lamp: SimulatedLamp, points: Floats, normals: Floats, v
 
 
 def _fresnel(cosines: Floats) -> Floats:
-    """Fresnel's reflectance of a clear coat for unpolarized light."""
+    """Return Fresnel's reflectance of a clear coat for unpolarized light."""
     inside = np.sqrt(1.0 - (1.0 - cosines**2) / _INDEX**2)
     across = (cosines - _INDEX * inside) / (cosines + _INDEX * inside)
     along = (_INDEX * cosines - inside) / (_INDEX * cosines + inside)

@@ -100,7 +100,7 @@ def fit_carpaint(paint: Paint) -> CarPaint:
 
 
 def _weights(samples: ModelFitSamples, left: Floats, m1: float, m2: float) -> Floats:
-    """(3 columns kd, ks1, ks2; 3 channels) that miss ``left`` least, relatively; between 0 and 1."""
+    """Return weights (3 columns kd, ks1, ks2; 3 channels), between 0 and 1, of the least relative error to ``left``."""
     from scipy.optimize import nnls  # much to import, and only these exports fit
 
     columns = np.stack(

@@ -79,7 +79,7 @@ def format_row(paint: Paint) -> dict[str, str]:
 
 
 def _plain(angle_deg: float) -> str:
-    """An angle without an exponent, with every digit."""
+    """Return an angle without an exponent, with every digit."""
     return f"{angle_deg:.17f}".rstrip("0").rstrip(".") if angle_deg % 1 else f"{angle_deg:.0f}"
 
 

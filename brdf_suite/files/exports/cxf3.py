@@ -210,7 +210,7 @@ def _is_even(spectra: Spectra) -> bool:
 
 
 def _even(spectra: Spectra) -> Spectra:
-    """The spectra at bands that CxF3 can name."""
+    """Return the spectra at bands that CxF3 can name."""
     if _is_even(spectra):
         return spectra
     bands = np.array(spectra.wavelengths_nm)

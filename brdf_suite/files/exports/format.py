@@ -65,7 +65,7 @@ class Subject:
 
     @cached_property
     def modelled(self) -> Paint:
-        """The paint that renderers' models are fitted to: the readings, under a coat that there can be.
+        """The paint that renderers' models are fitted to: the readings under the nearest possible coat.
 
         What virtual instruments read need not be a coat over a base: then the gloss at 20° alone counts.
         """
@@ -78,7 +78,7 @@ class Subject:
 
     @property
     def reflectance(self) -> Reflectance:
-        """All that is known of how it reflects; :class:`UnreachableError` where no paint has these readings."""
+        """The paint's reflectance; :class:`UnreachableError` where no paint has these readings."""
         return build_paint(self.paint) if self.whole is None else self.whole
 
 

@@ -106,7 +106,7 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
 def _sphere() -> tuple[
     np.ndarray[tuple[int, int], np.dtype[np.float32]], np.ndarray[tuple[int], np.dtype[np.uint16]]
 ]:
-    """Unit vectors, and triangles whose front looks outwards; y is up."""
+    """Return unit vectors, and triangles facing outwards; y is up."""
     theta, phi = np.meshgrid(
         np.linspace(0.0, np.pi, _RINGS + 1), np.linspace(0.0, 2.0 * np.pi, _SECTORS + 1), indexing="ij"
     )

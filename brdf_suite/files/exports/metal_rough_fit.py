@@ -77,7 +77,7 @@ class MetalRough:
         return np.asarray((1.0 - half_vector(wi, wo)[1]) ** 5)
 
     def _further(self, wi: Floats, wo: Floats) -> Floats:
-        """What further bounces add (n,) for a metal whose colour is 1."""
+        """Return the multiple-scattering term (n,) for a metal whose colour is 1."""
         cos_h, _ = half_vector(wi, wo)
         cos_i, cos_o = wi[:, 2], wo[:, 2]
         once = single_scattering_albedo(self.roughness**2, cos_o)
@@ -162,7 +162,7 @@ def _fit(paint: Paint, *, gltf: bool) -> MetalRough:
 
 
 def _coloured(model: MetalRough, samples: ModelFitSamples) -> MetalRough:
-    """The model with the colour that misses the paint least, relatively."""
+    """Return the model with the colour of the least relative error."""
     slope, offset = model._linear(samples.wi, samples.wo)
     scale = samples.weight[:, None] / (np.maximum(samples.f, 0.0) + _FLOOR * float(samples.f.max())) ** 2
     top = (scale * slope[:, None] * (samples.f - offset[:, None])).sum(axis=0)

@@ -24,7 +24,7 @@ class CookTorranceFile:
 
     @property
     def facts(self) -> dict[str, object]:
-        """What is known, for tables and dialogs."""
+        """Facts for tables and dialogs."""
         return {
             "format": "Cook-Torrance parameters",
             "name": self.paint.name,

@@ -88,7 +88,7 @@ def _count(path: PathLike, words: list[str], number: int) -> int:
 
 
 def _name(comments: list[str]) -> str:
-    """The lines of the title: what stands before the first blank comment or the counts."""
+    """Return the title lines: those before the first blank comment or the counts."""
     title = [line for line in comments if line and not line.startswith(("num wls", "wls", "theta"))]
     return "; ".join(title)[:500]
 

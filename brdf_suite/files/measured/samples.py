@@ -144,7 +144,7 @@ def samples(
 
 
 def _coverage(bands: Floats) -> tuple[str, ...]:
-    """Say where the spectra do not cover the visible range, as sentences for the user."""
+    """Return notices where the spectra do not cover the visible range."""
     if bands[0] <= _VISIBLE_NM[0] and bands[-1] >= _VISIBLE_NM[1]:
         return ()
     return (
@@ -154,7 +154,7 @@ def _coverage(bands: Floats) -> tuple[str, ...]:
 
 
 def sampling_notes(value: object, scattered: ScatteredSamples) -> tuple[str, ...]:
-    """Say for the user what was lost where ``value`` had to be sampled to be written; nothing where it was not."""
+    """Return notices about losses where ``value`` had to be sampled for writing; none where it was not."""
     if scattered is value:
         return ()
     return (f"Read at {len(scattered.wi):,} pairs of directions, as an isotropic reflectance.",)

@@ -37,7 +37,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
 
 
 def _sniff(head: bytes, size: int) -> bool:
-    """A text may have 768 characters, too; in a table of colours some number is none."""
+    """Detect a colour table by its size; a file of printable characters alone is a text."""
     return size in (_TABLE, _WITH_COUNT) and not all(9 <= byte < 127 for byte in head[:_TABLE])
 
 

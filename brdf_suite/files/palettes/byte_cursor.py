@@ -18,7 +18,7 @@ class ByteCursor:
 
     @property
     def left(self) -> int:
-        """How many bytes there are still."""
+        """Number of remaining bytes."""
         return self.end - self.at
 
     def fail(self, reason: str, at: int | None = None) -> FileError:

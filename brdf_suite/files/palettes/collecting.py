@@ -35,7 +35,7 @@ _written_here: ContextVar[bool] = ContextVar("written_here", default=False)
 
 @contextmanager
 def allow_palette_size() -> Iterator[None]:
-    """Let readers take as many colours as a palette has: what they read meanwhile was written by this program."""
+    """Raise the colour limit to that of a palette while reading files written by this program."""
     token = _written_here.set(True)
     try:
         yield
@@ -61,7 +61,7 @@ class Collector:
         return FileError(self.path, reason, place)
 
     def note(self, sentence: str) -> None:
-        """Remember a sentence for the user.
+        """Record a notice for the user.
 
         ``{n}`` in it becomes how often it was said, and ``[one|many]`` the word that fits that number.
         """

@@ -83,7 +83,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
 
 
 def _said(comment: str) -> object:
-    """What a comment of this program says; None where it is anyone's."""
+    """Return the content of a comment written by this program; None for others."""
     text = comment.strip()
     if not text.startswith(('"', "[", "{")) or len(text) > 200_000:
         return None
@@ -122,12 +122,12 @@ def _colour(entry: Entry) -> FlatColour:
 
 
 def _json(value: object) -> str:
-    """JSON that cannot end a comment."""
+    """Return JSON text that cannot end a comment."""
     return json.dumps(value, ensure_ascii=False).replace("*/", "*\\u002f").replace("/*", "\\u002f*")
 
 
 def _property(entry: Entry, taken: set[str]) -> str:
-    """A name that CSS can hold and that no other entry has."""
+    """Return a unique name that is valid in CSS."""
     plain = unicodedata.normalize("NFKC", entry.name).casefold()
     word = re.sub(r"[^\w]+", "-", plain).strip("-_")[:_LONGEST_PROPERTY] or "colour"
     if word in taken:

@@ -109,7 +109,7 @@ def _number(word: str) -> _Number | None:
 
 
 def _plain(number: _Number, full: float) -> float:
-    """A number whose 100 % is ``full``."""
+    """Return a number whose 100 % is ``full``."""
     text, unit = number
     return unscale_text(text, 100) * full if unit == "%" else float(text)
 
@@ -160,7 +160,7 @@ def _built(kind: str, space: str, v: list[_Number], name: str) -> FlatColour | N
 
 
 def _oklab(lightness: float, a: float, b: float, name: str) -> FlatColour:
-    """Oklab as XYZ of D65, which holds colours beyond sRGB, too."""
+    """Convert Oklab to XYZ of D65, which includes colours beyond sRGB."""
     cubed = (np.array(_OKLAB_TO_LMS) @ (lightness, a, b)) ** 3
     xyz = 100.0 * primaries_to_xyz(REC709_PRIMARIES) @ (np.array(_LMS_TO_RGB) @ cubed)
     return FlatColour(name, "XYZ", tuple(xyz.tolist()), "", "D65", 2)

@@ -81,7 +81,7 @@ class _Rows:
         self._groups: set[GroupPath] = set()
 
     def report(self) -> None:
-        """Note the columns that nothing is made of."""
+        """Record a notice about the unused columns."""
         readings = {axis + name[1:] for name in self._angles for axis in "Lab"}
         known = {*_FIRST, *_FLAT, *_LAST, "G20", "G60"} | readings | known_settings()
         for name in self._columns:
@@ -223,7 +223,7 @@ def _row(entry: Entry, labs: dict[int, object]) -> dict[str, str]:
 
 
 def _joined(parts: tuple[str, ...], mark: str) -> str:
-    """Several texts in one cell: with a mark between them, or as JSON where one holds the mark or would be lost."""
+    """Return several texts as one cell: joined by a separator, or as JSON where one contains it or would be lost."""
     plain = mark.join(parts)
     lossless = tuple(_parts(plain, mark)) == parts and not plain.startswith(("=", "+", "-", "@", "'"))
     return plain if lossless else json.dumps(list(parts), ensure_ascii=False)

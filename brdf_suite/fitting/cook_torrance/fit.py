@@ -189,7 +189,7 @@ class _Steps:
 
 
 def _apart(ends: list[Vector], few: FitProblem) -> Iterator[Vector]:
-    """The best ends, but none that is another again."""
+    """Return the best end points without duplicates."""
     chosen: list[float] = []
     for x in ends:
         energy = few.energy(x)
@@ -201,7 +201,7 @@ def _apart(ends: list[Vector], few: FitProblem) -> Iterator[Vector]:
 
 
 def _objective(problem: FitProblem, x: Vector, settings: Settings) -> float:
-    """What is compared: the energy of equation 2, or the mean square."""
+    """Return the objective for comparison: the energy of equation 2, or the mean square."""
     if settings.loss == "l2":
         return float(np.sqrt(2.0 * problem.objective(x, final_cost(problem, x, "l2"))))
     return problem.energy(x)

@@ -233,12 +233,12 @@ class LobeModel:
         return parts
 
     def _through(self, e: float, terms: Terms) -> tuple[Floats, Floats]:
-        """T(θi) T(θo) (n,) of the coat, and its derivative by e."""
+        """Return T(θi) T(θo) (n,) of the coat, and its derivative by e."""
         f_i, d_i = fresnel(terms.cos_i, e)
         f_o, d_o = fresnel(terms.cos_o, e)
         return (1.0 - f_i) * (1.0 - f_o), -d_i * (1.0 - f_o) - d_o * (1.0 - f_i)
 
 
 def _weight(logs: Floats) -> Floats:
-    """Weights of their logarithms; 0 where they stand at the bound."""
+    """Return the weights of the logarithms; 0 at the bound."""
     return np.asarray(np.where(logs <= math.log(_NEARLY_NONE * LEAST_WEIGHT), 0.0, np.exp(logs)))

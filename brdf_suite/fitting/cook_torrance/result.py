@@ -92,7 +92,7 @@ class CookTorranceFit:
 
     @property
     def notices(self) -> tuple[str, ...]:
-        """What a user should know."""
+        """Notices for the user."""
         notices = []
         used = self.problem.samples
         if used.left_out:
@@ -218,7 +218,7 @@ def _three(values: Floats) -> tuple[float, float, float]:
 
 
 def _plain(values: npt.ArrayLike) -> object:
-    """Numbers as JSON holds them; None for what is not finite."""
+    """Return numbers as JSON data; None for non-finite ones."""
     array = np.asarray(values, np.float64)
     if array.ndim == 0:
         return float(array) if math.isfinite(float(array)) else None

@@ -74,7 +74,7 @@ def estimate_slopes(samples: LobeSamples, terms: Terms, lobes: int) -> Floats:
 
 
 def _grey(samples: LobeSamples) -> Floats:
-    """The mean logarithm (n,) over the channels that are known."""
+    """Return the mean logarithm (n,) over the known channels."""
     counts = np.maximum(samples.known.sum(axis=0), 1)
     return np.asarray(samples.logs.sum(axis=0) / counts)
 

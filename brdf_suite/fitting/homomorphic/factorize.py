@@ -170,7 +170,7 @@ def _checked(
 
 
 def _sizes(resolution: int) -> list[int]:
-    """From coarse to fine, each twice the one before."""
+    """Return sizes from coarse to fine, each twice the one before."""
     sizes = [resolution]
     while sizes[0] % 2 == 0 and sizes[0] // 2 >= _COARSEST:
         sizes.insert(0, sizes[0] // 2)

@@ -102,7 +102,7 @@ def factorize_with_peak(
     weights: npt.ArrayLike | None = None,
     progress: Progress | None = None,
 ) -> tuple[FactorizationWithPeak, FactorizationResult]:
-    """Factor ``samples`` cut off at ``cut`` times (over 1) the body itself, and what the cut took.
+    """Factor ``samples`` clamped at ``cut`` times (over 1) the body itself, and the clamped remainder.
 
     All channels of a sample are cut by one factor, so that what is left keeps its colour. Other arguments as of
     :func:`~brdf_suite.fitting.homomorphic.factorize.factorize`; ``bias`` is over the mean of what is left.

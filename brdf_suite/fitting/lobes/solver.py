@@ -160,7 +160,7 @@ class BlockSolver:
             self._bounded_by_factors = factors is not None
 
     def run(self, budget_s: float, iterations: int = NO_ITERATION_LIMIT) -> SolverOutcome:
-        """Go on from the last basis for ``budget_s`` seconds or ``iterations``, whichever ends first.
+        """Continue from the last basis for ``budget_s`` seconds or ``iterations``, whichever ends first.
 
         The solver looks at the clock only now and then and may return late, most of all at its start: a
         program of 384,000 entries was 5 ms late. The interpreter's lock is released meanwhile.
@@ -180,7 +180,7 @@ class BlockSolver:
         return SolverOutcome.LOST
 
     def forget(self) -> None:
-        """Throw the basis away, as after a run that lost its way: the next run starts from nothing."""
+        """Discard the basis, as after a failed run: the next run starts from scratch."""
         self._highs.clearSolver()
 
     @property

@@ -202,7 +202,7 @@ def fit_rows(
 
 
 def _columns(rows: UndividedRows, exponents: FloatArray, split: bool) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """The system (n, 1 + m or 1 + 2m), and which lobes (m,) no sample sees."""
+    """Return the system (n, 1 + m or 1 + 2m), and the lobes (m,) without samples."""
     light, view = rows.wi, rows.wo
     cosine = light[:, 2:3]
     # R·V = 1 - |R - V|²/2, exact for sharp lobes, where 1 - R·V is near the rounding of R·V itself.
@@ -222,13 +222,13 @@ def _columns(rows: UndividedRows, exponents: FloatArray, split: bool) -> tuple[F
 
 
 def _reflected_light(exponents: FloatArray, split: bool) -> FloatArray:
-    """What a unit of each column reflects of even light, about: its lobe's solid angle, π for the diffuse one."""
+    """Return each column's approximate response to uniform light: its solid angle, π for the diffuse one."""
     lobes = 2.0 * np.pi / (exponents + 1.0)
     return np.concatenate([[np.pi], lobes, lobes] if split else [[np.pi], lobes])
 
 
 def _importance(target: FloatArray) -> FloatArray:
-    """What a unit of error counts (n,) by the size of the row's target."""
+    """Return the weight (n,) of a unit of error from the magnitude of the row's target."""
     size = target.mean(axis=1)
     positive = size[size > 0.0]
     if positive.size == 0:
@@ -251,7 +251,7 @@ def _notices(
     black: bool,
     split: bool,
 ) -> tuple[str, ...]:
-    """What a user should know of the fit; ``error`` (n, 3) is what each row adds to the objective."""
+    """Return notices about the fit; ``error`` (n, 3) is each row's contribution to the objective."""
     notices = []
     if black:
         return ("It is black wherever it was sampled; all weights are zero.",)

@@ -157,7 +157,7 @@ def views_with_light_at_minus_x(wi: Floats, wo: Floats) -> Floats:
 
 
 def _solid_angles(wi: Floats, wo: Floats, theta: Floats) -> Floats:
-    """The share of the views' hemisphere (n,), sr, that is nearest to each sample among those of its incidence."""
+    """Return the solid angle (n,), sr, of the views' hemisphere nearest to each sample among those of its incidence."""
     # scipy.spatial takes longer to import than a paint to edit, so only measured data load it.
     from scipy.spatial import cKDTree
 
@@ -240,7 +240,7 @@ def reflectance_rows(
 
 
 def _known_incidences(theta_rad: Floats, left: Floats) -> tuple[float, ...]:
-    """Those of the incidences (k,) of which more than half is ``left`` (k,), or the one of which most is."""
+    """Return the incidences (k,) of which more than half is ``left`` (k,), or the one with the most."""
     known = left > 0.5
     return distinct_incidences(theta_rad[known] if known.any() else theta_rad[[np.argmax(left)]])
 
@@ -264,7 +264,7 @@ class _Part:
 
 
 def _rings(theta: float, turns: int) -> _Part:
-    """Rings of lights about the mirror direction of a view at ``theta``."""
+    """Return rings of lights about the mirror direction of a view at ``theta``."""
     gamma = ring_angles()
     edges = np.concatenate(([0.0], 0.5 * (gamma[1:] + gamma[:-1]), [np.pi]))
     area = 2.0 * np.pi * (np.cos(edges[:-1]) - np.cos(edges[1:]))
@@ -292,7 +292,7 @@ def _rings(theta: float, turns: int) -> _Part:
 
 
 def _plane(turns: int) -> _Part:
-    """Single views in the plane of incidence, with the light at 45°."""
+    """Return single views in the plane of incidence, with the light at 45°."""
     views = aspecular_view(PLANE_DEG, np.array(PLANE_GAMMAS_DEG))
     lights = np.broadcast_to(illumination(PLANE_DEG), views.shape)
     wi, wo, place = _turned(lights, views, np.arange(len(views)), turns)

@@ -109,7 +109,7 @@ def _strata(cells: Cells) -> tuple[Float64, Float64, Float64]:
 
 
 def _joined(energy: Float64, moments: Float64, spread2: Float64) -> tuple[Float64, Float64, Float64]:
-    """Join strata that lie within the reach of a brighter one, as long as what they make stays small."""
+    """Merge strata within reach of a brighter one, while the merged extent stays small."""
     luminous = energy @ LUMINANCE
     rest = np.argsort(-luminous, kind="stable").tolist()
     out: list[tuple[Float64, Float64, float]] = []

@@ -101,7 +101,7 @@ def horizontal_illuminance(picture: NDArray[np.floating]) -> float:
 
 
 def finish(name: str, picture: Float64, description: str, *, absolute: bool = True) -> ProceduralEnvironment:
-    """Scale a picture in kcd/m², or of no unit where it is not ``absolute``, to a white card of 1.
+    """Scale a picture in kcd/m², or without unit where it is not ``absolute``, so that a white card is 1.
 
     Where next to nothing falls on a flat card, as with one lamp below it, the mean over the sphere counts instead.
     """

@@ -117,7 +117,7 @@ def sparkling(
 
 
 def _ratio(sparkle: SparkleField, seen: FlakesSeen, slope: Any, slope2: Real, light_spread: Real) -> Colour:
-    """How bright the flakes are over their mean; see ``reflectance/flakes/texture.py``."""
+    """Return the brightness of the flakes over their mean; see ``reflectance/flakes/texture.py``."""
     m2 = sparkle.flakes.roughness**2
     # A light's spread moves the tilt by half of it, less what refraction takes.
     spread2 = dr.square(light_spread * d.number(0.5 / sparkle.ior)) + d.number(FLAKE_WAVINESS**2)

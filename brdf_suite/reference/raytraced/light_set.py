@@ -191,7 +191,7 @@ class Strata:
 
     @cached_property
     def _suns(self) -> npt.NDArray[np.bool_]:
-        """Which strata are suns, by their labels."""
+        """Return which strata are suns, by their labels."""
         _, luminous, spreads = self._order
         return np.asarray((spreads <= SMALL) & (luminous >= STRONG * max(float(luminous.sum()), 1e-300)))
 

@@ -41,7 +41,7 @@ class Sums:
 
     @property
     def darkness(self) -> Pixels:
-        """(h, w, 3): what the object takes from the backdrop by its shadow, as a share of it."""
+        """(h, w, 3): the fraction of the backdrop's light removed by the object's shadow."""
         return np.asarray(self.values[..., 4:] / max(self.samples, 1))
 
     def before(self, behind: Pixels | npt.NDArray[np.float32]) -> Pixels:

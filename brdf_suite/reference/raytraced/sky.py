@@ -70,6 +70,6 @@ class TracedSky:
 
 
 def _padded(radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
-    """One ring more at each end: beyond the pole lies the same ring, half a turn further."""
+    """Return the map with one more ring at each end: the pole's ring rotated by half a turn."""
     beyond = radiance.shape[1] // 2
     return np.concatenate([np.roll(radiance[:1], beyond, 1), radiance, np.roll(radiance[-1:], beyond, 1)])

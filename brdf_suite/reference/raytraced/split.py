@@ -41,7 +41,7 @@ class Split:
 
     @property
     def sunlit(self) -> tuple[Any, ...]:
-        """The narrow lobes that suns light, and whose rays leave suns out."""
+        """Narrow lobes lit by suns, whose rays exclude suns."""
         return tuple(lobe for lobe in self.narrow if lobe.is_sunlit)
 
     def narrow_value(self, light: Vector, view: Vector, *, sunlit: bool = False) -> Colour:
@@ -112,7 +112,7 @@ class MirroredSplit:
 
     @property
     def sunlit(self) -> tuple[Any, ...]:
-        """None: what is mirrored finds suns as well."""
+        """None: mirrored rays hit suns as well."""
         return ()
 
     def narrow_value(self, light: Vector, view: Vector, *, sunlit: bool = False) -> Colour:
@@ -192,7 +192,7 @@ def split(term: Any, *, mirror: bool = False, tables: TableSplit = "clamp") -> S
 
 
 def _parts(term: Any, largest: float, tables: TableSplit, mirror: bool) -> tuple[list[Any], list[Any]]:
-    """The broad terms and the narrow lobes of a term."""
+    """Return the broad terms and the narrow lobes of a term."""
     if isinstance(term, SumTerm):
         pieces = [_parts(one, largest, tables, mirror) for one in term.terms]
         return [b for broad, _ in pieces for b in broad], [n for _, narrow in pieces for n in narrow]

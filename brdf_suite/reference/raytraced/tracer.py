@@ -184,12 +184,12 @@ Pick = Callable[[Any, Any], tuple[Any, Real]]
 
 
 def _dealt(deal: SampleBudget, hand: Any) -> Pick:
-    """The lights of one of p samples, with p times their strength."""
+    """Return the lights of one of p samples, with p times their strength."""
     return lambda i, _on_ground: (hand + i * deal.hands, mi.Float(deal.hands))
 
 
 def _drawn_lights(lights: LightArrays, deal: SampleBudget, word: Any) -> Pick:
-    """Lights drawn as often as they have light, evenly starting at a place given by ``word``.
+    """Return lights sampled in proportion to their power by systematic sampling from an offset given by ``word``.
 
     The few lights of a reflected ray stand for all of them: dealt, most rays would miss the sun.
     """
@@ -215,7 +215,7 @@ def _lit(
     number: Any,
     seen: fl.FlakesSeen | None = None,
 ) -> tuple[Colour, Colour]:
-    """The light of ``number`` lights that a surface sends on, and the share of an open ground's light that arrives."""
+    """Return the reflected light of ``number`` lights, and the fraction of an open ground's light that arrives."""
     lights = stage.lights
     frame = mi.Frame3f(hit.normal)
     view = frame.to_local(hit.view)
@@ -265,7 +265,7 @@ def _value(
     spread: Real,
     active: Any,
 ) -> Colour:
-    """f_r of what lights light: the broad part.
+    """Return f_r of the broad part.
 
     In a lamp's light, which no reflected ray finds, the whole; in a sun's the lobes whose rays leave suns out as well.
     """
@@ -296,7 +296,7 @@ def _value(
 def _reflected(
     stage: TracerScene, deal: SampleBudget, hit: SurfaceHit, met: Any, k: Any, turn: Any
 ) -> Colour:
-    """The light that the narrow lobes of a sample bring."""
+    """Return the light reflected by the narrow lobes of a sample."""
     if not any(split.narrow for split in stage.materials):
         return mi.Color3f(0.0)
     material = stage.surface.material(hit, met)

@@ -108,7 +108,7 @@ class Coated:
         return self._series(through)
 
     def _series(self, through: Floats) -> Floats:
-        """What the base is multiplied by (..., 3), for the product T(θi) T(θo) (...)."""
+        """Return the factor on the base (..., 3) for the product T(θi) T(θo) (...)."""
         even = mean_fresnel(self.ior)
         one_way = np.sqrt(np.maximum(through, 1e-30))
         inner = 1.0 - (1.0 - even) / self.ior**2
@@ -137,7 +137,7 @@ class Coated:
 
 
 def _three(u: Floats) -> Floats:
-    """Three even numbers (n, 3) from two: the choice takes the leading digits of the second, and leaves the rest."""
+    """Return three uniform numbers (n, 3) from two: the choice uses the leading digits of the second."""
     cells = 4096.0
     scaled = u[:, 1] * cells
     choice = np.floor(scaled)

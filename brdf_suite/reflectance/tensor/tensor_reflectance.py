@@ -94,7 +94,7 @@ class TensorReflectance:
 
     @property
     def facts(self) -> dict[str, object]:
-        """What is known of the measurement, for tables and dialogs."""
+        """Facts of the measurement, for tables and dialogs."""
         facts: dict[str, object] = {
             "name": self.description,
             "kind": "isotropic" if self.isotropic else "anisotropic",
@@ -119,7 +119,7 @@ class TensorReflectance:
 
     @cached_property
     def to_working(self) -> Floats:
-        """The matrix (c, 3) from the stored channels to the working space; both roads are linear."""
+        """Return the matrix (c, 3) from the stored channels to the working space; both conversions are linear."""
         if self.wavelengths_nm is None:
             return np.ascontiguousarray(REC709_TO_WORKING.T)
         bands = np.asarray(self.wavelengths_nm, np.float64)

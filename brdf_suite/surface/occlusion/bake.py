@@ -145,7 +145,7 @@ def _misfits(surface: _Surface, places: Places, seen: Float32, values: Float32) 
 def _refined(
     surface: _Surface, places: Places, seen: Float32, chosen: NDArray[np.bool_], look: Look
 ) -> tuple[_Surface, Places, Float32]:
-    """Cut the chosen triangles and look at the pieces; places on triangles that stay whole are kept."""
+    """Cut the chosen triangles and sample the pieces; samples on uncut triangles are kept."""
     made = cut(surface.positions, surface.triangles, chosen)
     new = _Surface(
         made.extended(surface.positions),

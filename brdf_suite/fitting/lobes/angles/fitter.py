@@ -150,7 +150,7 @@ class AngleFitter:
             solver.close()
 
     def _supersede(self) -> None:
-        """Cancel what the last fit left to the background."""
+        """Cancel the background work of the last fit."""
         with self._late:
             if self._exact is not None:
                 self._exact.cancel()
@@ -292,7 +292,7 @@ class AngleFitter:
 def _error(
     program: PartProgram, solution: FloatArray, target: FloatArray, rows: int, method: tuple[str, ...]
 ) -> PartError:
-    """L1 error of the data, the first ``rows``: those of smoothness have no target, and come after."""
+    """Return the L1 error of the data rows, the first ``rows``; smoothness rows follow and have no target."""
     absolute = np.abs(program.matrix[:rows] @ solution - target[:rows]).sum(axis=0)
     size = target.sum(axis=0)
     return PartError(absolute, np.where(size > 0.0, absolute / np.where(size > 0.0, size, 1.0), 0.0), method)
