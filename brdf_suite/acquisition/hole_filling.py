@@ -3,7 +3,7 @@
 After Günther et al. 2005, section 4.1: holes are filled with weighted sums of their neighbours. In three steps, each
 for what the one before left:
 
-1. A paint has no handedness: the bin mirrored at the plane of incidence, φd → π - φd, stands for it (half-angle
+1. A paint has no handedness: the bin mirrored at the plane of incidence, φd → π - φd, represents it (half-angle
    layouts; where light and view are given by polar angles, both are one bin already).
 2. The bins around it along φd, weighted by a bell over their distance and by the readings in them. Near the
    highlight's centre a bin of φd is far narrower than a bin of θh: there the bell is as wide as a bin of θh is deep,

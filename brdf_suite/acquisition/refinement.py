@@ -162,7 +162,7 @@ def refine(
     if len(highlights) < _LEAST_HIGHLIGHTS:
         raise AcquisitionError(
             f"The light's mirror image was found at {len(highlights)} positions of the light, and 4 are wanted to "
-            "refine its place. Free the highlights in the mask, or go on without refinement."
+            "refine its place. Free the highlights in the mask, or continue without refinement."
         )
     series = HighlightSeries.of(start, highlights)
     prior = priors(start, outline)
@@ -223,7 +223,7 @@ def calibrate_geometry(
     """Return the rig refined from an outline: highlights are found, the rig is fitted, and both once more.
 
     ``find`` returns the highlights that a geometry leads to (:func:`~.sphere_highlight.find_highlight` for each merged
-    photograph at hand). The second turn finds also those that the stated place of the light missed.
+    photograph available). The second turn finds also those that the stated place of the light missed.
 
     Raises
     ------

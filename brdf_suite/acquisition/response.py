@@ -23,7 +23,7 @@ from brdf_suite.errors import ValueRangeError
 Floats = npt.NDArray[np.float64]
 
 MIDDLE_EXPOSURE = 0.5
-"""The exposure that the middle code stands for, in the unit of the photographs."""
+"""The exposure that the middle code represents, in the unit of the photographs."""
 
 _TOP_MARGIN = 0.01
 # Of a linear sensor of 20,000 electrons and 8 electrons of read noise, where nothing better is known.
@@ -144,7 +144,7 @@ def check_bit_depth(bit_depth: int) -> None:
 
 
 def middle_code(bit_depth: int) -> int:
-    """Return the code that stands for an exposure of 0.5."""
+    """Return the code that represents an exposure of 0.5."""
     return 1 << (bit_depth - 1)
 
 

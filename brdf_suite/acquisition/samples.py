@@ -11,7 +11,7 @@ What counts as a sample
     does to the irradiance, and the outline's blur mixes in the dark behind.
 
 What a pixel covers
-    A pixel is a mean over its footprint. Where f_r is smooth over it, its middle stands for it. Near the peak of a
+    A pixel is a mean over its footprint. Where f_r is smooth over it, its middle represents it. Near the peak of a
     clearcoat it is not: at 900 pixels across the sphere one pixel covers 0.13° of θh, a dozen bins of a table at its
     finest. There (θh < ``peak_deg``) each pixel is read in ``parts``² parts. How its radiance is divided among them
     follows a Gaussian on a base through its neighbours, sharpened by the pixel's own square (see

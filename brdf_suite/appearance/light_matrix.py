@@ -29,7 +29,7 @@ ILLUMINANT_OF: dict[str, str] = {
     "CWF": "F2",
     "LED": "LED-B3",
 }
-"""Lamps of a light booth, by the illuminant of the CIE that stands for them."""
+"""Lamps of a light booth, by the illuminant of the CIE that represents them."""
 
 
 @cache

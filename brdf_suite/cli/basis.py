@@ -29,7 +29,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Search the exponents of the fixed cosine lobes: one lobe is added at a time, and each count is "
         "optimized from several starts by Levenberg-Marquardt and a polish of maximum plus mean error. The same "
         "command on the same machine gives the same file. What is found is kept in FILE.part after each count; the "
-        "same command goes on from there.",
+        "same command resumes from there.",
     )
     command.add_argument(
         "-o", "--output", metavar="FILE", type=Path, default=_OUTPUT, help=f"default: {_OUTPUT}"
@@ -101,12 +101,12 @@ def run(options: argparse.Namespace) -> int:
     except (Cancelled, KeyboardInterrupt):
         print(
             f"brdf-suite: {len(results)} of {options.lobes} counts are kept in {state}; "
-            "the same command goes on from there.",
+            "the same command resumes from there.",
             file=sys.stderr,
         )
         raise
     except SuiteError:
-        if not results:  # refused before anything was found: nothing to go on from
+        if not results:  # refused before anything was found: nothing to resume from
             state.unlink(missing_ok=True)
         raise
     results = results[: options.lobes]

@@ -19,7 +19,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="show, check or empty the cache of prefiltered maps, baked occlusion and pictures of paints",
         description="The prefiltered maps of environments are kept on disk and found again by the content of the "
         "environment; so are the occlusion that is baked for a surface and the pictures of the paints of palettes. "
-        "Nothing is lost with them but the time to make them anew.",
+        "Nothing is lost with them but the time to make them again.",
         epilog="The environment variable BRDF_SUITE_CACHE chooses the folder, BRDF_SUITE_CACHE_MB the largest size "
         "of the maps.",
     )

@@ -21,7 +21,7 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare the action."""
     action = actions.add_parser(
         "lights",
-        help="the lights from infinitely far away that stand for the map",
+        help="the lights from infinitely far away that represent the map",
         description="Divide the sphere into cells and give each a light of the cell's whole energy. The strongest "
         "comes first; strengths are ∫L dω over the cell, linear Rec. 2020, in the file's own units.",
     )

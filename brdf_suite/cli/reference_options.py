@@ -69,7 +69,7 @@ def add_raytraced(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--fresh",
         action="store_true",
-        help="reference and raytraced: begin anew; else the same command goes on from what an interrupted one kept",
+        help="reference and raytraced: start again; else the same command resumes from what an interrupted one kept",
     )
 
 

@@ -32,7 +32,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--form",
         choices=("surface", "chips", "flop_strip"),
         default="surface",
-        help="what stands for a paint: the surface, bands of its colours at 15, 45 and 110°, or the strip of its flop "
+        help="the picture of a paint: the surface, bands of its colours at 15, 45 and 110°, or the strip of its flop "
         "(default: surface)",
     )
     add_scene(command, (360, 240))

@@ -39,7 +39,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         choices=RENDERERS,
         default=RENDERERS[0],
         help="realtime (the default), reference (path tracing) or raytraced; the last two with Mitsuba, an optional "
-        "extra; their finished frames are kept in PATH.part, and the same command goes on from there",
+        "extra; their finished frames are kept in PATH.part, and the same command resumes from there",
     )
     command.add_argument(
         "--spp",

@@ -1,6 +1,6 @@
 """A colour without angle dependence, in the colour model of its source file.
 
-The numbers are kept as they are, in their own model; what they look like is worked out elsewhere and never stored.
+The numbers are kept as they are, in their own model; what they look like is computed elsewhere and never stored.
 """
 
 from __future__ import annotations

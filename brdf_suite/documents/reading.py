@@ -1,6 +1,6 @@
 """Reader of the fields of a JSON object; every error names its place.
 
-A :class:`FieldReader` hands out fields and knows which were asked for; what is left over is unknown and
+A :class:`FieldReader` hands out fields and knows which were asked for; what is remaining is unknown and
 refused, so that a misspelt field is never silently ignored.
 """
 
@@ -90,7 +90,7 @@ def fill(
     required: tuple[str, ...] = (),
     taken: dict[str, object] | None = None,
 ) -> _T:
-    """Build ``kind`` from its fields in ``reader`` and those already ``taken``; nothing may be left over."""
+    """Build ``kind`` from its fields in ``reader`` and those already ``taken``; nothing may be remaining."""
     values = dict(taken or {})
     for name in required:
         values[name] = reader.take(name)

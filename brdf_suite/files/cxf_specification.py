@@ -40,7 +40,7 @@ class Specification:
 
     @property
     def light(self) -> str:
-        """Illuminant and observer in words."""
+        """Illuminant and observer as text."""
         if self.illuminant is None:
             return "no stated illuminant"
         return f"{self.illuminant} and the {(self.observer or 'unknown').replace('_Degree', '°')} observer"

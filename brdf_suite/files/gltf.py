@@ -253,7 +253,7 @@ class _Primitives:
         return RawPart(name, material_word(material, name), positions, triangles, normals, uvs)
 
     def _values(self, index: int) -> _Floats:
-        """Return the values (count, width) of an accessor, normalized integers as the fractions that they stand for."""
+        """Return the values (count, width) of an accessor, normalized integers as the fractions that they represent."""
         accessor, place = _at(self._document["accessors"], index), f"accessors[{index}]"
         kind, width = _COMPONENTS[accessor["componentType"]], _WIDTHS[accessor["type"]]
         count = self._whole(accessor, "count", place)

@@ -1,7 +1,7 @@
 """PNG writer, optionally row by row, with colour space and origin stored in chunks.
 
 Format: W3C, Portable Network Graphics, third edition. Written here and not by an imaging library because none of
-those at hand writes 16-bit RGB, or a picture that is larger than memory.
+those available writes 16-bit RGB, or a picture that is larger than memory.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ def repair_non_finite(pixels: NDArray[np.float32]) -> tuple[NDArray[np.float32],
 
     NaN becomes the mean of the sound values among the eight neighbours (columns wrap round), 0 where there is
     none. Infinity, and what is above :data:`MAX_RADIANCE`, becomes the largest sound value of the image, or
-    65504 (the largest half float) where that is less: it stands for a light that was too bright to store.
+    65504 (the largest half float) where that is less: it represents a light that was too bright to store.
     Minus infinity, and what is below -:data:`MAX_RADIANCE`, becomes 0.
     """
     notes: list[str] = []

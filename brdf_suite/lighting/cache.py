@@ -149,13 +149,15 @@ class MapCache:
             return None
         except DamagedMapFileError as error:
             if damaged_goes:
-                self._notice(f"The cached maps {path} are damaged ({error}); they are removed and made anew.")
+                self._notice(
+                    f"The cached maps {path} are damaged ({error}); they are removed and made again."
+                )
                 cache_folder.remove(path)
             return None
         except OSError as error:
             if damaged_goes:
                 self._notice(
-                    f"The cached maps {path} cannot be read ({error.strerror or error}); they are made anew."
+                    f"The cached maps {path} cannot be read ({error.strerror or error}); they are made again."
                 )
             return None
         with contextlib.suppress(OSError):  # a read-only cache still serves; only its ages stand still

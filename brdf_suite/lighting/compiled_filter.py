@@ -1,7 +1,7 @@
 """Compiled filter from a map's pixels to coefficients, and from coefficients to a cube map.
 
 The same steps as :mod:`.harmonics` and :mod:`.ring_to_cube`, which are plain numpy and serve where no kernels
-are at hand. Pixels are read and transformed in blocks of rings, so that a large map needs no second copy.
+are available. Pixels are read and transformed in blocks of rings, so that a large map needs no second copy.
 Importing this module imports numba.
 """
 

@@ -1,6 +1,6 @@
 """Compiled packing of cube map faces as half floats: the formulas of :mod:`.texel_values` in one pass.
 
-Imported by :mod:`.compiled` alone. The machine's own conversion is not at hand on every processor; that by whole
+Imported by :mod:`.compiled` alone. The machine's own conversion is not available on every processor; that by whole
 numbers gives the same bits.
 """
 

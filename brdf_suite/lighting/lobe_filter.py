@@ -38,7 +38,7 @@ class LobeFilter:
     short (exponents below about 8, whose rim is a kink) the tail of the 16 strongest texels is added
     directly.
 
-    Kernels compiled by :mod:`.compiled` do the work where they are at hand, plain numpy where they are not or
+    Kernels compiled by :mod:`.compiled` do the work where they are available, plain numpy where they are not or
     ``plain`` asks for it. A large map waits for them (``progress`` says so): they take less memory, too.
     """
 

@@ -41,7 +41,7 @@ def levels(values: NDArray[Any], *, logarithmic: bool, hemisphere: bool) -> Iter
 def radial_levels(values: NDArray[Any], *, logarithmic: bool, power: float) -> Iterator[Floats]:
     """Yield the levels (1, n, 3) of a map (n, 3) along a radius, the map itself first.
 
-    ``power``: the radius of a parabolic map is the place to this power. What such a map stands for is a disc, so a
+    ``power``: the radius of a parabolic map is the place to this power. What such a map represents is a disc, so a
     texel is the mean over the rings that it is read for, each by its area and the texel's part in what is interpolated
     there. So the light of the whole disc stays the same from level to level; means along the radius alone would spread
     a peak over rings that are larger than it, and brighten it manifold.

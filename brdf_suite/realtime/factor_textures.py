@@ -74,7 +74,7 @@ class FactorTextures:
         return found.words | {"HAS_UV"} if has_uv and "FACTOR_FRAME" in found.words else found.words
 
     def made(self, material: str) -> object:
-        """Return what stands for a material's factors: the same object until there are others."""
+        """Return the identity of a material's factors: the same object until they change."""
         return self._materials.get(material)
 
     def use(self, material: str) -> dict[str, object]:

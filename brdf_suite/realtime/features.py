@@ -11,7 +11,7 @@ def surface_features(view: View, *, knows_light: bool = False, smooth: bool = Fa
 
     ``knows_light`` says whether the mesh holds the light that arrives at it, ``smooth`` whether edges are to be.
 
-    A word costs a program of its own, compiled at its first frame, so each stands for what a user switches on
+    A word costs a program of its own, compiled at its first frame, so each represents what a user switches on
     or off, never for a number that is dragged.
 
     >>> sorted(surface_features(View(fresnel="off")))

@@ -1,7 +1,7 @@
 """Precomputed table of a material's lobe weights over N·V.
 
 A picture knows, at a pixel, the cosine N·V = N·R and nothing else of the angles. Weights, Fresnel's gains, amplitude
-and exponent of each look-up depend on it alone. So they are worked out here at 64 cosines, in 0.1 ms an edit, and the
+and exponent of each look-up depend on it alone. So they are computed here at 64 cosines, in 0.1 ms an edit, and the
 shader reads one row of a texture for each look-up: modes of Fresnel and of the look-up differ in these numbers only.
 
 Rows: 0 the diffuse look-up, 1 to 8 the sharp lobes, from 9 on the base's and then the coat's broad lobes. Red, green,

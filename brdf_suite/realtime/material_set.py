@@ -45,7 +45,7 @@ class MaterialOnGpu:
 class MaterialSet:
     """Materials by name. A name that was never set is a stock material, or the stock "neutral" grey.
 
-    What is written depends on the view's modes and the environment's exponents: it is worked out when a material is
+    What is written depends on the view's modes and the environment's exponents: it is computed when a material is
     first drawn with them, for each material that is drawn.
     """
 

@@ -1,6 +1,6 @@
 """Probe of one pixel of the picture: its radiance, and the surface point in it.
 
-A tile of two by two pixels is drawn anew, with the samples and derivatives of the whole picture, so that no frame
+A tile of two by two pixels is drawn again, with the samples and derivatives of the whole picture, so that no frame
 has to be kept, nor read, as a whole.
 """
 

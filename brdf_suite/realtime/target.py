@@ -10,7 +10,7 @@ from brdf_suite.realtime.gpu_objects import GpuObjects
 class LightTarget:
     """Exposed radiance of a frame, multisampled, with depth.
 
-    Kept between frames and made anew when the size, the sample count or the kind of its numbers changes: half
+    Kept between frames and made again when the size, the sample count or the kind of its numbers changes: half
     floats, or whole ones where nothing may be cut off.
     """
 

@@ -49,7 +49,7 @@ class AspecularBaseTerm:
 
     @classmethod
     def of(cls, base: AspecularBase) -> AspecularBaseTerm:
-        """Return the twin of a base."""
+        """Return the counterpart of a base."""
         return cls(base, float(normal_albedo(base) @ LUMINANCE))
 
     @property
@@ -97,7 +97,7 @@ class AspecularBaseTerm:
 class SeveralLightsTerm:
     """Term of :class:`~brdf_suite.reflectance.several_lights.SeveralLights`.
 
-    For two lights the shares are worked out; for more they are tables over γ and θd, whose kinks lie along lines, so
+    For two lights the shares are computed; for more they are tables over γ and θd, whose kinks lie along lines, so
     that they err by up to half a cell there.
     """
 
@@ -106,7 +106,7 @@ class SeveralLightsTerm:
 
     @classmethod
     def of(cls, lights: SeveralLights) -> SeveralLightsTerm:
-        """Return the twin."""
+        """Return the counterpart."""
         terms = tuple(AspecularBaseTerm.of(base) for base in lights.bases)
         if len(terms) == 2:
             return cls(terms, ())

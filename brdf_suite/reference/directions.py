@@ -25,7 +25,7 @@ TINY = 1e-20
 def number(value: float) -> Real:
     """Return a number of a paint as one that the renderer reads from memory.
 
-    Written into the program it would be compiled anew for every paint; so, an edit takes milliseconds.
+    Written into the program it would be recompiled for every paint; so, an edit takes milliseconds.
     """
     return dr.opaque(mi.Float, float(value))
 

@@ -52,7 +52,7 @@ def read_estimate(path: str | os.PathLike[str], key: str) -> Estimate | None:
     Raises
     ------
     FileError
-        The file cannot be read, or is none of ours.
+        The file cannot be read, or was not written by this program.
     """
     with reading_state(path, ATTRIBUTE) as (state, planes):
         if state["key"] != key:

@@ -1,6 +1,6 @@
 """Shared parts of both flake models: the hash that generates flakes, their tint, and their visibility in a sample.
 
-The twins of ``flakes.hashing``, ``flakes.footprint`` and ``flakes.glints.flake_tint``.
+The counterpart of ``flakes.hashing``, ``flakes.footprint`` and ``flakes.glints.flake_tint``.
 """
 
 from __future__ import annotations

@@ -31,7 +31,7 @@ class MeasuredTerm:
 
     @classmethod
     def of(cls, material: TensorReflectance) -> MeasuredTerm:
-        """Return the twin of a material."""
+        """Return the counterpart of a material."""
         # Outside of the working space a channel is negative, and what that leaves of a sum is cut off at the end.
         colours = np.einsum("picab,cj->pijab", material.values, material.to_working)
         table = replace(material, values=np.ascontiguousarray(colours, np.float32), wavelengths_nm=None)

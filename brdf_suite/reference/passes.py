@@ -1,6 +1,6 @@
 """Progressive path tracing: passes of a few samples, their mean and its variance, until a budget is spent.
 
-Passes have seeds of their own that follow from their number, so that a render that goes on from a file's passes is
+Passes have seeds of their own that follow from their number, so that a render that resumes from a file's passes is
 the render that was never interrupted.
 """
 
@@ -121,7 +121,7 @@ def pass_size(size: tuple[int, int], most: int = 4_000_000) -> int:
 def refine(
     scene: TracedScene, estimate: Estimate | None = None, *, samples_per_pass: int = 4, samples: int = 0
 ) -> Iterator[Estimate]:
-    """Yield ever better estimates, going on from ``estimate``; without end, or up to ``samples`` a pixel."""
+    """Yield ever better estimates, resuming from ``estimate``; without end, or up to ``samples`` a pixel."""
     found = estimate or Estimate.nothing(scene.size)
     while not samples or found.samples < samples:
         wanted = min(samples_per_pass, samples - found.samples) if samples else samples_per_pass

@@ -52,7 +52,7 @@ def reading_state(
     Raises
     ------
     FileError
-        The file cannot be read, or what the block looks for is not in it: it is none of ours.
+        The file cannot be read, or what the block looks for is not in it: it was not written by this program.
     """
     import OpenEXR
 
@@ -64,5 +64,5 @@ def reading_state(
         yield state, planes
     except (RuntimeError, ValueError, KeyError, TypeError, OSError) as error:
         raise FileError(
-            path, f"holds no render to go on from ({error}); remove it, or render to another file"
+            path, f"holds no render to resume from ({error}); remove it, or render to another file"
         ) from error

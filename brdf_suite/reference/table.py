@@ -25,7 +25,7 @@ class HalfAngleTable:
 
     @classmethod
     def of(cls, table: IsotropicTable, samplers: Sequence[Sampler]) -> HalfAngleTable:
-        """Return the twin; ``samplers`` are those that suit its values."""
+        """Return the counterpart; ``samplers`` are those that suit its values."""
         values = mi.Float(np.ascontiguousarray(table.values, np.float32).ravel())
         dr.eval(values)
         return cls(table, values, samplers)

@@ -45,7 +45,7 @@ class TranslatedTerm:
 
 
 def translate(reflectance: Reflectance) -> TranslatedTerm:
-    """Return the twin of any reflectance; of one without a formula here, that of its table."""
+    """Return the counterpart of any reflectance; of one without a formula here, that of its table."""
     term = _exact(reflectance)
     if term is not None:
         return TranslatedTerm(term)
@@ -64,7 +64,7 @@ class LayerTerms:
 
 
 def divide(reflectance: Reflectance) -> LayerTerms:
-    """Return the twins of base and coat, as the layers of the lobe fit (:func:`~.layers.layered`) are divided."""
+    """Return the terms of base and coat, split as the layers of the lobe fit (:func:`~.layers.split_layers`)."""
     if isinstance(reflectance, PaintReflectance):
         coat = reflectance.coat
         return LayerTerms(_exact(reflectance.base), CoatLobeTerm(coat.ior, coat.roughness), coat.ior)

@@ -46,7 +46,7 @@ class Aperture:
 
     @property
     def title(self) -> str:
-        """Return the half-angles in words."""
+        """Return the half-angles as text."""
         if self.light_deg == self.receptor_deg == 0.0:
             return "no aperture (single directions)"
         return f"half-angles: light {self.light_deg:g}°, receptor {self.receptor_deg:g}°"

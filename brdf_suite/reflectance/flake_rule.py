@@ -73,7 +73,7 @@ class FlakeRule:
         return self.at_squared_tilt(squared_tilt(gamma, self.illumination, self.ior))
 
     def at_squared_tilt(self, x: Floats) -> Floats:
-        """Return ρ (..., 3) of flakes tilted by tan²δ = ``x`` (...), whatever light and view; may be negative."""
+        """Return ρ (..., 3) of flakes tilted by tan²δ = ``x`` (...), for any light and view; may be negative."""
         return np.asarray(self.ground + self.height * np.exp(x[..., None] * -self.u))
 
     @property

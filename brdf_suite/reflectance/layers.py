@@ -33,7 +33,7 @@ from brdf_suite.reflectance.protocol import Layered, Reflectance
 
 #: Largest facet slope m of a lobe that counts as coat.
 SHARP_SLOPE = 0.1
-#: Largest index that is given: F of a higher one hardly depends on the angle. It stands for r = 1, F = 1.
+#: Largest index that is given: F of a higher one hardly depends on the angle. It represents r = 1, F = 1.
 LARGEST_IOR = 100.0
 _FIT_COSINE = math.cos(math.pi / 4.0)
 

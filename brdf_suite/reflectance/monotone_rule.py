@@ -28,7 +28,7 @@ class MonotoneRule:
         t = (gamma - self.knots[piece])[..., None]
         c = self.coefficients[piece]
         lab = c[..., 0, :] + t * (c[..., 1, :] + t * (c[..., 2, :] + t * c[..., 3, :]))
-        # A lightness below 0 stands for nothing; the colour there is black.
+        # A lightness below 0 represents nothing; the colour there is black.
         np.maximum(lab[..., 0], 0.0, out=lab[..., 0])
         return lab_to_working(lab)
 

@@ -17,7 +17,7 @@ from brdf_suite.surface.repair import CREASE_DEG, split_corners
 def shape_mesh(mesh: Mesh, look: SurfaceLook) -> Mesh:
     """Return ``mesh`` with scale, place and normals of ``look``; the same object where nothing is to be done.
 
-    Texture coordinates are lengths on the surface and grow with it. Where normals are made anew, vertices are split at
+    Texture coordinates are lengths on the surface and grow with it. Where normals are made again, vertices are split at
     edges: ``smooth`` keeps those above 40°, ``flat`` all. ``flip_normals`` turns triangles and normals to the
     other side. The unit belongs to the file and is no matter of this.
     """
@@ -56,7 +56,7 @@ def _with_normals(part: PartGeometry, crease_deg: float) -> PartGeometry:
     # A triangle too thin to have a normal in single precision keeps what its corners had.
     lost = np.linalg.norm(corners, axis=2) < 0.5
     corners[lost] = part.normals[triangles[lost]]
-    # Some files wind triangles against their normals; made anew, normals stay on the side that they were on.
+    # Some files wind triangles against their normals; made again, normals stay on the side that they were on.
     given = part.normals[triangles].sum(axis=1)
     corners *= np.where(np.einsum("kd,kd->k", corners.sum(axis=1), given) < 0.0, -1.0, 1.0)[:, None, None]
     made, indices, normals, kept = split_corners(positions, triangles, corners)

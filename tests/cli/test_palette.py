@@ -37,7 +37,7 @@ def test_convert_reports_losses(source: Path, tmp_path: Path, capsys: Capture) -
     assert main(["palette", "convert", str(source), str(target)]) == 0
     out = capsys.readouterr().out
     assert "note: 1 CMYK colour is shown without a profile" in out
-    assert "lost: 1 colour in CMYK is written as RGB, worked out without a profile." in out
+    assert "lost: 1 colour in CMYK is written as RGB, computed without a profile." in out
     assert "lost: 1 paint is written as the one colour at 45°" in out
     assert [line for line in listed.splitlines() if line.startswith("lost:")] == [
         line for line in out.splitlines() if line.startswith("lost:")

@@ -63,7 +63,7 @@ def test_an_estimate_in_a_file_is_the_same_again(tmp_path: Path) -> None:
     np.testing.assert_allclose(read_exr(path).pixels, 2.0 * found.radiance, rtol=1e-6)
     assert read_estimate(path, "another scene") is None
     path.write_bytes(path.read_bytes()[:-100])
-    with pytest.raises(FileError, match="no render to go on from"):
+    with pytest.raises(FileError, match="no render to resume from"):
         read_estimate(path, "key")
 
 

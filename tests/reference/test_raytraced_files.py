@@ -53,7 +53,7 @@ def test_sums_in_a_file_are_the_same_again(tmp_path: Path) -> None:
     np.testing.assert_allclose(read_exr(path).pixels, 2.0 * sums.radiance, rtol=1e-6)
     assert read_sums(path, "another") is None
     path.write_bytes(path.read_bytes()[:-60])
-    with pytest.raises(FileError, match="no render to go on from"):
+    with pytest.raises(FileError, match="no render to resume from"):
         read_sums(path, "key")
 
 

@@ -26,7 +26,7 @@ from brdf_suite.geometry.directions import Floats
 
 _WITH_WHITE = ("Lab", "LCh", "XYZ")
 FACE_DEG = 45.0
-"""The aspecular angle of the one colour that stands for a paint."""
+"""The aspecular angle of the one colour that represents a paint."""
 
 
 def face_lab(paint: Paint | CookTorrancePaint | FactoredPaint) -> Lab:

@@ -77,7 +77,7 @@ def _of_entries(entries: list[Entry], back: list[Entry]) -> list[str]:
     if len(back) < len(entries):
         losses.append(f"{_many(len(entries) - len(back), 'entry')} left out.")
     for (own, new), count in models.items():
-        rough = ", worked out without a profile" if own in ("CMYK", "CMY", "Gray") or new == "CMYK" else ""
+        rough = ", computed without a profile" if own in ("CMYK", "CMY", "Gray") or new == "CMYK" else ""
         losses.append(f"{_many(count, 'colour')} in {own} {_were(count)} written as {new}{rough}.")
     sentences = {
         "paint": "{paint} {is} written as the one colour at 45°: other angles, gloss and flakes are left out.",

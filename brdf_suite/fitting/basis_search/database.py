@@ -7,7 +7,7 @@ The targets of the error are at places that the fit does not see:
   of the whole paint: at the measured angles as an instrument sees it, in the plane of incidence; between them with
   the coat's mean around the mirror direction, which is all that round lobes can follow. Nearer the coat outshines the
   base, so there it is the base alone.
-A paint of readings stands for what a stylist makes of it, too: beside it there is one edit of it, the reading at 45°
+A paint of readings represents what a stylist makes of it, too: beside it there is one edit of it, the reading at 45°
 moved towards that at 15° (:data:`EDITS`), as a drag in Designer does. Lobes chosen for the paints alone missed such
 edits by up to 7 ΔE00 at the very angle that was moved.
 

@@ -1,7 +1,7 @@
 """Optimization of a basis from one start: Levenberg-Marquardt under rising p-weights, then equation 4 itself.
 
 Least squares of the errors raised to p/2 minimize their p-norm, which goes from the mean (p = 2) towards the maximum
-(p = 16): a smooth road to the paper's ``max + mean``, which has kinks everywhere. Equation 4 alone decides what is
+(p = 16): a smooth path to the paper's ``max + mean``, which has kinks everywhere. Equation 4 alone decides what is
 kept: of all bases that the steps pass through, only one with a lower value replaces the best.
 
 Nothing here looks at a clock or at random numbers.

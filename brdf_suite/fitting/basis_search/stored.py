@@ -1,6 +1,6 @@
 """Stored search, finished or running: the source of the basis plots.
 
-The answer (``search.json``) and the state of a running search (``FILE.part``, written anew after each count) hold the
+The answer (``search.json``) and the state of a running search (``FILE.part``, written again after each count) hold the
 same results; the state knows no default yet.
 """
 

@@ -174,7 +174,7 @@ class LobeModel:
         return y
 
     def parts(self, x: Vector, terms: Terms) -> Floats:
-        """Return (1 + N, 3, n) f_r in 1/sr of the matt part and of each lobe."""
+        """Return (1 + N, 3, n) f_r in 1/sr of the diffuse part and of each lobe."""
         return self._evaluate(x, terms, None)
 
     def columns(self, channel: int) -> Places:

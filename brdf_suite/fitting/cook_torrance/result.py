@@ -22,7 +22,7 @@ from brdf_suite.reflectance.blocks import in_blocks
 if TYPE_CHECKING:
     from brdf_suite.documents.cook_torrance import CookTorrancePaint
 
-# Relative standard errors above this are said in words.
+# Relative standard errors above this are reported.
 _POORLY_DETERMINED = 0.5
 
 
@@ -144,7 +144,7 @@ class CookTorranceFit:
         return in_blocks(block, wi, wo)
 
     def parts(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return (1 + N, ..., 3): f_r of the matt part and of each lobe, which sum to :meth:`eval`."""
+        """Return (1 + N, ..., 3): f_r of the diffuse part and of each lobe, which sum to :meth:`eval`."""
         light, view = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
         found = self._parts(light.reshape(-1, 3), view.reshape(-1, 3))
         return found.reshape(len(found), *light.shape)

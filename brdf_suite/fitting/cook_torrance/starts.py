@@ -87,7 +87,7 @@ def _middle(model: LobeModel) -> Floats:
 
 
 def _columns(model: LobeModel, terms: Terms, slopes: Floats, reflected: Floats) -> Floats:
-    """Return (n, 1 + k): f_r of the matt part of kd = 1 and of lobes of a = 1."""
+    """Return (n, 1 + k): f_r of the diffuse part of kd = 1 and of lobes of a = 1."""
     rows = [np.full(len(terms.cos_d), 1.0 / math.pi)]
     for m, r in zip(slopes.tolist(), reflected.tolist(), strict=True):
         share = fresnel(terms.cos_d, inverse_index(r))[0] / r

@@ -67,7 +67,7 @@ def standard_errors(problem: FitProblem, x: Vector, cost: Cost) -> StandardError
 
 
 def _influence(residuals: Floats, known: np.ndarray, cost: Cost) -> tuple[Floats, Floats]:
-    """Return ψ and what stands for ψ', (3, n) each."""
+    """Return ψ and what represents ψ', (3, n) each."""
     if cost.kind == "linear":
         return residuals, np.ones_like(residuals)
     if cost.kind == "cauchy":

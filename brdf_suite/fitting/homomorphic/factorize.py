@@ -77,7 +77,7 @@ def factorize(
     smooth
         λ of equation 17, beside rows of samples of weight 1; more is smoother. At least 0.
     bias
-        ε of equation 6, over 0, at most 1: what is added to each value, over their mean. It stands for an error of
+        ε of equation 6, over 0, at most 1: what is added to each value, over their mean. It represents an error of
         measurement: values far below it are taken as good as dark.
     weights
         (n,) of the samples' rows (equation 19), finite, not negative; None: all 1.

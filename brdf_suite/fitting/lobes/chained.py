@@ -3,7 +3,7 @@
     minimize  Σ_n |A_n x_n - b_n|² + μ Σ_n |S (x_n+1 - x_n)|²,   x ≥ 0
 
 A_n and b_n come as their products only. S counts a column by its own size, so that μ has no unit. Solved by gradient
-steps with momentum (Nesterov's, begun anew where they lead uphill), all angles and channels at once: a step is some
+steps with momentum (Nesterov's, begun again where they lead uphill), all angles and channels at once: a step is some
 50 µs for 20 angles and 20 columns.
 
 Each column costs drawing time, and many columns are nearly redundant. So the least useful are dropped one by one, by

@@ -92,7 +92,7 @@ class LobeFitter:
         The fixed exponents; the default set if left out.
     time_limit_s
         Hard limit of a whole fit, samples in hand to weights, in seconds. On the limit the best feasible weights
-        at hand are returned, marked ``time_limited``, and the optimum follows in ``LobeFit.exact``.
+        available are returned, marked ``time_limited``, and the optimum follows in ``LobeFit.exact``.
     base_samples, coat_samples
         The fixed sample directions; the measured default sets if left out. Both are for one incidence.
     weighting

@@ -6,7 +6,7 @@ that grow with the program. Two ways keep it, by the size of the program (docs/f
 - A small program is solved by the caller, in runs of so many iterations as half of what is left allows at the
   pace seen last. Handing it to a thread and back costs more than the fit. Where two targets had their optimum at
   one vertex, that vertex is kept and tried before the solver (``kept_vertex``).
-- A large one is given to a thread of lower priority, after the caller has worked out feasible answers: at once,
+- A large one is given to a thread of lower priority, after the caller has computed feasible answers: at once,
   the two would wait for the interpreter's lock in turns. The caller waits for the rest of the limit, and leaves
   with the best that it has.
 
@@ -108,7 +108,7 @@ class LimitedSolver:
         then: Callable[[LimitedSolution], Any] = _same,
         watch: Callable[[], None] | None = None,
     ) -> LimitedSolution:
-        """Return the best weights for ``targets`` that are at hand at ``deadline``.
+        """Return the best weights for ``targets`` that are available at ``deadline``.
 
         Parameters
         ----------

@@ -5,7 +5,7 @@ The L1 program ``min Σ|A x - b|, x ≥ 0`` (rows already weighted) is given to 
     max bᵀy   with   Aᵀy ≤ 0,  -1 ≤ y ≤ 1
 
 because then an edit of the target changes costs only, never the matrix, its bounds or its structure; factors
-on the weights of single samples take the place of the 1. The simplex goes on from the last basis: every
+on the weights of single samples take the place of the 1. The simplex resumes from the last basis: every
 column has two bounds, so that a reduced cost whose sign an edit turned is set right by a flip. (The primal
 simplex was 15 % faster and stopped without an answer once in 600 unrelated targets.) The weights x are minus
 the row duals. The parts and channels are blocks on the diagonal of one model, so that an edit is one call.
@@ -43,7 +43,7 @@ class SolverOutcome(Enum):
     """Status of a solver run."""
 
     OPTIMAL = "optimal"
-    STOPPED = "stopped"  # time or iterations ran out; the next run goes on from the basis
+    STOPPED = "stopped"  # time or iterations ran out; the next run resumes from the basis
     LOST = "lost"  # the solver gave up; its basis has been thrown away
 
 

@@ -6,7 +6,7 @@ round lobe cannot follow a measured one that is narrower across the plane of inc
 the rings, the directional reflectance at that angle, is a row of its own that keeps the energy. In the plane of
 incidence of 45°, where paints are measured, single directions are added for the colours.
 
-Scattered samples are rows as they are: nothing is interpolated. Each stands for the solid angle of views that lie
+Scattered samples are rows as they are: nothing is interpolated. Each represents the solid angle of views that lie
 nearest to it among the samples of its incidence.
 
 The choices were made by measurement (docs/measured_fits.md).

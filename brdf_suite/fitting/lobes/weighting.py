@@ -7,7 +7,7 @@ relative
     target below a twentieth of the channel's largest counts as that twentieth: rounding must not rule the fit.
     These weights depend on the target; they bound the dual's columns and leave its matrix alone.
 solid angle
-    The solid angle that a sample stands for. Targets hold the cosine of incidence already, so that this is the
+    The solid angle that a sample represents. Targets hold the cosine of incidence already, so that this is the
     cosine-weighted error of the whole lobe, the mean L1 kin of the usual cosine-weighted RMS.
 """
 
@@ -51,7 +51,7 @@ def relative_factors(target: FloatArray) -> FloatArray:
 def ring_solid_angles(gamma_rad: FloatArray) -> FloatArray:
     """Return ``(n,)`` sr for ascending signed angles ``gamma_rad`` ``(n,)`` from the mirror direction.
 
-    Each sample stands for the directions nearer to it than to its neighbours, on its own side of the mirror
+    Each sample represents the directions nearer to it than to its neighbours, on its own side of the mirror
     direction; the outermost reach as far outwards as inwards. A sample alone gets 1.
     """
     if gamma_rad.size == 1:

@@ -38,7 +38,7 @@ class LobeWeights:
         gloss gains F(θ)/F(θ_fit). False where gloss and base are parts of one sum that take nothing from each
         other (Cook-Torrance): the gloss still follows F, the base stays.
     time_limited
-        The time limit came before the optimum: the best weights at hand, not the best there are.
+        The time limit came before the optimum: the best weights available, not the best there are.
 
     Raises
     ------

@@ -69,7 +69,7 @@ class Cells:
         return direction(theta[:, None], phi[None, :])
 
     def joined(self, step: int) -> Cells:
-        """Return larger cells, of ``step`` columns and rows each; what is left over makes smaller ones at the end."""
+        """Return larger cells, of ``step`` columns and rows each; what is remaining makes smaller ones at the end."""
         rows, columns = (np.arange(0, size, step) for size in self.shape)
 
         def summed(values: Float64) -> Float64:

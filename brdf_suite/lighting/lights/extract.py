@@ -29,9 +29,9 @@ _NO_DIRECTION = 1e-6
 def directional_lights(
     environment: Environment, count: int, method: str = DEFAULT_METHOD
 ) -> DirectionalLights:
-    """Return ``count`` lights (1…1,024) that stand for the environment, the strongest first.
+    """Return ``count`` lights (1…1,024) that represent the environment, the strongest first.
 
-    Each stands for a cell of the sphere and keeps all of its light, so their strengths sum to the map's, channel by
+    Each represents a cell of the sphere and keeps all of its light, so their strengths sum to the map's, channel by
     channel; its direction is the mean of the cell's light. The same map gives the same lights. A map of fewer texels
     than ``count`` gives one light a texel.
 

@@ -102,7 +102,7 @@ class LampSurface:
         return np.asarray(np.minimum(self.wide - radius, radius - (self.wide - band)))
 
     def patches(self) -> tuple[Float64, Float64]:
-        """Return places (n, 3) on the lamp and the area (n,) that each stands for; the areas sum to the lamp's."""
+        """Return places (n, 3) on the lamp and the area (n,) that each represents; the areas sum to the lamp's."""
         count_u, count_v = (max(3, round(4 * side)) for side in (self.wide, self.high))
         if self.lamp.shape != "box":
             count_u, count_v = max(count_u, 9), max(count_v, 9 if self.lamp.shape == "ring" else 3)

@@ -1,13 +1,15 @@
 // Provides: vec3 factored_radiance(SurfacePoint p): what the lamps make a factored material reflect
-// Needs:    surface_point.glsl, lights.glsl, material.glsl, tangent_frame.glsl; FACTORS_COATED below a clearcoat; FACTOR_TERMS, FACTOR_FLAT, FACTOR_CUBES (numbers),
-//           FACTORS_OF_VIEW, FACTORS_OF_LIGHT (written by factor_source.py), FACTOR_FRAME where maps are over directions
+// Needs:    surface_point.glsl, lights.glsl, material.glsl, tangent_frame.glsl; FACTORS_COATED below a clearcoat;
+// FACTOR_TERMS, FACTOR_FLAT, FACTOR_CUBES (numbers),           FACTORS_OF_VIEW, FACTORS_OF_LIGHT (written by
+// factor_source.py), FACTOR_FRAME where maps are over directions
 //
 // McCool, Ang and Ahmad 2001, equation 20, for all lamps in one pass:
 //     Lo = sum over lamps  E N.L f(wo, wi),      f = sum over terms  alpha prod of maps
 // The maps hold logarithms: those of a term are added and exponentiated once, so that nothing is clamped on the way and
 // dark values keep their relative accuracy (section 4.1). f then bends softly towards factor_ceiling, in brightness and
-// not in colour. Factors of the view are looked up once; a lamp below the horizon adds nothing, but is looked up like any
-// other, as the derivatives that choose a mip level are not defined behind a condition that neighbours answer otherwise.
+// not in colour. Factors of the view are looked up once; a lamp below the horizon adds nothing, but is looked up like
+// any other, as the derivatives that choose a mip level are not defined behind a condition that neighbours answer
+// otherwise.
 #if FACTOR_FLAT > 0
 uniform sampler2D factor_maps[FACTOR_FLAT];
 uniform vec3 factor_spans[FACTOR_FLAT];      // what a texel is multiplied by, with FACTOR_SPANS
@@ -34,9 +36,9 @@ float disc_radius(float cosine)
     return sqrt(max(1.0 - cosine, 0.0) / (1.0 + cosine));
 }
 
-// A map's mip level: the logarithm of how far directions turn from pixel to pixel, and that of its texels in a radian. It
-// is worked out once a pixel, which is cheaper than by each look-up. A map over the root of a radius has texels that are
-// finer towards the middle (FINE_FACTOR), as far as a pixel's own radius there.
+// A map's mip level: the logarithm of how far directions turn from pixel to pixel, and that of its texels in a radian.
+// It is computed once a pixel, which is cheaper than by each look-up. A map over the root of a radius has texels that
+// are finer towards the middle (FINE_FACTOR), as far as a pixel's own radius there.
 #ifdef FACTOR_SPANS
 #define SPAN(k) * factor_spans[k]
 #define CUBE_SPAN(k) * factor_cube_spans[k]
@@ -48,8 +50,8 @@ float disc_radius(float cosine)
 #define FINE_FACTOR(k, at) (textureLod(factor_maps[k], at, turn + factor_levels[k] - log2(max(half_root, turn_root))).rgb SPAN(k))
 #define CUBE_FACTOR(k, direction) (textureLod(factor_cubes[k], direction, turn + factor_cube_levels[k]).rgb CUBE_SPAN(k))
 
-// The logarithm to base 2 of the radians by which normal and view turn from pixel to pixel; what of a relief is too fine
-// for a pixel counts as well.
+// The logarithm to base 2 of the radians by which normal and view turn from pixel to pixel; what of a relief is too
+// fine for a pixel counts as well.
 float pixel_turn(SurfacePoint p)
 {
     vec3 normal_across = dFdx(p.normal), normal_down = dFdy(p.normal);

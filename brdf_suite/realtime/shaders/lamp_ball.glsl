@@ -1,9 +1,9 @@
 // Provides: vec3 ball_radiance(SurfacePoint p): what lamps make the surface reflect, read from a reflectance ball
 // Needs:    surface_point.glsl, BALL_SHARE; a picture that reflectance_ball.py drew
 //
-// The picture of a ball of the material in the lamps' light is a map over the normal: right for lamps far away, for a view
-// from far away, and for what looks alike however it is turned about its normal. One look-up then stands for all lamps
-// (McCool, Ang and Ahmad 2001, section 5).
+// The picture of a ball of the material in the lamps' light is a map over the normal: right for lamps far away, for a
+// view from far away, and for what looks alike however it is turned about its normal. One look-up then represents all
+// lamps (McCool, Ang and Ahmad 2001, section 5).
 uniform sampler2D lamp_ball;
 uniform mat3 ball_axes;          // of the view in the world: right, up, backward
 

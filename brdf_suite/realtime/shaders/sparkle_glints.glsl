@@ -15,7 +15,7 @@
 //
 // What differs from the paper. The kernels end (they are no Gaussians), within the cells that are visited: nothing is
 // cut off, no remainder has to be added, and the mean is 1 exactly. Cells of tilts are never made smaller than a
-// flake's own spread (level `finest`): beyond it, a pair of cells holds many flakes, and one stands for M of them; the
+// flake's own spread (level `finest`): beyond it, a pair of cells holds many flakes, and one represents M of them; the
 // sum of M has the deviation from the mean of one over sqrt(M). A light too broad for the cells is one of a smaller
 // spread with the contrast lowered in the same way. So contrast falls with the root of the count everywhere.
 // And the flakes of a cell on the surface share their place in it: at most one of them is seen at a time, and the
@@ -172,7 +172,7 @@ vec3 glint_difference(GlintField g, int count)
     for (int i = 0; i < covered; ++i)
     {
         GlintLevel l = glint_level(g, above[i]);
-        // A flake stands for its pair of cells: 1 / (per_mm per_square)^2 of surface and square.
+        // A flake represents its pair of cells: 1 / (per_mm per_square)^2 of surface and square.
         float stands_for = 1.0 / (l.per_mm * l.per_mm * l.per_square * l.per_square);
         sum += glints_of_place(g, count, keys[i], l.weight, l.per_square)
             * (0.95492966 * stands_for * l.contrast * covers[i]);

@@ -214,7 +214,7 @@ class Strata:
 
 
 def _entries(light: Floats, size: int) -> tuple[npt.NDArray[np.uint32], Floats]:
-    """``size`` numbers of lights, each as often as it has light, at least once; what each then stands for."""
+    """``size`` numbers of lights, each as often as it has light, at least once; what each then represents."""
     total = float(light.sum())
     if not total > 0.0:
         return np.zeros(size, np.uint32), np.zeros(len(light))

@@ -33,7 +33,7 @@ LARGEST_MIRROR_SLOPE = 0.05
 
 
 def equivalent_exponent(slope: float) -> float:
-    """Return n of the cosine lobe that stands for facets of ``slope`` m.
+    """Return n of the cosine lobe that represents facets of ``slope`` m.
 
     >>> round(equivalent_exponent(0.1), 2)
     156.08

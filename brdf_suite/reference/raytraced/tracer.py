@@ -86,7 +86,7 @@ class SampleBudget:
 
     @classmethod
     def of(cls, quality: Quality, lights: int) -> SampleBudget:
-        """Return the numbers for ``lights`` that were dealt; other numbers compile nothing anew."""
+        """Return the numbers for ``lights`` that were dealt; other numbers needs no recompilation."""
         hands, rays = quality.samples, quality.reflections_a_sample
         numbers = (hands, lights // hands, rays, -(-quality.lights_a_sample // rays))
         return cls(*(dr.opaque(mi.UInt32, n) for n in numbers))
@@ -191,7 +191,7 @@ def _dealt(deal: SampleBudget, hand: Any) -> Pick:
 def _drawn_lights(lights: LightArrays, deal: SampleBudget, word: Any) -> Pick:
     """Return lights sampled in proportion to their power by systematic sampling from an offset given by ``word``.
 
-    The few lights of a reflected ray stand for all of them: dealt, most rays would miss the sun.
+    The few lights of a reflected ray represent all of them: dealt, most rays would miss the sun.
     """
 
     def pick(i: Any, on_ground: Any) -> tuple[Any, Real]:

@@ -5,7 +5,7 @@ the square millimetre, and one on the unit square of tilts. On level l both are 
 surface and 2^-l on the square; a pair of cells holds one flake, jittered within both by a hash of the pair. The level
 is such that a footprint ends within two by two cells. Between levels flakes of one appear one by one while the
 other's go. Kernels end within the cells visited, so the mean is 1 exactly. Cells of tilts are never smaller than a
-flake's own spread; beyond that level one flake stands for the M of its pair of cells, its deviation from the mean
+flake's own spread; beyond that level one flake represents the M of its pair of cells, its deviation from the mean
 over √M. The flakes of a cell of the surface share their place in it.
 """
 

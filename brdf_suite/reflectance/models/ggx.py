@@ -1,10 +1,10 @@
-"""A rough metal: GGX facets, Smith's height-correlated shadowing, Schlick's Fresnel from a colour, over a matt part.
+"""A rough metal: GGX facets, Smith's height-correlated shadowing, Schlick's Fresnel from a colour, over a diffuse part.
 
     f_r = D G F / (4 cosθi cosθo) + kd/π (1 - F(θi)) (1 - F(θo)),
     D = α² / (π (cos²θh (α² - 1) + 1)²),    F(c) = f0 + (1 - f0) (1 - c)⁵.
 
 G / (4 cosθi cosθo) = ½ / (cosθo √(α² + (1-α²) cos²θi) + cosθi √(α² + (1-α²) cos²θo)) (Walter et al. 2007,
-Heitz 2014). The matt part gets what the facets let through on the way in and out. Reciprocal. A metal has no
+Heitz 2014). The diffuse part gets what the facets let through on the way in and out. Reciprocal. A metal has no
 single real index, so Schlick's form with the colour along the normal is used, not that of a dielectric.
 """
 
@@ -37,7 +37,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 
 @dataclass(frozen=True, eq=False)
 class Ggx:
-    """GGX facets of colour ``f0`` and width ``alpha`` over a matt part ``kd``."""
+    """GGX facets of colour ``f0`` and width ``alpha`` over a diffuse part ``kd``."""
 
     kd: npt.ArrayLike = 0.0
     f0: npt.ArrayLike = 0.8
@@ -81,7 +81,7 @@ class Ggx:
         return [mixture.diffuse(kd * (1.0 - f0) + 0.05 * lobe), mixture.ggx(lobe, self.alpha)]
 
     def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) of the matt part, or mirrored at a facet that the view sees."""
+        """Return directions (..., 3) of the diffuse part, or mirrored at a facet that the view sees."""
         return mixture.sample(self._parts(), wo, u)
 
     def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:

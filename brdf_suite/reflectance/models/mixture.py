@@ -51,7 +51,7 @@ def pdf(parts: Sequence[MixturePart], wi: npt.ArrayLike, wo: npt.ArrayLike) -> F
 
 
 def diffuse(weight: float) -> MixturePart:
-    """Return a part even in the projected solid angle, whatever the view."""
+    """Return a part even in the projected solid angle, for any view."""
     return MixturePart(
         weight, lambda _wo, u: warps.cosine_hemisphere(u), lambda wi, _wo: warps.cosine_hemisphere_pdf(wi)
     )

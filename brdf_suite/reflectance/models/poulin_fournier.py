@@ -214,7 +214,7 @@ class PoulinFournier:
 
 @cache
 def _gauss_legendre() -> tuple[Floats, Floats]:
-    """Return the points and weights in [-1, 1]: worked out once, they take longer than a few hundred pairs."""
+    """Return the points and weights in [-1, 1]: computed once, they take longer than a few hundred pairs."""
     nodes, shares = np.polynomial.legendre.leggauss(_NODES)
     nodes.setflags(write=False)
     shares.setflags(write=False)

@@ -127,7 +127,7 @@ class IsotropicTable:
         """Tabulate ``reflectance`` at the centres of the bins.
 
         Bins whose centre lies below the horizon are holes. In a reciprocal ``grid`` (the default, 90 × 90 ×
-        180) a bin stands for a pair and its swap: ``"average"`` takes the mean of both, ``"assume"`` the one
+        180) a bin represents a pair and its swap: ``"average"`` takes the mean of both, ``"assume"`` the one
         with φd in [0, π). The azimuth of the half vector is 0: what is tabulated of an anisotropic
         reflectance is that cut.
         """

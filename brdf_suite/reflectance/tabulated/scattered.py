@@ -173,7 +173,7 @@ class ScatteredSamples:
         sample = np.arange(len(self.wi))
         if self.isotropic:
             return isotropic_features(i, o), sample
-        # The features of a pair and of its swap differ in sign; both stand for the sample.
+        # The features of a pair and of its swap differ in sign; both represent the sample.
         both = np.concatenate((anisotropic_features(i, o), anisotropic_features(o, i)))
         return both, np.concatenate((sample, sample))
 

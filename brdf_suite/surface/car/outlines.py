@@ -1,7 +1,7 @@
 """Outlines on the body: windows, lamps, openings, panels. Each is a region of space, negative inside.
 
 What the region cuts out of the body's surface is the window, lamp or panel; its border is the edge or the shut
-line. Only the half x ≥ 0 is ever cut, so x stands for the distance from the middle.
+line. Only the half x ≥ 0 is ever cut, so x represents the distance from the middle.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ Least squares with a gradient penalty (Kavan, Bargteil and Sloan 2011, "Least sq
 
     minimize  Σ_s a_s (Σ_k b_sk x_k - y_s)² + λ Σ_t min(A_t, A) ∫_t |∇x|² dA
 
-over the values x, with b the barycentric weights of place s, a_s the surface it stands for and A_t the area of
+over the values x, with b the barycentric weights of place s, a_s the surface it represents and A_t the area of
 triangle t: noise is smoothed over about √λ of a triangle's width, and never over more than √A. Places that see
 no light at all cannot be seen either: they hardly count, so that the dark inside a body does not bleed along
 triangles that reach into it.

@@ -74,7 +74,7 @@ def spread(positions: Float32, normals: Float32, triangles: Int64, count: int) -
 
 
 def _areas(length: Float64, share: Float64, count: int) -> Float64:
-    """Return the surface that a place on each triangle stands for: its area over the number expected there."""
+    """Return the surface that a place on each triangle represents: its area over the number expected there."""
     return np.asarray(0.5 * length / np.maximum(share * count, 1e-30))
 
 
