@@ -114,7 +114,7 @@ def bin_means(sums: TableSums, colour: npt.ArrayLike | None = None, *, centre: b
     if colour is not None:
         matrix = np.asarray(colour, np.float32)
         if matrix.shape != (3, 3) or not np.isfinite(matrix).all():
-            raise ValueRangeError("colour", "a finite matrix of 3 × 3 numbers is wanted")
+            raise ValueRangeError("colour", "expected a finite matrix of 3 × 3 numbers")
         means = means @ matrix.T
     np.maximum(means, 0.0, out=means)
     return BinMeans(means, Coverage(samples, deviation), sums.parameterization)

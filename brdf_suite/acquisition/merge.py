@@ -139,7 +139,7 @@ def merge(
     rate = nothing if dark is None else dark.rate
     _fits("dark", offset, (height, width, channels), dark is not None)
     if stack.dtype not in (np.uint8, np.uint16):
-        raise ValueRangeError("stack", f"codes of 8 or 16 bits or floats are wanted, not {stack.dtype}")
+        raise ValueRangeError("stack", f"expected codes of 8 or 16 bits or floats, not {stack.dtype}")
     codes = cast(Codes, np.ascontiguousarray(stack))
     return _merge_codes(codes, times, response, offset, rate, gain, allowed, threads)
 

@@ -184,5 +184,5 @@ def _three_channels(codes: NDArray[Any], path: _Path) -> NDArray[Any]:
     if channels in (1, 2):
         return np.repeat(codes[..., :1], 3, axis=2)
     if channels not in (3, 4):
-        raise FileError(path, f"has {channels} channels; grey or red, green, blue are wanted")
+        raise FileError(path, f"has {channels} channels; expected grey or red, green, blue")
     return np.ascontiguousarray(codes[..., :3])

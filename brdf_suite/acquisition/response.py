@@ -67,7 +67,7 @@ class Response:
         exposure = np.asarray(self.exposure, float)
         if exposure.ndim != 2 or exposure.shape[1] != 1 << self.bit_depth:
             raise ValueRangeError(
-                "response.exposure", f"the shape is {exposure.shape}, a row of codes is wanted"
+                "response.exposure", f"the shape is {exposure.shape}; expected a row of codes"
             )
         if not np.all(np.isfinite(exposure)) or np.any(np.diff(exposure, axis=1) < 0.0):
             raise ValueRangeError(
@@ -118,13 +118,13 @@ class Response:
         """
         bit_depth = values.get("bit_depth")
         if not isinstance(bit_depth, int):
-            raise ValueRangeError("response.bit_depth", "a whole number is wanted")
+            raise ValueRangeError("response.bit_depth", "expected a whole number")
         arrays: dict[str, Floats] = {}
         for name in ("exposure", "black", "lowest", "highest", "read", "shot"):
             try:
                 arrays[name] = np.asarray(values[name], float)
             except (KeyError, TypeError, ValueError) as error:
-                raise ValueRangeError(f"response.{name}", "numbers for each channel are wanted") from error
+                raise ValueRangeError(f"response.{name}", "expected numbers for each channel") from error
         return cls(
             bit_depth,
             arrays["exposure"],

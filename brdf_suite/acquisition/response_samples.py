@@ -40,7 +40,7 @@ class ResponseSamples:
         check_bit_depth(bit_depth)
         self.times = np.asarray(exposures_s, float)
         if self.times.ndim != 1 or len(self.times) < 2 or not np.all(self.times > 0.0):
-            raise ValueRangeError("exposures_s", "two or more exposure times greater than 0 are wanted")
+            raise ValueRangeError("exposures_s", "expected two or more exposure times greater than 0")
         if np.any(np.diff(self.times) <= 0.0):
             raise ValueRangeError("exposures_s", "list the exposures from the shortest to the longest")
         self.bit_depth = bit_depth
@@ -66,7 +66,7 @@ class ResponseSamples:
                 "stack", f"the shape is {stack.shape}, not ({len(self.times)}, h, w, {self.channels})"
             )
         if stack.dtype not in (np.uint8, np.uint16):
-            raise ValueRangeError("stack", f"codes are wanted, not {stack.dtype}")
+            raise ValueRangeError("stack", f"expected codes, not {stack.dtype}")
         chosen = None if mask is None else np.flatnonzero(np.asarray(mask, bool))
         for c in range(self.channels):
             codes = stack[..., c].reshape(len(self.times), -1)

@@ -112,7 +112,7 @@ class SphereSampler:
         parts: int = PARTS,
     ) -> None:
         if not 0.0 < grazing_deg < 90.0:
-            raise ValueRangeError("grazing_deg", f"{grazing_deg:g}°; above 0° and below 90° is wanted")
+            raise ValueRangeError("grazing_deg", f"{grazing_deg:g}°; expected above 0° and below 90°")
         if mask is not None and mask.shape != geometry.shape:
             raise ValueRangeError(
                 "mask",

@@ -114,11 +114,11 @@ class Light:
 
     def _set_profile(self) -> None:
         if not isinstance(self.profile, (tuple, list)):
-            raise ValueRangeError("profile", f"a list of pairs is wanted, not {describe(self.profile)}")
+            raise ValueRangeError("profile", f"expected a list of pairs, not {describe(self.profile)}")
         pairs: list[tuple[float, float]] = []
         for i, pair in enumerate(self.profile):
             if not isinstance(pair, (tuple, list)) or len(pair) != 2:
-                raise ValueRangeError(f"profile[{i}]", f"a pair is wanted, not {describe(pair)}")
+                raise ValueRangeError(f"profile[{i}]", f"expected a pair, not {describe(pair)}")
             angle = PARAMETERS["profile[][0]"].check(pair[0], f"profile[{i}][0]")
             if pairs and angle <= pairs[-1][0]:
                 raise ValueRangeError(f"profile[{i}][0]", f"{angle:g}° is not beyond the one before")
@@ -158,9 +158,7 @@ class WhiteReference:
         files = check_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
         object.__setattr__(self, "photographs", files)
         if not isinstance(self.region, (tuple, list)) or len(self.region) != 4:
-            raise ValueRangeError(
-                "region", f"left, top, width, height are wanted, not {describe(self.region)}"
-            )
+            raise ValueRangeError("region", f"expected left, top, width, height, not {describe(self.region)}")
         lowest = (0, 0, 1, 1)
         region = tuple(check_whole(v, f"region[{i}]", lowest[i], 65_535) for i, v in enumerate(self.region))
         object.__setattr__(self, "region", region)
@@ -255,13 +253,11 @@ class Session:
             isinstance(item, Position) for item in self.positions
         ):
             raise ValueRangeError(
-                "positions", f"a list of positions is wanted, not {describe(self.positions)}"
+                "positions", f"expected a list of positions, not {describe(self.positions)}"
             )
         object.__setattr__(self, "positions", tuple(self.positions))
         if not 1 <= len(self.positions) <= MOST_POSITIONS:
-            raise ValueRangeError(
-                "positions", f"1 to {MOST_POSITIONS} are wanted, there are {len(self.positions)}"
-            )
+            raise ValueRangeError("positions", f"expected 1 to {MOST_POSITIONS}, found {len(self.positions)}")
         for i in range(1, len(self.positions)):
             here, before = self.positions[i].angle_deg, self.positions[i - 1].angle_deg
             if here <= before:
@@ -283,7 +279,7 @@ class Session:
             if len(files) != wanted:
                 raise ValueRangeError(
                     place,
-                    f"there are {len(files)} photographs for {wanted} exposures; one for each is wanted",
+                    f"there are {len(files)} photographs for {wanted} exposures; expected one for each",
                 )
 
     def _check_light(self) -> None:

@@ -103,7 +103,7 @@ class SessionCamera:
         if self.to_working is not None:
             if not isinstance(self.to_working, (tuple, list)) or len(self.to_working) != 3:
                 raise ValueRangeError(
-                    "to_working", f"three rows of three numbers are wanted, not {describe(self.to_working)}"
+                    "to_working", f"expected three rows of three numbers, not {describe(self.to_working)}"
                 )
             rows = [
                 check_numbers(row, f"to_working[{i}]", PARAMETERS["matrix"], 3)

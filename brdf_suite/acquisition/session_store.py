@@ -48,7 +48,7 @@ def read_session(folder: _Path) -> Session:
     """
     path = session_path(folder)
     if not path.parent.is_dir():
-        raise FileError(path.parent, "is not a folder; a folder of photographs with a session.json is wanted")
+        raise FileError(path.parent, "is not a folder; expected a folder of photographs with a session.json")
     if not path.exists():
         raise FileError(
             path.parent,

@@ -223,7 +223,7 @@ def _board(draft: _Draft, files: list[Path]) -> Board | None:
 def _dark(draft: _Draft, files: list[Path], count: int) -> tuple[str, ...]:
     if files and len(files) != count:
         draft.notes.append(
-            f"dark: {len(files)} photographs for {count} exposures are left out; one for each is wanted"
+            f"dark: {len(files)} photographs for {count} exposures are left out; expected one for each"
         )
         return ()
     return draft.names(_by_time(files))
@@ -242,7 +242,7 @@ def _white(draft: _Draft, files: list[Path], facts: PhotographFacts, count: int)
         return None
     if len(files) != count:
         draft.notes.append(
-            f"white: {len(files)} photographs for {count} exposures are left out; one for each is wanted"
+            f"white: {len(files)} photographs for {count} exposures are left out; expected one for each"
         )
         return None
     draft.notes.append(

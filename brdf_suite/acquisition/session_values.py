@@ -57,14 +57,14 @@ def set_vector(owner: object, parameter: Parameter, name: str) -> None:
 def check_numbers(value: object, place: str, parameter: Parameter, count: int) -> tuple[float, ...]:
     """Return ``count`` numbers in the parameter's range; the error names the one that is not."""
     if not isinstance(value, (tuple, list)) or len(value) != count:
-        raise ValueRangeError(place, f"a list of {count} numbers is wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected a list of {count} numbers, not {describe(value)}")
     return tuple(parameter.check(item, f"{place}[{i}]") for i, item in enumerate(value))
 
 
 def check_whole(value: object, place: str, low: int, high: int) -> int:
     """Return a whole number from ``low`` to ``high``."""
     if isinstance(value, bool) or not isinstance(value, int):
-        raise ValueRangeError(place, f"a whole number is wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected a whole number, not {describe(value)}")
     if not low <= value <= high:
         raise ValueRangeError(place, f"{describe(value)} is outside the range {low} to {high}")
     return value
@@ -73,9 +73,9 @@ def check_whole(value: object, place: str, low: int, high: int) -> int:
 def check_times(value: object, place: str, most: int) -> tuple[float, ...]:
     """Return exposure times in seconds, which must grow from one to the next; empty is allowed."""
     if not isinstance(value, (tuple, list)):
-        raise ValueRangeError(place, f"a list of times is wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected a list of times, not {describe(value)}")
     if len(value) > most:
-        raise ValueRangeError(place, f"at most {most} are wanted, there are {len(value)}")
+        raise ValueRangeError(place, f"expected at most {most}, found {len(value)}")
     times = tuple(SECONDS.check(item, f"{place}[{i}]") for i, item in enumerate(value))
     for i in range(1, len(times)):
         if times[i] <= times[i - 1]:
@@ -89,9 +89,9 @@ def check_times(value: object, place: str, most: int) -> tuple[float, ...]:
 def check_series(value: object, place: str, least: int, most: int) -> tuple[str, ...]:
     """Return the names of files in a list of ``least`` to ``most``."""
     if not isinstance(value, (tuple, list)):
-        raise ValueRangeError(place, f"a list of names of files is wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected a list of names of files, not {describe(value)}")
     if not least <= len(value) <= most:
-        raise ValueRangeError(place, f"{least} to {most} files are wanted, there are {len(value)}")
+        raise ValueRangeError(place, f"expected {least} to {most} files, found {len(value)}")
     return tuple(check_name(item, f"{place}[{i}]") for i, item in enumerate(value))
 
 

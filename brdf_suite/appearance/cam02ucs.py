@@ -49,12 +49,12 @@ class ViewingConditions:
 
     def __post_init__(self) -> None:
         if not self.adapting_luminance > 0.0:
-            raise ValueRangeError("adapting_luminance", "a positive luminance in cd/m² is wanted")
+            raise ValueRangeError("adapting_luminance", "expected a positive luminance in cd/m²")
         if not 0.0 < self.background <= 100.0:
-            raise ValueRangeError("background", "a relative luminance above 0 and to 100 is wanted")
+            raise ValueRangeError("background", "expected a relative luminance above 0 and to 100")
         if self.surround not in SURROUNDS:
             raise ValueRangeError(
-                "surround", f"one of {', '.join(SURROUNDS)} is wanted, not {self.surround!r}"
+                "surround", f"expected one of {', '.join(SURROUNDS)}, not {self.surround!r}"
             )
 
 

@@ -72,7 +72,7 @@ def adaptation(
     ``transform`` is CAT16 (the suite's own choice) or Bradford.
     """
     if transform not in _TRANSFORMS:
-        raise ValueRangeError("transform", f"one of {', '.join(_TRANSFORMS)} is wanted, not {transform!r}")
+        raise ValueRangeError("transform", f"expected one of {', '.join(_TRANSFORMS)}, not {transform!r}")
     cones = _TRANSFORMS[transform]
     gains = (cones @ np.asarray(white_to, float)) / (cones @ np.asarray(white_from, float))
     return np.asarray(np.linalg.inv(cones) @ (gains[:, None] * cones), np.float64)

@@ -50,11 +50,11 @@ class DisplaySpace:
 
     def __post_init__(self) -> None:
         if self.from_working.shape != (3, 3) or not np.isfinite(self.from_working).all():
-            raise ValueRangeError("from_working", "a matrix of 3 by 3 finite numbers is wanted")
+            raise ValueRangeError("from_working", "expected a matrix of 3 by 3 finite numbers")
         if self.codes is not None and (
             self.codes.ndim != 2 or self.codes.shape[1] != 3 or len(self.codes) < 2
         ):
-            raise ValueRangeError("codes", f"a table of n by 3 is wanted, not {self.codes.shape}")
+            raise ValueRangeError("codes", f"expected a table of n by 3, not {self.codes.shape}")
 
     @property
     def white_xy(self) -> tuple[float, float]:

@@ -136,7 +136,7 @@ def with_flop_index(aspecular_deg: npt.ArrayLike, lab: npt.ArrayLike, index: flo
     """
     lab = np.asarray(lab, float)
     if not (math.isfinite(index) and index >= 0.0):
-        raise ValueRangeError("flop_index", f"a number of at least 0 is wanted, not {index:g}")
+        raise ValueRangeError("flop_index", f"expected a number of at least 0, not {index:g}")
     angles = np.asarray(aspecular_deg, float).tolist()
     if not {15.0, 45.0, 110.0} <= set(angles):
         raise ValueRangeError("flop_index", "the flop index needs readings at 15, 45 and 110°")

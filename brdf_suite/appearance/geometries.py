@@ -31,11 +31,11 @@ class Geometry:
     def __post_init__(self) -> None:
         for name in ("illumination_deg", "aspecular_deg"):
             if not math.isfinite(getattr(self, name)):
-                raise ValueRangeError(name, "a finite angle in degrees is wanted")
+                raise ValueRangeError(name, "expected a finite angle in degrees")
         if not 0.0 <= self.illumination_deg < 90.0:
             raise ValueRangeError(
                 "illumination_deg",
-                f"a polar angle from 0 to below 90° is wanted, not {self.illumination_deg:g}°",
+                f"expected a polar angle from 0 to below 90°, not {self.illumination_deg:g}°",
             )
         if not -90.0 < self.view_deg < 90.0:
             raise ValueRangeError(
@@ -65,7 +65,7 @@ class GeometrySet:
 
     def __post_init__(self) -> None:
         if not 1 <= len(self.geometries) <= _MOST:
-            raise ValueRangeError("geometries", f"from 1 to {_MOST} geometries are wanted")
+            raise ValueRangeError("geometries", f"expected 1 to {_MOST} geometries")
         if len(set(self.geometries)) < len(self.geometries):
             raise ValueRangeError("geometries", "a geometry is named twice")
 

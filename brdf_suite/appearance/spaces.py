@@ -104,6 +104,6 @@ def in_display_gamut(
 ) -> npt.NDArray[np.bool_]:
     """Return whether (...) a display (``sRGB`` or ``Display P3``) can show L*a*b*; ``tolerance`` in linear light."""
     if display not in _DISPLAYS:
-        raise ValueRangeError("display", f"one of {', '.join(_DISPLAYS)} is wanted, not {display!r}")
+        raise ValueRangeError("display", f"expected one of {', '.join(_DISPLAYS)}, not {display!r}")
     linear = lab_to_working(lab) @ _DISPLAYS[display].T
     return np.asarray(np.all((linear >= -tolerance) & (linear <= 1.0 + tolerance), axis=-1))

@@ -64,7 +64,7 @@ def colour_matching(observer_deg: int = 10) -> Floats:
 def illuminant_power(illuminant: str = "D65") -> Floats:
     """Return the relative spectral power (421,) of one of :data:`ILLUMINANTS`, 360 to 780 nm at 1 nm."""
     if illuminant not in ILLUMINANTS:
-        raise ValueRangeError("illuminant", f"one of {', '.join(ILLUMINANTS)} is wanted, not {illuminant!r}")
+        raise ValueRangeError("illuminant", f"expected one of {', '.join(ILLUMINANTS)}, not {illuminant!r}")
     return _tables()[illuminant]
 
 
@@ -96,10 +96,10 @@ def spectrum_weights(
     """
     bands = np.asarray(wavelengths_nm, float)
     if bands.ndim != 1 or bands.size == 0:
-        raise ValueRangeError("wavelengths_nm", f"a list of wavelengths is wanted, not shape {bands.shape}")
+        raise ValueRangeError("wavelengths_nm", f"expected a list of wavelengths, not shape {bands.shape}")
     if not np.all((bands >= _LOWEST_NM) & (bands <= _HIGHEST_NM)):
         raise ValueRangeError(
-            "wavelengths_nm", f"wavelengths from {_LOWEST_NM:g} to {_HIGHEST_NM:g} nm are wanted"
+            "wavelengths_nm", f"expected wavelengths from {_LOWEST_NM:g} to {_HIGHEST_NM:g} nm"
         )
     if np.any(np.diff(bands) <= 0.0):
         raise ValueRangeError("wavelengths_nm", "the wavelengths must rise")
@@ -150,7 +150,7 @@ def spectrum_to_xyz(
     weights = spectrum_weights(wavelengths_nm, illuminant, observer_deg)
     if values.ndim == 0 or values.shape[-1] != len(weights):
         raise ValueRangeError(
-            "values", f"{len(weights)} values along the last axis are wanted, not shape {values.shape}"
+            "values", f"expected {len(weights)} values along the last axis, not shape {values.shape}"
         )
     return np.asarray(values @ weights)
 
@@ -191,4 +191,4 @@ def spectrum_to_working(
 
 def _check_observer(observer_deg: int) -> None:
     if observer_deg not in OBSERVERS:
-        raise ValueRangeError("observer_deg", f"the 2° or the 10° observer is wanted, not {observer_deg!r}")
+        raise ValueRangeError("observer_deg", f"expected the 2° or the 10° observer, not {observer_deg!r}")

@@ -74,7 +74,7 @@ def _cmc_weights(name: str) -> tuple[float, float]:
     found = _CMC.fullmatch(name)
     if found is None:
         raise ValueRangeError(
-            "difference", f"one of {', '.join(DIFFERENCES)} or cmc:l:c is wanted, not {name!r}"
+            "difference", f"expected one of {', '.join(DIFFERENCES)} or cmc:l:c, not {name!r}"
         )
     lightness, chroma = float(found[1]), float(found[2])
     if not (lightness > 0.0 and chroma > 0.0):
@@ -104,7 +104,7 @@ class Limits:
                 continue
             if not (math.isfinite(value) and value >= 0.0):
                 raise ValueRangeError(
-                    f"tolerance of the {entry.name}", f"a number from 0 is wanted, not {value:g}"
+                    f"tolerance of the {entry.name}", f"expected a number from 0, not {value:g}"
                 )
 
     @property
@@ -180,7 +180,7 @@ class Tolerances:
 
 def _checked(place: str, value: float | Limits) -> None:
     if not isinstance(value, Limits) and not (math.isfinite(value) and value >= 0.0):
-        raise ValueRangeError(place, f"a number from 0 is wanted, not {value:g}")
+        raise ValueRangeError(place, f"expected a number from 0, not {value:g}")
 
 
 def _limits(value: float | Limits) -> Limits:
@@ -233,7 +233,7 @@ def judge(
     if first.shape != (len(aspecular_deg), 3) or second.shape != first.shape:
         raise ValueRangeError(
             "readings",
-            f"{len(aspecular_deg)} L*a*b* values of each are wanted, not shapes {first.shape} and {second.shape}",
+            f"expected {len(aspecular_deg)} L*a*b* values of each, not shapes {first.shape} and {second.shape}",
         )
     differences = find_difference(tolerances.difference)(first, second)
     return Verdict(

@@ -45,7 +45,7 @@ def add(parts: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def _count(text: str) -> int:
     if not text.isdecimal() or not 1 <= int(text) <= _MOST:
-        raise argparse.ArgumentTypeError(f"a whole number from 1 to {_MOST:,} is wanted, not {text!r}")
+        raise argparse.ArgumentTypeError(f"expected a whole number from 1 to {_MOST:,}, not {text!r}")
     return int(text)
 
 

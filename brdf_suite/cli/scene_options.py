@@ -137,7 +137,7 @@ def _point_light(text: str) -> Lamp:
         raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z,STRENGTH[,KELVIN]") from error
     if len(numbers) not in (4, 5):
         raise argparse.ArgumentTypeError(
-            f"{text!r} has {len(numbers)} numbers; X,Y,Z,STRENGTH[,KELVIN] is wanted"
+            f"{text!r} has {len(numbers)} numbers; expected X,Y,Z,STRENGTH[,KELVIN]"
         )
     x, y, z, strength = numbers[:4]
     try:

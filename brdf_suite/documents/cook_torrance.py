@@ -85,20 +85,20 @@ class CookTorrancePaint:
         check_text(self.name, "name", longest=200, lines=False, empty=False)
         object.__setattr__(self, "kd", check_rgb(self.kd, "kd", PARAMETERS["kd"]))
         if not isinstance(self.lobes, (tuple, list)):
-            raise ValueRangeError("lobes", f"a list is wanted, not {describe(self.lobes)}")
+            raise ValueRangeError("lobes", f"expected a list, not {describe(self.lobes)}")
         if len(self.lobes) > _MOST_LOBES:
-            raise ValueRangeError("lobes", f"at most {_MOST_LOBES} are wanted, there are {len(self.lobes)}")
+            raise ValueRangeError("lobes", f"expected at most {_MOST_LOBES}, found {len(self.lobes)}")
         for index, lobe in enumerate(self.lobes):
             if not isinstance(lobe, CookTorranceLobe):
-                raise ValueRangeError(f"lobes[{index}]", f"a lobe is wanted, not {describe(lobe)}")
+                raise ValueRangeError(f"lobes[{index}]", f"expected a lobe, not {describe(lobe)}")
         object.__setattr__(self, "lobes", tuple(self.lobes))
         check_choice(self.d_norm, "d_norm", DISTRIBUTION_NORMS)
         if self.clearcoat is not None and not isinstance(self.clearcoat, Clearcoat):
             raise ValueRangeError(
-                "clearcoat", f"a clearcoat or nothing is wanted, not {describe(self.clearcoat)}"
+                "clearcoat", f"expected a clearcoat or nothing, not {describe(self.clearcoat)}"
             )
         if self.flakes is not None and not isinstance(self.flakes, Flakes):
-            raise ValueRangeError("flakes", f"flakes or nothing are wanted, not {describe(self.flakes)}")
+            raise ValueRangeError("flakes", f"expected flakes or nothing, not {describe(self.flakes)}")
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
         check_text(self.source, "source", longest=10_000, lines=True, empty=True)
 
@@ -106,6 +106,6 @@ class CookTorrancePaint:
 def check_rgb(value: object, place: str, parameter: Parameter) -> Rgb:
     """Return three numbers in the parameter's range; raise :class:`ValueRangeError` naming the channel."""
     if not isinstance(value, (tuple, list)) or len(value) != 3:
-        raise ValueRangeError(place, f"three numbers red, green, blue are wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected three numbers red, green, blue, not {describe(value)}")
     red, green, blue = (parameter.check(value[i], f"{place}[{i}]") for i in range(3))
     return (red, green, blue)

@@ -35,7 +35,7 @@ class TextureFile:
     def __post_init__(self) -> None:
         check_text(self.path, "path", longest=4096, lines=False, empty=False)
         if not isinstance(self.sha256, str) or _HASH.fullmatch(self.sha256) is None:
-            raise ValueRangeError("sha256", f"64 hexadecimal digits are wanted, not {describe(self.sha256)}")
+            raise ValueRangeError("sha256", f"expected 64 hexadecimal digits, not {describe(self.sha256)}")
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ class FactoredPaint:
     def __post_init__(self) -> None:
         check_text(self.name, "name", longest=200, lines=False, empty=False)
         if not isinstance(self.textures, TextureFile):
-            raise ValueRangeError("textures", f"a texture file is wanted, not {describe(self.textures)}")
+            raise ValueRangeError("textures", f"expected a texture file, not {describe(self.textures)}")
         words = (("factors", self.factors), *((("peak", self.peak),) if self.peak != "" else ()))
         for place, text in words:
             check_text(text, place, longest=1000, lines=False, empty=False)
@@ -72,15 +72,15 @@ class FactoredPaint:
                 raise ValueRangeError(place, error.reason) from error
         object.__setattr__(self, "alpha", check_rgb(self.alpha, "alpha", PARAMETERS["alpha"]))
         if not isinstance(self.logarithmic, bool):
-            raise ValueRangeError("logarithmic", f"true or false is wanted, not {describe(self.logarithmic)}")
+            raise ValueRangeError("logarithmic", f"expected true or false, not {describe(self.logarithmic)}")
         largest = Parameter("Largest", "1/sr", 0.0, 1e12, 0.0, "").check(self.largest, "largest")
         object.__setattr__(self, "largest", largest)
         if self.clearcoat is not None and not isinstance(self.clearcoat, Clearcoat):
             raise ValueRangeError(
-                "clearcoat", f"a clearcoat or nothing is wanted, not {describe(self.clearcoat)}"
+                "clearcoat", f"expected a clearcoat or nothing, not {describe(self.clearcoat)}"
             )
         if self.flakes is not None and not isinstance(self.flakes, Flakes):
-            raise ValueRangeError("flakes", f"flakes or nothing are wanted, not {describe(self.flakes)}")
+            raise ValueRangeError("flakes", f"expected flakes or nothing, not {describe(self.flakes)}")
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
         check_text(self.source, "source", longest=10_000, lines=True, empty=True)
 

@@ -100,23 +100,23 @@ class FlatColour:
         if self.illuminant != "":
             check_text(self.illuminant, "illuminant", longest=50, lines=False, empty=True)
         if isinstance(self.observer_deg, bool) or self.observer_deg not in (0, 2, 10):
-            raise ValueRangeError("observer_deg", f"2, 10 or 0 is wanted, not {describe(self.observer_deg)}")
+            raise ValueRangeError("observer_deg", f"expected 2, 10 or 0, not {describe(self.observer_deg)}")
         if self.others != ():
             self._check_others()
 
     def _check_others(self) -> None:
         if not isinstance(self.others, (tuple, list)) or len(self.others) > _MOST_OTHERS:
-            raise ValueRangeError("others", f"a list of at most {_MOST_OTHERS} colours is wanted")
+            raise ValueRangeError("others", f"expected a list of at most {_MOST_OTHERS} colours")
         for index, other in enumerate(self.others):
             if not isinstance(other, FlatColour) or other.others:
-                raise ValueRangeError(f"others[{index}]", "a colour without others of its own is wanted")
+                raise ValueRangeError(f"others[{index}]", "expected a colour without others of its own")
         object.__setattr__(self, "others", tuple(self.others))
 
     def _checked_values(self) -> tuple[float, ...]:
         values, bands = self.values, self.wavelengths_nm
         for name, items in (("values", values), ("wavelengths_nm", bands)):
             if not isinstance(items, (tuple, list)):
-                raise ValueRangeError(name, f"a list of numbers is wanted, not {describe(items)}")
+                raise ValueRangeError(name, f"expected a list of numbers, not {describe(items)}")
         if self.model != "spectrum":
             channels = CHANNELS[self.model]
             if bands:
@@ -137,7 +137,7 @@ class FlatColour:
             )
         if not 2 <= len(values) <= _MOST_BANDS or len(values) != len(bands):
             raise ValueRangeError(
-                "values", f"2 to {_MOST_BANDS} numbers are wanted, as many as wavelengths, not {len(values)}"
+                "values", f"expected 2 to {_MOST_BANDS} numbers, as many as wavelengths, not {len(values)}"
             )
         checked = tuple(_WAVELENGTH.check(band, f"wavelengths_nm[{i}]") for i, band in enumerate(bands))
         if any(b <= a for a, b in pairwise(checked)):

@@ -79,10 +79,10 @@ def open_envelope(value: object, expected: str, path: str | os.PathLike[str]) ->
     reader = FieldReader(value, path)
     found = reader.take("format")
     if found != expected:
-        reader.fail(f'"{expected}" is wanted, not {describe(found)}', "format")
+        reader.fail(f'expected "{expected}", not {describe(found)}', "format")
     version = reader.take("version")
     if isinstance(version, bool) or not isinstance(version, int) or version < 1:
-        reader.fail(f"a whole number from 1 is wanted, not {describe(version)}", "version")
+        reader.fail(f"expected a whole number from 1, not {describe(version)}", "version")
     newest = VERSIONS[expected]
     if version > newest:
         reader.fail(

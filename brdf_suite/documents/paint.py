@@ -185,12 +185,12 @@ class Paint:
         check_text(self.name, "name", longest=200, lines=False, empty=False)
         object.__setattr__(self, "measurements", _checked_measurements(self.measurements))
         if not isinstance(self.gloss, Gloss):
-            raise ValueRangeError("gloss", f"gloss readings are wanted, not {describe(self.gloss)}")
+            raise ValueRangeError("gloss", f"expected gloss readings, not {describe(self.gloss)}")
         if self.flakes is not None and not isinstance(self.flakes, Flakes):
-            raise ValueRangeError("flakes", f"flakes or nothing are wanted, not {describe(self.flakes)}")
+            raise ValueRangeError("flakes", f"expected flakes or nothing, not {describe(self.flakes)}")
         if self.orange_peel is not None and not isinstance(self.orange_peel, OrangePeel):
             raise ValueRangeError(
-                "orange_peel", f"orange peel or nothing is wanted, not {describe(self.orange_peel)}"
+                "orange_peel", f"expected orange peel or nothing, not {describe(self.orange_peel)}"
             )
         check_choice(self.interpolation, "interpolation", INTERPOLATIONS)
         check_choice(self.out_of_plane, "out_of_plane", OUT_OF_PLANE)
@@ -258,22 +258,22 @@ def solid_paint(name: str, lab: Lab, gloss: Gloss | None = None) -> Paint:
 
 def _checked_lab(lab: object) -> Lab:
     if not isinstance(lab, (tuple, list)) or len(lab) != 3:
-        raise ValueRangeError("lab", f"three numbers L*, a*, b* are wanted, not {describe(lab)}")
+        raise ValueRangeError("lab", f"expected three numbers L*, a*, b*, not {describe(lab)}")
     lightness, a, b = (PARAMETERS[f"lab[{i}]"].check(lab[i], f"lab[{i}]") for i in range(3))
     return (lightness, a, b)
 
 
 def _checked_measurements(measurements: object) -> tuple[Measurement, ...]:
     if not isinstance(measurements, (tuple, list)):
-        raise ValueRangeError("measurements", f"a list is wanted, not {describe(measurements)}")
+        raise ValueRangeError("measurements", f"expected a list, not {describe(measurements)}")
     if not 3 <= len(measurements) <= _MOST_MEASUREMENTS:
         raise ValueRangeError(
             "measurements",
-            f"from 3 to {_MOST_MEASUREMENTS} measurements are wanted, there are {len(measurements)}",
+            f"expected 3 to {_MOST_MEASUREMENTS} measurements, found {len(measurements)}",
         )
     for index, item in enumerate(measurements):
         if not isinstance(item, Measurement):
-            raise ValueRangeError(f"measurements[{index}]", f"a measurement is wanted, not {describe(item)}")
+            raise ValueRangeError(f"measurements[{index}]", f"expected a measurement, not {describe(item)}")
         for earlier, other in enumerate(measurements[:index]):
             if (
                 abs(other.illumination_deg - item.illumination_deg) <= _SAME_ANGLE_DEG

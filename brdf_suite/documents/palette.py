@@ -74,7 +74,7 @@ class Entry:
     def __post_init__(self) -> None:
         if not isinstance(self.content, (Paint, CookTorrancePaint, FactoredPaint, FlatColour)):
             raise ValueRangeError(
-                "content", f"a paint or a flat colour is wanted, not {describe(self.content)}"
+                "content", f"expected a paint or a flat colour, not {describe(self.content)}"
             )
         # Most fields of most entries have their default, and a file may hold a hundred thousand entries.
         check_text(self.id, "id", longest=64, lines=False, empty=True)
@@ -169,7 +169,7 @@ class Palette:
             or not 0 <= self.columns <= 10_000
         ):
             raise ValueRangeError(
-                "columns", f"a whole number from 0 to 10,000 is wanted, not {describe(self.columns)}"
+                "columns", f"expected a whole number from 0 to 10,000, not {describe(self.columns)}"
             )
         _set(self, "foreign", _checked_foreign(self.foreign))
 
@@ -300,7 +300,7 @@ def _checked_foreign(value: object) -> Foreign:
     found = []
     for index, pair in enumerate(pairs):
         if len(pair) != 2:
-            raise ValueRangeError(f"foreign[{index}]", "a name and a text are wanted")
+            raise ValueRangeError(f"foreign[{index}]", "expected a name and a text")
         check_text(pair[0], f"foreign[{index}][0]", longest=200, lines=False, empty=False)
         check_text(pair[1], f"foreign[{index}][1]", longest=1_000_000, lines=True, empty=True)
         found.append((pair[0], pair[1]))
@@ -309,7 +309,7 @@ def _checked_foreign(value: object) -> Foreign:
 
 def _check_colour(value: object) -> None:
     if value != "" and (not isinstance(value, str) or not _COLOUR.fullmatch(value)):
-        raise ValueRangeError("colour", f"#rrggbb in lower case is wanted, not {describe(value)}")
+        raise ValueRangeError("colour", f"expected #rrggbb in lower case, not {describe(value)}")
 
 
 def _check_date(value: object) -> None:
@@ -320,16 +320,16 @@ def _check_date(value: object) -> None:
             pass
         else:
             return
-    raise ValueRangeError("date", f"a date as in 2024-05-31 is wanted, not {describe(value)}")
+    raise ValueRangeError("date", f"expected a date as in 2024-05-31, not {describe(value)}")
 
 
 def _items(value: object, place: str, kind: type | tuple[type, ...], most: int) -> tuple[Any, ...]:
     if not isinstance(value, (tuple, list)):
-        raise ValueRangeError(place, f"a list is wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected a list, not {describe(value)}")
     if len(value) > most:
         raise ValueRangeError(place, f"{len(value)} are more than the {most} allowed")
     for index, item in enumerate(value):
         if not isinstance(item, kind):
             word = "list" if isinstance(kind, tuple) else "text" if kind is str else kind.__name__.lower()
-            raise ValueRangeError(f"{place}[{index}]", f"a {word} is wanted, not {describe(item)}")
+            raise ValueRangeError(f"{place}[{index}]", f"expected a {word}, not {describe(item)}")
     return tuple(value)

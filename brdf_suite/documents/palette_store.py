@@ -154,7 +154,7 @@ def palette_from_json(value: object, path: _Path = "the message") -> Palette:
     )
     items = reader.take_or("entries", [])
     if not isinstance(items, list):
-        reader.fail(f"a list is wanted, not {describe(items)}", "entries")
+        reader.fail(f"expected a list, not {describe(items)}", "entries")
     if len(items) > MOST_ENTRIES:
         reader.fail(f"{len(items)} are more than the {MOST_ENTRIES} allowed", "entries")
     entries = tuple(
@@ -184,7 +184,7 @@ def entry_from_json(value: object, path: _Path = "the message", place: str = "")
     """Return the entry in a JSON value; errors as :func:`palette_from_json`."""
     reader = FieldReader(value, path, place)
     if reader.has("flat") == reader.has("paint"):
-        reader.fail('one of "paint" and "flat" is wanted')
+        reader.fail('expected one of "paint" and "flat"')
     content = _flat(reader.take_object("flat")) if reader.has("flat") else _paint(reader)
     return fill(reader, Entry, taken={"content": content})
 

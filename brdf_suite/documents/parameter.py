@@ -31,13 +31,13 @@ class Parameter:
         82.0
         """
         if isinstance(value, bool) or not isinstance(value, (int, float)):
-            raise ValueRangeError(place, f"a number is wanted, not {describe(value)}")
+            raise ValueRangeError(place, f"expected a number, not {describe(value)}")
         try:
             number = float(value)
         except OverflowError:
             number = math.inf
         if not math.isfinite(number):
-            raise ValueRangeError(place, f"a finite number is wanted, not {number}")
+            raise ValueRangeError(place, f"expected a finite number, not {number}")
         if not self.low <= number <= self.high:
             unit = f" {self.unit}" if self.unit else ""
             raise ValueRangeError(
@@ -74,7 +74,7 @@ def check_text(value: object, place: str, *, longest: int, lines: bool, empty: b
         Whether the empty text is allowed.
     """
     if not isinstance(value, str):
-        raise ValueRangeError(place, f"a text is wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected a text, not {describe(value)}")
     if len(value) > longest:
         raise ValueRangeError(place, f"{len(value)} characters are more than the {longest} allowed")
     if not empty and not value.strip():
@@ -93,5 +93,5 @@ def check_text(value: object, place: str, *, longest: int, lines: bool, empty: b
 def check_choice(value: object, place: str, choices: tuple[str, ...]) -> str:
     """Return ``value`` where it is one of ``choices``."""
     if not isinstance(value, str) or value not in choices:
-        raise ValueRangeError(place, f"one of {', '.join(choices)} is wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected one of {', '.join(choices)}, not {describe(value)}")
     return value

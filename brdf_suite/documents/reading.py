@@ -33,7 +33,7 @@ class FieldReader:
         self.path = path
         self.place = place
         if not isinstance(value, Mapping):
-            self.fail(f"an object is wanted, not {describe(value)}")
+            self.fail(f"expected an object, not {describe(value)}")
         self._fields: dict[str, object] = dict(value)
 
     def where(self, name: str) -> str:
@@ -66,7 +66,7 @@ class FieldReader:
         """Return a reader for each object of the list in field ``name``."""
         items = self.take(name)
         if not isinstance(items, list):
-            self.fail(f"a list is wanted, not {describe(items)}", name)
+            self.fail(f"expected a list, not {describe(items)}", name)
         return [FieldReader(item, self.path, f"{self.where(name)}[{i}]") for i, item in enumerate(items)]
 
     def finish(self) -> None:

@@ -115,7 +115,7 @@ def paint_from_json(value: object, path: _Path = "the message") -> Paint:
         what = "a Cook-Torrance paint" if isinstance(paint, CookTorrancePaint) else "a factored paint"
         raise DocumentError(
             path,
-            f"holds {what}; here a paint of aspecular readings is wanted, which can be edited "
+            f"holds {what}; expected a paint of aspecular readings, which can be edited "
             "(brdf-suite render and fit take every kind)",
             "kind",
         )

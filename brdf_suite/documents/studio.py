@@ -63,7 +63,7 @@ def _temperature(owner: object, name: str = "colour_temperature_k") -> None:
 def _numbers(owner: object, name: str, count: int) -> None:
     value = getattr(owner, name)
     if not isinstance(value, (tuple, list)) or len(value) != count:
-        raise ValueRangeError(name, f"a list of {count} numbers is wanted, not {describe(value)}")
+        raise ValueRangeError(name, f"expected a list of {count} numbers, not {describe(value)}")
     checked = tuple(PARAMETERS[name].check(item, f"{name}[{i}]") for i, item in enumerate(value))
     object.__setattr__(owner, name, checked)
 
@@ -182,9 +182,9 @@ class Studio:
         check_text(self.name, "name", longest=200, lines=False, empty=False)
         check_choice(self.unit, "unit", UNITS)
         if (self.room is None) == (self.backdrop is None):
-            raise ValueRangeError("room", 'either "room" or "backdrop" is wanted, and only one of them')
+            raise ValueRangeError("room", 'expected either "room" or "backdrop", and only one of them')
         if not isinstance(self.lamps, tuple) or not all(isinstance(lamp, StudioLamp) for lamp in self.lamps):
-            raise ValueRangeError("lamps", f"a list of lamps is wanted, not {describe(self.lamps)}")
+            raise ValueRangeError("lamps", f"expected a list of lamps, not {describe(self.lamps)}")
         if len(self.lamps) > MOST_LAMPS:
             raise ValueRangeError("lamps", f"{len(self.lamps)} lamps are more than the {MOST_LAMPS} allowed")
         for i, lamp in enumerate(self.lamps):
@@ -193,7 +193,7 @@ class Studio:
         shining = any(lamp.luminance > 0.0 for lamp in self.lamps)
         if not shining and (self.backdrop is None or self.backdrop.luminance == 0.0):
             raise ValueRangeError(
-                "lamps", "nothing gives light: a lamp or a backdrop of luminance above 0 is wanted"
+                "lamps", "nothing gives light: expected a lamp or a backdrop of luminance above 0"
             )
 
 
@@ -231,4 +231,4 @@ class Sky:
         if self.model == "preetham" and self.turbidity < 1.9:
             raise ValueRangeError("turbidity", "Preetham's model holds from 1.9 on; take hosek_wilkie below")
         if not isinstance(self.sun_disc, bool):
-            raise ValueRangeError("sun_disc", f"true or false is wanted, not {describe(self.sun_disc)}")
+            raise ValueRangeError("sun_disc", f"expected true or false, not {describe(self.sun_disc)}")

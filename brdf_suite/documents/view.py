@@ -99,7 +99,7 @@ class Camera:
             object.__setattr__(self, "distance", distance)
         if self.target is not None:
             if not isinstance(self.target, (tuple, list)) or len(self.target) != 3:
-                raise ValueRangeError("target", f"three numbers are wanted, not {describe(self.target)}")
+                raise ValueRangeError("target", f"expected three numbers, not {describe(self.target)}")
             check = PARAMETERS["camera.target"].check
             target = tuple(check(value, f"target[{i}]") for i, value in enumerate(self.target))
             object.__setattr__(self, "target", target)
@@ -150,7 +150,7 @@ class View:
         for name, kind in PARTS.items():
             if not isinstance(getattr(self, name), kind):
                 words = name.replace("_", " ")
-                raise ValueRangeError(name, f"a {words} is wanted, not {describe(getattr(self, name))}")
+                raise ValueRangeError(name, f"expected a {words}, not {describe(getattr(self, name))}")
         for name in ("environment", "surface"):
             _check_name_or_path(getattr(self, name), name)
         for name in ("rotation_deg", "exposure_ev", "turntable_deg_s"):
@@ -165,7 +165,7 @@ class View:
         check_choice(self.lamp_shading, "lamp_shading", LAMP_SHADINGS)
         for name in ("clipping_marks", "gamut_marks"):
             if not isinstance(getattr(self, name), bool):
-                raise ValueRangeError(name, f"true or false is wanted, not {describe(getattr(self, name))}")
+                raise ValueRangeError(name, f"expected true or false, not {describe(getattr(self, name))}")
         object.__setattr__(
             self, "background_colour", check_colour(self.background_colour, "background_colour")
         )
@@ -192,5 +192,5 @@ def _check_name_or_path(value: object, place: str) -> None:
     absolute = PurePosixPath(text).is_absolute() or PureWindowsPath(text).is_absolute()
     if not absolute and not _NAME.match(text):
         raise ValueRangeError(
-            place, f"the name of a packaged one or an absolute path is wanted, not {describe(value)}"
+            place, f"expected the name of a packaged one or an absolute path, not {describe(value)}"
         )

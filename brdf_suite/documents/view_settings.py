@@ -145,7 +145,7 @@ class Sparkle:
         check_choice(self.mode, "mode", SPARKLE_MODES)
         count = PARAMETERS["sparkle.light_count"].check(self.light_count, "light_count")
         if count != int(count):
-            raise ValueRangeError("light_count", f"a whole number is wanted, not {count:g}")
+            raise ValueRangeError("light_count", f"expected a whole number, not {count:g}")
         object.__setattr__(self, "light_count", int(count))
         _check_numbers(self, "sparkle", ("strength",))
 
@@ -263,7 +263,7 @@ def check_path(value: object, place: str) -> None:
     text = check_text(value, place, longest=4096, lines=False, empty=False)
     # A file written on another system is still valid here; opening it will say that it is missing.
     if not (PurePosixPath(text).is_absolute() or PureWindowsPath(text).is_absolute()):
-        raise ValueRangeError(place, f"an absolute path is wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected an absolute path, not {describe(value)}")
 
 
 def _check_paint(value: object, place: str) -> None:
@@ -273,7 +273,7 @@ def _check_paint(value: object, place: str) -> None:
 
 def _check_flag(value: object, place: str) -> None:
     if not isinstance(value, bool):
-        raise ValueRangeError(place, f"true or false is wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected true or false, not {describe(value)}")
 
 
 def _check_numbers(owner: object, group: str, names: tuple[str, ...]) -> None:
@@ -284,14 +284,14 @@ def _check_numbers(owner: object, group: str, names: tuple[str, ...]) -> None:
 
 def _three(value: object, place: str, parameter: Parameter) -> tuple[float, float, float]:
     if not isinstance(value, (tuple, list)) or len(value) != 3:
-        raise ValueRangeError(place, f"three numbers are wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected three numbers, not {describe(value)}")
     x, y, z = (parameter.check(item, f"{place}[{i}]") for i, item in enumerate(value))
     return (x, y, z)
 
 
 def _items(value: object, place: str, kind: type, most: int) -> tuple[object, ...]:
     if not isinstance(value, (tuple, list)) or not all(isinstance(item, kind) for item in value):
-        raise ValueRangeError(place, f"a list is wanted, not {describe(value)}")
+        raise ValueRangeError(place, f"expected a list, not {describe(value)}")
     if len(value) > most:
         raise ValueRangeError(place, f"{len(value)} are more than the {most} allowed")
     return tuple(value)

@@ -221,7 +221,7 @@ class SampleReader:
             reflectance = [number(value, word, path, "a reflectance") for word in words[: MOST_BANDS + 1]]
             bands = [first + step * index for index in range(len(reflectance))]
         if not 2 <= len(bands) <= MOST_BANDS:
-            raise self._fail(value, f"a spectrum of 2 to {MOST_BANDS} bands is wanted, not {len(bands)}")
+            raise self._fail(value, f"expected a spectrum of 2 to {MOST_BANDS} bands, not {len(bands)}")
         if bands[0] < 100.0 or bands[-1] > 10_000.0 or any(b <= a for a, b in pairwise(bands)):
             raise self._fail(value, "the wavelengths of a spectrum must rise, from 100 to 10,000 nm")
         return tuple(bands), tuple(reflectance)

@@ -65,7 +65,7 @@ def number(element: Element, text: str, path: PathLike, what: str) -> float:
         value = math.nan
     if not math.isfinite(value):
         shown = text if len(text) <= 40 else text[:37] + "..."
-        raise FileError(path, f"a finite number is wanted for {what}, not {shown!r}", f"line {element.line}")
+        raise FileError(path, f"expected a finite number for {what}, not {shown!r}", f"line {element.line}")
     return value
 
 
@@ -123,7 +123,7 @@ def _angles(multi: Element | None, path: PathLike) -> tuple[BrdfAngle, ...]:
     if not 1 <= len(elements) <= _MOST_ANGLES:
         raise FileError(
             path,
-            f"a MultiAngle has {len(elements)} angles; 1 to {_MOST_ANGLES} are wanted",
+            f"a MultiAngle has {len(elements)} angles; expected 1 to {_MOST_ANGLES}",
             f"line {multi.line}",
         )
     return tuple(_angle(element, path) for element in elements)

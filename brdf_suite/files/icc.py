@@ -113,7 +113,7 @@ def read_display_profile(data: bytes, name: str) -> DisplaySpace:
     if missing:
         raise FileError(
             name,
-            f"has no {', '.join(missing)}: it describes the screen by tables alone, and a matrix with curves is wanted",
+            f"has no {', '.join(missing)}: it describes the screen by tables alone; expected a matrix with curves",
         )
     colours = np.stack([_xyz(tags[tag], name, tag) for tag in wanted[:3]], axis=1)
     if abs(np.linalg.det(colours)) < 1e-6:

@@ -70,7 +70,7 @@ def parse_factors(text: str) -> tuple[Factor, ...]:
             raise ValueRangeError("factors", f"the map {name!r} cannot have {sizes[name]} and {size} texels")
         found.append(Factor(name, projection, size))
     if not 1 <= len(found) <= MOST_FACTORS:
-        raise ValueRangeError("factors", f"1 to {MOST_FACTORS} factors are wanted, not {len(found)}")
+        raise ValueRangeError("factors", f"expected 1 to {MOST_FACTORS} factors, not {len(found)}")
     return tuple(Factor(one.name, one.projection, sizes.get(one.name)) for one in found)
 
 

@@ -50,7 +50,7 @@ class FactorMap:
     def __post_init__(self) -> None:
         array: NDArray[Any] = np.ascontiguousarray(self.values, np.float32)
         if array.ndim not in (2, 3) or array.shape[-1] != 3 or min(array.shape[:-1]) < 1:
-            raise ValueRangeError("map", f"(n, 3) or (rows, columns, 3) is wanted, not {array.shape}")
+            raise ValueRangeError("map", f"expected (n, 3) or (rows, columns, 3), not {array.shape}")
         if max(array.shape[:-1]) > LARGEST_MAP:
             raise ValueRangeError(
                 "map", f"at most {LARGEST_MAP} texels along an edge, not {array.shape[:-1]}"
@@ -58,7 +58,7 @@ class FactorMap:
         if not np.isfinite(array).all():
             raise ValueRangeError("map", "not every number is finite")
         if self.logarithmic and np.abs(array).max() > LARGEST_LOG:
-            raise ValueRangeError("map", f"logarithms within ±{LARGEST_LOG:g} are wanted")
+            raise ValueRangeError("map", f"expected logarithms within ±{LARGEST_LOG:g}")
         if not self.logarithmic and array.min() < 0.0:
             raise ValueRangeError("map", "must not be negative")
         object.__setattr__(self, "values", array)
@@ -77,7 +77,7 @@ class FactorTerm:
     def __post_init__(self) -> None:
         alpha = np.array(np.broadcast_to(np.asarray(self.alpha, np.float64), (3,)))
         if not np.isfinite(alpha).all() or (alpha < 0.0).any():
-            raise ValueRangeError("alpha", "finite numbers that are not negative are wanted")
+            raise ValueRangeError("alpha", "expected finite numbers that are not negative")
         object.__setattr__(self, "alpha", alpha)
         object.__setattr__(self, "factors", tuple((str(m), str(p)) for m, p in self.factors))
         for _, projection in self.factors:
@@ -103,7 +103,7 @@ class FactorCoat:
     def __post_init__(self) -> None:
         shares = (self.spread, self.inner, self.even, *self.albedo)
         if not (1.0 <= self.ior <= 100.0 and all(0.0 <= share <= 1.0 for share in shares)):
-            raise ValueRangeError("coat", f"an index of 1 to 100 and shares of 0 to 1 are wanted, not {self}")
+            raise ValueRangeError("coat", f"expected an index of 1 to 100 and shares of 0 to 1, not {self}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +135,7 @@ class FactoredMaps:
         if not self.terms or count > MOST_FACTORS:
             raise ValueRangeError("terms", f"1 or more with {MOST_FACTORS} factors in all, not {count}")
         if not (np.isfinite(self.ceiling) and 0.0 < self.ceiling <= 1e8):
-            raise ValueRangeError("ceiling", f"a number above 0, to 10⁸, is wanted, not {self.ceiling!r}")
+            raise ValueRangeError("ceiling", f"expected a number above 0, to 10⁸, not {self.ceiling!r}")
         used: dict[str, MapForm] = {}
         for term in self.terms:
             for name, projection in term.factors:

@@ -51,7 +51,7 @@ class DistantLights:
 def _checked(values: ArrayLike, shape: tuple[int, ...], name: str) -> Floats:
     array = np.ascontiguousarray(values, np.float64)
     if array.shape != shape or not np.isfinite(array).all():
-        raise ValueRangeError(name, f"finite numbers of the shape {shape} are wanted, not {array.shape}")
+        raise ValueRangeError(name, f"expected finite numbers of the shape {shape}, not {array.shape}")
     if name != "directions" and (array < 0).any():
         raise ValueRangeError(name, "must not be negative")
     return array

@@ -64,9 +64,7 @@ def make_ramp(
     top. Without it ``multi_angle`` is ``raised``.
     """
     if over_angle is not None and over_angle.kdd.shape[1] != len(weights.exponents):
-        raise ValueRangeError(
-            "over_angle", f"{len(weights.exponents)} lobes are wanted, as in the single fit"
-        )
+        raise ValueRangeError("over_angle", f"expected {len(weights.exponents)} lobes, as in the single fit")
     raised = fresnel != "off" and over_angle is None
     shifted = look_up == "shifted"
     under_coat = shifted and fresnel != "off" and weights.coat == "dielectric" and weights.ior > 1.0

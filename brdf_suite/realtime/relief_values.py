@@ -56,7 +56,7 @@ class PeelTile:
     def __post_init__(self) -> None:
         object.__setattr__(self, "slopes", _image(self.slopes, 2, "peel"))
         if self.waves < 1:
-            raise ValueRangeError("waves", f"1 or more are wanted, not {self.waves}")
+            raise ValueRangeError("waves", f"expected 1 or more, not {self.waves}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +68,7 @@ class MaskImage:
     def __post_init__(self) -> None:
         share = _image(np.asarray(self.share)[..., None], 1, "mask")[..., 0]
         if share.size and (share.min() < 0.0 or share.max() > 1.0):
-            raise ValueRangeError("mask", "shares of 0 to 1 are wanted")
+            raise ValueRangeError("mask", "expected shares of 0 to 1")
         object.__setattr__(self, "share", share)
 
     @property
@@ -80,7 +80,7 @@ class MaskImage:
 def _image(values: NDArray[Any], channels: int, place: str) -> NDArray[np.float32]:
     array: NDArray[np.float32] = np.ascontiguousarray(values, np.float32)
     if array.ndim != 3 or array.shape[2] != channels or min(array.shape[:2]) < 1:
-        raise ValueRangeError(place, f"rows, columns and {channels} numbers are wanted, not {array.shape}")
+        raise ValueRangeError(place, f"expected rows, columns and {channels} numbers, not {array.shape}")
     if max(array.shape[:2]) > LARGEST_SIDE:
         raise ValueRangeError(place, f"at most {LARGEST_SIDE} texels along an edge, not {array.shape[:2]}")
     if not np.isfinite(array).all():

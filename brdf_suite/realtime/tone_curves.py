@@ -146,7 +146,7 @@ def tone_curve(c: ArrayLike, kind: str) -> Floats:
     """Apply the curve of this name in :data:`TONE_CURVE_NUMBERS` to exposed radiance (..., 3)."""
     c = np.minimum(np.asarray(c, np.float64), 1e6)
     if kind not in TONE_CURVE_NUMBERS:
-        raise ValueRangeError("tone_curve", f"one of {', '.join(TONE_CURVE_NUMBERS)} is wanted, not {kind!r}")
+        raise ValueRangeError("tone_curve", f"expected one of {', '.join(TONE_CURVE_NUMBERS)}, not {kind!r}")
     curves = {
         "neutral": tone_neutral,
         "characteristic": tone_characteristic,

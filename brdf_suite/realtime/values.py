@@ -54,7 +54,7 @@ class MeshPart:
         normals = _finite(self.normals, np.float32, (len(positions), 3), f"part {self.name!r}: normals")
         triangles = np.ascontiguousarray(self.triangles)
         if triangles.ndim != 2 or triangles.shape[1] != 3 or triangles.dtype.kind not in "iu":
-            raise ValueRangeError(f"part {self.name!r}: triangles", "whole numbers (k, 3) are wanted")
+            raise ValueRangeError(f"part {self.name!r}: triangles", "expected whole numbers (k, 3)")
         if not len(triangles) or triangles.min() < 0 or triangles.max() >= len(positions):
             raise ValueRangeError(
                 f"part {self.name!r}: triangles", f"1 or more, with indices 0 to {len(positions) - 1}"
@@ -95,11 +95,11 @@ class GroundField:
             np.less_equal(self.high, self.low)
         ):
             raise ValueRangeError(
-                "ground", "a finite height and edges are wanted, the highest above the lowest"
+                "ground", "expected a finite height and edges, the highest above the lowest"
             )
         shape = np.shape(self.transfer)
         if len(shape) != 3 or round(shape[2] ** 0.5) ** 2 != shape[2]:
-            raise ValueRangeError("ground", f"(rows, columns, squared number) is wanted, not {shape}")
+            raise ValueRangeError("ground", f"expected (rows, columns, squared number), not {shape}")
         object.__setattr__(self, "transfer", _finite(self.transfer, np.float32, shape, "ground: transfer"))
 
 
@@ -120,9 +120,9 @@ class CubeFaces:
     def __post_init__(self) -> None:
         shape = np.shape(self.faces)
         if len(shape) != 4 or shape[0] != 6 or shape[1] != shape[2] or shape[3] != 3 or shape[1] < 1:
-            raise ValueRangeError("faces", f"six square faces (6, F, F, 3) are wanted, not {shape}")
+            raise ValueRangeError("faces", f"expected six square faces (6, F, F, 3), not {shape}")
         if not (np.isfinite(self.scale) and self.scale > 0):
-            raise ValueRangeError("scale", f"a finite number above 0 is wanted, not {self.scale!r}")
+            raise ValueRangeError("scale", f"expected a finite number above 0, not {self.scale!r}")
         object.__setattr__(self, "faces", _finite(self.faces, np.float16, (6, -1, shape[1], 3), "faces"))
 
     @property
@@ -148,7 +148,7 @@ class EnvironmentMaps:
         object.__setattr__(self, "exponents", check_exponents(self.exponents))
         object.__setattr__(self, "lobes", tuple(self.lobes))
         if len(self.lobes) != len(self.exponents):
-            raise ValueRangeError("lobes", f"{len(self.exponents)} maps are wanted, not {len(self.lobes)}")
+            raise ValueRangeError("lobes", f"expected {len(self.exponents)} maps, not {len(self.lobes)}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,11 +227,11 @@ class MaterialWeights:
                 raise ValueRangeError(name, "weights must not be negative")
             object.__setattr__(self, name, value)
         if not 0 <= self.theta_fit_rad < np.pi / 2:
-            raise ValueRangeError("theta_fit_rad", f"0 to below π/2 is wanted, not {self.theta_fit_rad!r}")
+            raise ValueRangeError("theta_fit_rad", f"expected 0 to below π/2, not {self.theta_fit_rad!r}")
         if not 1 <= self.ior <= 100:
-            raise ValueRangeError("ior", f"1 to 100 is wanted, not {self.ior!r}")
+            raise ValueRangeError("ior", f"expected 1 to 100, not {self.ior!r}")
         if self.coat not in get_args(Coat):
-            raise ValueRangeError("coat", f"none, dielectric, facets or metal is wanted, not {self.coat!r}")
+            raise ValueRangeError("coat", f"expected none, dielectric, facets or metal, not {self.coat!r}")
 
 
 def check_exponents(exponents: ArrayLike) -> tuple[float, ...]:
@@ -250,7 +250,7 @@ def _finite(array: ArrayLike, dtype: type, shape: tuple[int, ...], place: str) -
         want in (-1, got) for want, got in zip(shape, value.shape, strict=True)
     )
     if not fits:
-        raise ValueRangeError(place, f"shape {shape} is wanted, not {value.shape}")
+        raise ValueRangeError(place, f"expected shape {shape}, not {value.shape}")
     if not _all_finite(value):
         raise ValueRangeError(place, "not every number is finite")
     return value

@@ -41,7 +41,7 @@ class Aperture:
         for place, value in (("light_deg", self.light_deg), ("receptor_deg", self.receptor_deg)):
             if not 0.0 <= value <= LARGEST_HALF_ANGLE_DEG:
                 raise ValueRangeError(
-                    place, f"a half-angle from 0 to {LARGEST_HALF_ANGLE_DEG:g}° is wanted, not {value:g}°"
+                    place, f"expected a half-angle from 0 to {LARGEST_HALF_ANGLE_DEG:g}°, not {value:g}°"
                 )
 
     @property

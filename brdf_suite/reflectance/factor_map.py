@@ -47,7 +47,7 @@ class MapFactor:
 
     def __post_init__(self) -> None:
         if self.projection not in PROJECTIONS:
-            raise ValueRangeError("projection", f"one of {', '.join(PROJECTIONS)} is wanted")
+            raise ValueRangeError("projection", f"expected one of {', '.join(PROJECTIONS)}")
         axes = PROJECTIONS[self.projection].axes
         object.__setattr__(self, "values", check_map(self.values, self.projection, (axes,)))
         if self.logarithmic and not (self.values > 0.0).all():
@@ -86,7 +86,7 @@ def check_map(values: npt.ArrayLike, place: str, axes: tuple[int, ...] = (1, 2))
     )
     if not formed or array.dtype.kind not in "fiu":
         wanted = " or ".join(("(n, 3)", "(n, n, 3)")[count - 1] for count in axes)
-        reason = f"a map {wanted} of numbers, n {SMALLEST_MAP} to {LARGEST_MAP}, is wanted, not {array.shape}"
+        reason = f"expected a map {wanted} of numbers, n {SMALLEST_MAP} to {LARGEST_MAP}, not {array.shape}"
         raise ValueRangeError(place, reason)
     kept = array.dtype == np.float32 and array.flags.c_contiguous and not array.flags.writeable
     # Read-only arrays are shared: a map that two factors read stays one array.

@@ -116,7 +116,7 @@ class Factored:
         for name in ("more", "peak"):
             object.__setattr__(self, name, tuple(getattr(self, name)))
             if len(getattr(self, name)) > MOST_MORE:
-                raise ValueRangeError(name, f"at most {MOST_MORE} factors are wanted")
+                raise ValueRangeError(name, f"expected at most {MOST_MORE} factors")
 
     @classmethod
     def from_functions(

@@ -106,10 +106,10 @@ def _broken(change: dict[str, object]) -> dict[str, object]:
 @pytest.mark.parametrize(
     ("change", "place", "words"),
     [
-        ({"format": "brdfpaint"}, "format", "is wanted"),
+        ({"format": "brdfpaint"}, "format", "expected"),
         ({"version": 2}, "version", "newer than this program"),
         ({"camera": None}, "the top level", '"camera" is missing'),
-        ({"camera.distance_m": "2 m"}, "camera.distance_m", "a number is wanted"),
+        ({"camera.distance_m": "2 m"}, "camera.distance_m", "expected a number"),
         ({"camera.bit_depth": 32}, "camera.bit_depth", "outside the range 8 to 16"),
         ({"camera.bit_depth": 12.5}, "camera.bit_depth", "a whole number"),
         ({"camera.response": "gamma"}, "camera.response", "unknown, linear, srgb"),

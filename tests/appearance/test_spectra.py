@@ -158,8 +158,8 @@ def test_any_bands_keep_a_flat_spectrum(bands: list, level: float) -> None:
     [
         (np.ones(3), [400, 500], {}, "2 values"),
         (np.ones(2), [500, 400], {}, "must rise"),
-        (np.ones(2), [0.4, 0.5], {}, "nm are wanted"),
-        (np.ones(2), [400, np.nan], {}, "nm are wanted"),
+        (np.ones(2), [0.4, 0.5], {}, "expected wavelengths"),
+        (np.ones(2), [400, np.nan], {}, "expected wavelengths"),
         (np.ones(0), [], {}, "list of wavelengths"),
         (np.ones(2), [400, 500], {"illuminant": "D93"}, "D65, A, F11"),
         (np.ones(2), [400, 500], {"observer_deg": 4}, "10° observer"),

@@ -45,30 +45,30 @@ def refused(tmp_path: Path, content: bytes | str) -> DocumentError:
 @pytest.mark.parametrize(
     ("keys", "value", "place", "words"),
     [
-        (("format",), "brdfview", "format", '"brdfpaint" is wanted'),
+        (("format",), "brdfview", "format", 'expected "brdfpaint"'),
         (("version",), 5, "version", "newer than this program"),
         (("version",), 0, "version", "whole number"),
         (("version",), 1.0, "version", "whole number"),
         (("version",), True, "version", "whole number"),
         (("version",), "1", "version", "the text '1'"),
         (("kind",), "measured", "kind", "aspecular"),
-        (("name",), 7, "name", "a text is wanted"),
-        (("measurements",), {}, "measurements", "a list is wanted"),
+        (("name",), 7, "name", "expected a text"),
+        (("measurements",), {}, "measurements", "expected a list"),
         (("measurements",), [], "measurements", "there are 0"),
-        (("measurements", 1), None, "measurements[1]", "an object is wanted"),
+        (("measurements", 1), None, "measurements[1]", "expected an object"),
         (("measurements", 1, "lab"), [1, 2], "measurements[1].lab", "three numbers"),
         (("measurements", 1, "lab", 0), float("nan"), "measurements[1].lab[0]", "finite"),
         (("measurements", 1, "lab", 2), float("-inf"), "measurements[1].lab[2]", "finite"),
-        (("measurements", 2, "lab", 1), "12", "measurements[2].lab[1]", "a number is wanted"),
+        (("measurements", 2, "lab", 1), "12", "measurements[2].lab[1]", "expected a number"),
         (("measurements", 2, "aspecular_deg"), 200, "measurements[2].aspecular_deg", "outside the range"),
         (("measurements", 2, "aspecular_deg"), 45.0, "measurements[2]", "same angles"),
         (("measurements", 0, "colour"), 1, "measurements[0]", "'colour' is unknown"),
-        (("gloss",), 90, "gloss", "an object is wanted"),
+        (("gloss",), 90, "gloss", "expected an object"),
         (("gloss", "gu_20"), None, "gloss.gu_20", "not null"),
         (("gloss", "gu_85"), 90, "gloss", "'gu_85' is unknown"),
         (("flakes", "size_um"), -1, "flakes.size_um", "outside the range"),
-        (("flakes",), [], "flakes", "an object is wanted"),
-        (("orange_peel",), 0.5, "orange_peel", "an object is wanted"),
+        (("flakes",), [], "flakes", "expected an object"),
+        (("orange_peel",), 0.5, "orange_peel", "expected an object"),
         (("orange_peel",), {"height": 1}, "orange_peel", "'height' is unknown"),
         (("orange_peel",), {"wavelength_mm": 0}, "orange_peel.wavelength_mm", "outside the range"),
         (("orange_peel",), {"amplitude_um": float("nan")}, "orange_peel.amplitude_um", "finite"),
@@ -177,10 +177,10 @@ def test_a_view_is_held_to_the_same(tmp_path: Path) -> None:
     document = view_to_json(View())
     document["camera"]["elevation_deg"] = "up"
     path.write_text(json.dumps(document), encoding="utf-8")
-    with pytest.raises(DocumentError, match=r"camera\.elevation_deg: a number is wanted"):
+    with pytest.raises(DocumentError, match=r"camera\.elevation_deg: expected a number"):
         load_view(path)
     path.write_text(json.dumps(good()), encoding="utf-8")
-    with pytest.raises(DocumentError, match='"brdfview" is wanted'):
+    with pytest.raises(DocumentError, match='expected "brdfview"'):
         load_view(path)
 
 
@@ -205,7 +205,7 @@ def test_a_view_of_version_2_shows_what_it_showed(was: bool, is_now: str) -> Non
     ("fields", "place"),
     [
         ({"lamps": [{}, {"strength": -1.0}]}, r"lamps\[1\]\.strength: -1 is outside"),
-        ({"lamps": {}}, "lamps: a list is wanted"),
+        ({"lamps": {}}, "lamps: expected a list"),
         ({"lamps": [{}] * 9}, "lamps: 9 are more than the 8"),
         ({"lamps": [{"position": [0.0, 1.0, "up"]}]}, r"lamps\[0\]\.position\[2\]: a number"),
         ({"sparkle": {"light_count": 2.5}}, r"sparkle\.light_count: a whole number"),

@@ -144,26 +144,26 @@ def test_a_paint_of_an_older_version_is_brought_up_to_date() -> None:
 @pytest.mark.parametrize(
     ("keys", "value", "place", "words"),
     [
-        (("format",), "brdfpaint", "format", '"brdfpalette" is wanted'),
+        (("format",), "brdfpaint", "format", 'expected "brdfpalette"'),
         (("version",), 3, "version", "newer than this program"),
         (("name",), "", "name", "text"),
         (("columns",), -1, "columns", "whole number"),
         (("colour",), "blue", "colour", "#rrggbb"),
-        (("groups",), {}, "groups", "a list is wanted"),
-        (("groups", 0), 3, "groups[0]", "an object is wanted"),
+        (("groups",), {}, "groups", "expected a list"),
+        (("groups", 0), 3, "groups[0]", "expected an object"),
         (("groups", 1, "path"), ["Cold"], "groups[1].path", "there twice"),
         (("groups", 1, "path"), [], "groups[1].path", "has a name"),
         (("groups", 0, "label"), 3, "groups[0]", "'label' is unknown"),
-        (("entries",), 3, "entries", "a list is wanted"),
-        (("entries", 0, "paint"), None, "entries[0].paint", "an object is wanted"),
-        (("entries", 2, "flat", "values", 1), "x", "entries[2].flat.values[1]", "a number is wanted"),
+        (("entries",), 3, "entries", "expected a list"),
+        (("entries", 0, "paint"), None, "entries[0].paint", "expected an object"),
+        (("entries", 2, "flat", "values", 1), "x", "entries[2].flat.values[1]", "expected a number"),
         (("entries", 2, "flat", "values", 1), float("nan"), "entries[2].flat.values[1]", "finite"),
         (("entries", 2, "flat", "model"), "RYB", "entries[2].flat.model", "one of RGB"),
         (("entries", 2, "flat", "others", 0, "values"), [1], "entries[2].flat.others[0].values", "3 numbers"),
         (("entries", 2, "paint"), {}, "entries[2]", 'one of "paint" and "flat"'),
         (("entries", 1, "id"), WHITE.id, "entries[1].id", "there twice"),
-        (("entries", 0, "tags"), "fleet", "entries[0].tags", "a list is wanted"),
-        (("entries", 0, "tags"), ["a", 3], "entries[0].tags[1]", "text is wanted"),
+        (("entries", 0, "tags"), "fleet", "entries[0].tags", "expected a list"),
+        (("entries", 0, "tags"), ["a", 3], "entries[0].tags[1]", "expected a text"),
         (("entries", 0, "tags"), ["a", "a"], "entries[0].tags[1]", "there twice"),
         (("entries", 0, "date"), "2024-02-31", "entries[0].date", "a date as in"),
         (("entries", 0, "usage"), "ink", "entries[0].usage", "process"),
@@ -189,7 +189,7 @@ def test_a_bad_field_is_named(tmp_path: Path, keys: tuple, value: object, place:
 
 
 def test_values_check_themselves() -> None:
-    with pytest.raises(ValueRangeError, match="a paint or a flat colour is wanted"):
+    with pytest.raises(ValueRangeError, match="expected a paint or a flat colour"):
         Entry("blue")  # type: ignore[arg-type]
     with pytest.raises(ValueRangeError, match="100001 are more"):
         Palette("p", (BLUE,) * (MOST_ENTRIES + 1))

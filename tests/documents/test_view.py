@@ -27,7 +27,7 @@ def test_names_and_absolute_paths_are_kept(name: str) -> None:
         (lambda: View(lamp_shading="all"), "lamp_shading", "each, ball"),
         (lambda: LightColour(brightness=-1.0), "brightness", "range"),
         (lambda: Relief(tangent_map="grain.png"), "tangent_map", "absolute path"),
-        (lambda: View(camera={}), "camera", "a camera is wanted"),
+        (lambda: View(camera={}), "camera", "expected a camera"),
         (lambda: Camera(elevation_deg=91.0), "elevation_deg", "-90 to 90"),
         (lambda: Camera(distance=0.0), "distance", "range"),
         (lambda: Camera(target=(0.0, 0.0)), "target", "list of 2"),

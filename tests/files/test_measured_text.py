@@ -118,10 +118,10 @@ def test_a_small_cornell_file_by_hand(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        (CORNELL.replace("0.25 0.5\n", "0.25\n"), "line 4: 6 numbers are wanted"),
-        (CORNELL.replace("0.125", "nan"), "line 5: a finite number is wanted"),
-        (CORNELL.replace("0.125", "1e999"), "line 5: a finite number is wanted"),
-        (CORNELL.replace("0.125", "1_0"), "line 5: a finite number is wanted"),
+        (CORNELL.replace("0.25 0.5\n", "0.25\n"), "line 4: expected 6 numbers"),
+        (CORNELL.replace("0.125", "nan"), "line 5: expected a finite number"),
+        (CORNELL.replace("0.125", "1e999"), "line 5: expected a finite number"),
+        (CORNELL.replace("0.125", "1_0"), "line 5: expected a finite number"),
         (CORNELL.replace("0.1 0", "1.9 0"), "line 5: the direction"),
         (CORNELL.replace("0.125", "1e13"), "line 5: a value is too large"),
         (CORNELL.replace("500 600", "600 500"), "line 3: the wavelengths do not rise"),
@@ -263,7 +263,7 @@ def test_alta_written_again_is_the_same(shared_data: Path, tmp_path: Path) -> No
     [
         (alta("NEUMANN_9D", "0 0 1\n"), "PARAM_IN is NEUMANN_9D"),
         ("#DIM 3 1\n#PARAM_IN ISOTROPIC_TV_TL\n0 0 0 1\n", "has 2 inputs; DIM says 3"),
-        (alta("ISOTROPIC_TV_TL", "0 0 1\n0 0\n"), "line 4: 3 numbers are wanted"),
+        (alta("ISOTROPIC_TV_TL", "0 0 1\n0 0\n"), "line 4: expected 3 numbers"),
         (alta("ISOTROPIC_TV_TL", "0 0 1\n", 1, "#PARAM_OUT ENERGY\n"), "PARAM_OUT is ENERGY"),
         ("#DIM 99 x\n#PARAM_IN ISOTROPIC_TV_TL\n", "line 1"),
         ("#DIM 2 1\n#PARAM_IN ISOTROPIC_TV_TL\n", "before the first row"),
@@ -301,7 +301,7 @@ def test_a_small_astm_file_by_hand(tmp_path: Path) -> None:
         ("NUM_POINTS 2", "NUM_POINTS 3", "announces 3 samples, the file holds 2"),
         ("R,G,B", "R,G", "line 4: the value columns"),
         (",phi_r", "", "line 4: VARS must name"),
-        ("0.25,", "", "line 5: 7 numbers are wanted"),
+        ("0.25,", "", "line 5: expected 7 numbers"),
         ("0.25", "inf", "line 5: a finite number"),
     ],
 )

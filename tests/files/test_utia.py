@@ -87,7 +87,7 @@ def test_a_cut_off_file_is_refused(path: Path, size: int) -> None:
 
 def test_a_longer_file_is_refused(path: Path) -> None:
     path.write_bytes(path.read_bytes() + b"\0")
-    with pytest.raises(FileError, match="too long: 1,990,656 bytes are wanted, it has 1,990,657"):
+    with pytest.raises(FileError, match="too long: expected 1,990,656 bytes, found 1,990,657"):
         read_utia(path)
 
 

@@ -124,10 +124,10 @@ def test_an_action_of_a_message_runs_and_the_message_goes(window, qtbot):
 
 def test_a_file_error_tells_what_where_and_what_to_do():
     message = message_of(
-        DocumentError("a.brdfpaint", "a number is wanted", "gloss.gu_20"), "k", todo="Mend it."
+        DocumentError("a.brdfpaint", "expected a number", "gloss.gu_20"), "k", todo="Mend it."
     )
     assert (message.what, message.where, message.todo) == (
-        "A number is wanted.",
+        "Expected a number.",
         "a.brdfpaint, at gloss.gu_20",
         "Mend it.",
     )

@@ -230,7 +230,7 @@ class Table:
             value = math.nan
         if not math.isfinite(value):
             raise FileError(
-                self._path, f"a finite number is wanted, not {text[:40]!r}", f"line {line}, column {column}"
+                self._path, f"expected a finite number, not {text[:40]!r}", f"line {line}, column {column}"
             )
         return value
 

@@ -28,7 +28,7 @@ class Spectra:
     def __post_init__(self) -> None:
         for row in (self.wavelengths_nm, *self.values):
             if len(row) != len(self.wavelengths_nm) or not all(math.isfinite(value) for value in row):
-                raise ValueRangeError("spectra", "as many finite numbers as wavelengths are wanted")
+                raise ValueRangeError("spectra", "expected as many finite numbers as wavelengths")
 
 
 @dataclass(frozen=True, eq=False)

@@ -132,13 +132,13 @@ def import_paints(value: object, path: PathLike) -> ImportedPaints:
     """Return the paints of a JSON object; errors as :func:`read`."""
     reader = FieldReader(value, path)
     if reader.take("format") != NAME:
-        reader.fail(f'"{NAME}" is wanted', "format")
+        reader.fail(f'expected "{NAME}"', "format")
     found = reader.take("version")
     if found != _VERSION or isinstance(found, bool):
         reader.fail(f"version {_VERSION} is known here, not {json.dumps(found)[:40]}", "version")
     items = reader.take_objects("paints")
     if not 1 <= len(items) <= _MOST_PAINTS:
-        reader.fail(f"1 to {_MOST_PAINTS:,} paints are wanted, there are {len(items)}", "paints")
+        reader.fail(f"expected 1 to {_MOST_PAINTS:,} paints, found {len(items)}", "paints")
     return ImportedPaints(tuple(_paint(item, path) for item in items))
 
 

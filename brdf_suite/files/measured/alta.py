@@ -138,10 +138,10 @@ class _Header:
         if self.param_in not in _INPUTS:
             known = ", ".join(sorted(_INPUTS))
             found = self.param_in[:60] or "nothing"
-            raise FileError(self.path, f"PARAM_IN is {found}; one of {known} is wanted", place)
+            raise FileError(self.path, f"PARAM_IN is {found}; expected one of {known}", place)
         if self.param_out not in _OUTPUTS:
             known = ", ".join(sorted(_OUTPUTS))
-            raise FileError(self.path, f"PARAM_OUT is {self.param_out[:60]}; one of {known} is wanted", place)
+            raise FileError(self.path, f"PARAM_OUT is {self.param_out[:60]}; expected one of {known}", place)
         if self.inputs != _INPUTS[self.param_in][0]:
             wanted = _INPUTS[self.param_in][0]
             raise FileError(self.path, f"{self.param_in} has {wanted} inputs; DIM says {self.inputs}", place)
@@ -174,7 +174,7 @@ def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
             rows = SampleRows(path, header.inputs + header.outputs)
         wanted = rows.width + header.intervals
         if len(words) != wanted:
-            raise FileError(path, f"{wanted} numbers are wanted, not {len(words)}", f"line {number}")
+            raise FileError(path, f"expected {wanted} numbers, not {len(words)}", f"line {number}")
         found = [number_in(path, word, number, "a coordinate or a value") for word in words]
         rows.add(found[: rows.width], number)
     if rows is None:

@@ -130,14 +130,14 @@ def _listed(path: PathLike, entries: object) -> list[tuple[str, str, tuple[int, 
     for number, entry in enumerate(entries):
         place = f"header, arrays[{number}]"
         if not isinstance(entry, dict) or set(entry) != {"name", "dtype", "shape"}:
-            raise FileError(path, "an object of name, dtype and shape is wanted", place)
+            raise FileError(path, "expected an object of name, dtype and shape", place)
         name, dtype, shape = entry["name"], entry["dtype"], entry["shape"]
         if not isinstance(name, str) or dtype not in DTYPES:
-            raise FileError(path, f"a name and one of {', '.join(DTYPES)} are wanted", place)
+            raise FileError(path, f"expected a name and one of {', '.join(DTYPES)}", place)
         if not isinstance(shape, list) or len(shape) > _MOST_AXES:
-            raise FileError(path, f"a shape of at most {_MOST_AXES} numbers is wanted", place)
+            raise FileError(path, f"expected a shape of at most {_MOST_AXES} numbers", place)
         # bool is an int to Python, and True no size.
         if not all(type(n) is int and 0 < n <= _LARGEST for n in shape):
-            raise FileError(path, "a shape of positive whole numbers is wanted", place)
+            raise FileError(path, "expected a shape of positive whole numbers", place)
         found.append((name, dtype, tuple(shape)))
     return found

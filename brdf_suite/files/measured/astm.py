@@ -59,7 +59,7 @@ def read_astm(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
             continue
         words = line.split(",")
         if len(words) != rows.width:
-            reason = f"{rows.width} numbers are wanted, not {len(words)}"
+            reason = f"expected {rows.width} numbers, not {len(words)}"
             raise FileError(path, reason, f"line {number}")
         rows.add([number_in(path, word.strip(), number, "an angle or a value") for word in words], number)
     if rows is None:

@@ -179,7 +179,7 @@ def _numbers(path: PathLike, values: list[Any], name: str, count: int | None) ->
     for index, value in enumerate(values):
         number = float(value) if isinstance(value, (int, float)) and _fits(value) else math.nan
         if isinstance(value, bool) or not math.isfinite(number):
-            reason = f"a finite number is wanted, not {describe(value)}"
+            reason = f"expected a finite number, not {describe(value)}"
             raise FileError(path, reason, f"data.{name}.values[{index}]")
         numbers[index] = number
     return numbers

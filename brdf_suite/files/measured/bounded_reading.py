@@ -95,5 +95,5 @@ def number_in(path: PathLike, text: str, line: int, what: str) -> float:
         value = math.nan
     if not math.isfinite(value):
         shown = text if len(text) <= 40 else text[:37] + "..."
-        raise FileError(path, f"a finite number is wanted for {what}, not {shown!r}", f"line {line}")
+        raise FileError(path, f"expected a finite number for {what}, not {shown!r}", f"line {line}")
     return value

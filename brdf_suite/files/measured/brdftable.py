@@ -97,7 +97,7 @@ def read_brdftable(path: PathLike) -> Table:
     """
     header, arrays = read_container(path)
     if header.pop("format", None) != "brdftable":
-        raise FileError(path, 'the format "brdftable" is wanted', "header, format")
+        raise FileError(path, 'expected the format "brdftable"', "header, format")
     version = header.pop("version", None)
     if version != VERSION:
         raise FileError(
@@ -105,7 +105,7 @@ def read_brdftable(path: PathLike) -> Table:
         )
     kind = header.pop("kind", None)
     if not isinstance(kind, str) or kind not in _KINDS:
-        raise FileError(path, f"one of {', '.join(_KINDS)} is wanted", "header, kind")
+        raise FileError(path, f"expected one of {', '.join(_KINDS)}", "header, kind")
     needed, own, optional = _KINDS[kind]
     if missing := needed - set(arrays):
         raise FileError(path, f"lacks the array {min(missing)!r}", "header, arrays")
@@ -156,7 +156,7 @@ def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table
         single = name in {"p", "q", *OPTIONAL, "samples", "deviation", *singles}
         wanted = "|u1" if name == "holes" else "<f4" if single else "<f8"
         if array.dtype.str != wanted:
-            raise ValueRangeError(name, f"holds {array.dtype.str}; {wanted} is wanted")
+            raise ValueRangeError(name, f"holds {array.dtype.str}; expected {wanted}")
     if kind == "isotropic":
         holes = arrays["holes"]
         if holes.max(initial=0) > 1:

@@ -42,7 +42,7 @@ def product_value(header: Mapping[str, Any], arrays: Mapping[str, Array]) -> Fac
     """
     maps = header["maps"]
     if set(maps) != {"logarithmic", "more", "peak"} or not isinstance(maps["logarithmic"], bool):
-        raise ValueRangeError("maps", '"logarithmic", "more" and "peak" are wanted in the header')
+        raise ValueRangeError("maps", 'expected "logarithmic", "more" and "peak" in the header')
     found = {part: _factors(part, maps[part], arrays) for part in ("more", "peak")}
     if len(arrays) != len(NEEDED) + sum(len(factors) for factors in found.values()):
         raise ValueRangeError("maps", "there are arrays that no factor reads")
@@ -60,12 +60,12 @@ def product_value(header: Mapping[str, Any], arrays: Mapping[str, Array]) -> Fac
 
 def _factors(part: str, listed: object, arrays: Mapping[str, Array]) -> tuple[MapFactor, ...]:
     if not isinstance(listed, list) or len(listed) > MOST_MORE:
-        raise ValueRangeError("maps", f"{part}: a list of at most {MOST_MORE} factors is wanted")
+        raise ValueRangeError("maps", f"{part}: expected a list of at most {MOST_MORE} factors")
     factors = []
     for number, item in enumerate(listed):
         key = f"{part}{number}"
         formed = isinstance(item, list) and [type(one) for one in item] == [str, str, bool]
         if not formed or len(item[0]) > 80 or key not in arrays:
-            raise ValueRangeError(key, "a name, a projection and true or false are wanted, and the array")
+            raise ValueRangeError(key, "expected a name, a projection and true or false, and the array")
         factors.append(MapFactor(item[1], arrays[key], item[2], item[0]))
     return tuple(factors)

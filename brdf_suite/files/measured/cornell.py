@@ -60,7 +60,7 @@ def read_cornell(path: PathLike, options: ReadOptions | None = None) -> Scattere
                 rows = SampleRows(path, 4 + count)
         else:
             if len(words) != rows.width:
-                reason = f"{rows.width} numbers are wanted (four angles, {count} values), not {len(words)}"
+                reason = f"expected {rows.width} numbers (four angles, {count} values), not {len(words)}"
                 raise FileError(path, reason, f"line {number}")
             rows.add([number_in(path, word, number, "an angle or a value") for word in words], number)
     if rows is None:
@@ -80,10 +80,10 @@ def read_cornell(path: PathLike, options: ReadOptions | None = None) -> Scattere
 
 def _count(path: PathLike, words: list[str], number: int) -> int:
     if len(words) != 1 or not words[0].isascii() or not words[0].isdigit() or len(words[0]) > 6:
-        raise FileError(path, "the number of wavelengths is wanted, alone on its line", f"line {number}")
+        raise FileError(path, "expected the number of wavelengths, alone on its line", f"line {number}")
     count = int(words[0])
     if not 1 <= count <= MOST_BANDS:
-        raise FileError(path, f"{count} wavelengths; 1 to {MOST_BANDS} are wanted", f"line {number}")
+        raise FileError(path, f"{count} wavelengths; expected 1 to {MOST_BANDS}", f"line {number}")
     return count
 
 

@@ -59,7 +59,7 @@ def read_pgii(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
         words = line.split()
         if len(words) != 3:
             raise FileError(
-                path, f"theta, phi and one value are wanted, not {len(words)} numbers", f"line {number}"
+                path, f"expected theta, phi and one value, not {len(words)} numbers", f"line {number}"
             )
         row = [number_in(path, word, number, "an angle or a value") for word in words]
         if 90.0 < abs(row[0]) <= 180.0:
@@ -70,7 +70,7 @@ def read_pgii(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
         raise FileError(path, "no header names the incident angle", "the lines that begin with #")
     if kind not in {"BSDF", "BRDF", "DSF"}:
         found = f"#format names {kind[:20]}" if kind else "no header names the format"
-        raise FileError(path, f"{found}; theta phi BSDF or DSF is wanted", "the lines that begin with #")
+        raise FileError(path, f"{found}; expected theta phi BSDF or DSF", "the lines that begin with #")
     table = rows.table
     n = len(table)
     # An incident angle over 90° is lit from the other side, and then everything here is transmission.

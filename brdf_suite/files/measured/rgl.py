@@ -52,13 +52,13 @@ def read_rgl(path: PathLike, options: ReadOptions | None = None) -> TensorReflec
     if channels > MOST_BANDS:
         fields.fail("wavelengths", f"{channels} bands are more than the {MOST_BANDS} allowed")
     if values.shape[2] != channels:
-        reason = f"{values.shape[2]} channels, where {channels} are wanted"
+        reason = f"expected {values.shape[2]} channels, where {channels}"
         fields.fail("spectra" if spectral else "rgb", reason)
     own = _OWN - {"rgb"} if spectral else _OWN  # a file may hold both; the other one is kept
     description = fields.bytes_of("description").tobytes().decode("utf-8", "replace")
     jacobian = fields.bytes_of("jacobian")
     if jacobian.size != 1:
-        fields.fail("jacobian", "one byte is wanted")
+        fields.fail("jacobian", "expected one byte")
     return TensorReflectance(
         phi_i, theta_i, ndf, sigma, vndf, luminance, values, bands,
         jacobian=bool(jacobian[0]),
@@ -86,13 +86,13 @@ class _Fields:
     def bytes_of(self, name: str) -> npt.NDArray[np.uint8]:
         array = self.take(name)
         if array.ndim != 1 or array.dtype != np.uint8:
-            self.fail(name, f"bytes are wanted, not {array.dtype} of shape {array.shape}")
+            self.fail(name, f"expected bytes, not {array.dtype} of shape {array.shape}")
         return array.astype(np.uint8, copy=False)
 
     def floats(self, name: str, dimensions: int) -> Float32s:
         array = self.take(name)
         if array.ndim != dimensions or array.dtype != np.float32:
-            self.fail(name, f"float32 of {dimensions} dimensions is wanted, not {array.dtype} {array.shape}")
+            self.fail(name, f"expected float32 of {dimensions} dimensions, not {array.dtype} {array.shape}")
         floats = array.astype(np.float32, copy=False)
         # The sum is finite only if every number is, and needs no array of its own; 1e30 keeps it from overflowing.
         if not (np.isfinite(floats.min()) and np.isfinite(floats.max())):
@@ -105,7 +105,7 @@ class _Fields:
         axis = self.floats(name, 1)
         slack = 1e-4 * (high - low)
         if axis[0] < low - slack or axis[-1] > high + slack or np.any(np.diff(axis.astype(float)) <= 1e-6):
-            self.fail(name, f"numbers rising within {low:g} and {high:g} are wanted")
+            self.fail(name, f"expected numbers rising within {low:g} and {high:g}")
         return axis
 
     def grids(self, name: str, directions: tuple[int, ...], dimensions: int) -> Float32s:
@@ -114,7 +114,7 @@ class _Fields:
             reason = f"the shape {grids.shape} does not begin with {directions}, the incident directions"
             self.fail(name, reason)
         if min(grids.shape[-2:]) < 2:
-            self.fail(name, f"grids of at least 2 x 2 are wanted, not shape {grids.shape}")
+            self.fail(name, f"expected grids of at least 2 x 2, not shape {grids.shape}")
         return grids
 
     def densities(self, name: str, grids: Float32s) -> None:

@@ -84,7 +84,7 @@ def check_bands(path: PathLike, bands: Sequence[float], place: str) -> Floats:
     """Return wavelengths (k,) in nanometres that rise, or raise :class:`FileError`."""
     found = np.asarray(bands, np.float64)
     if not 1 <= len(found) <= MOST_BANDS:
-        raise FileError(path, f"{len(found)} wavelengths are named; 1 to {MOST_BANDS} are wanted", place)
+        raise FileError(path, f"{len(found)} wavelengths are named; expected 1 to {MOST_BANDS}", place)
     if found[0] < 100.0 or found[-1] > 10_000.0 or np.any(np.diff(found) < _CLOSEST_BANDS_NM):
         raise FileError(path, "the wavelengths do not rise from at least 100 to at most 10,000 nm", place)
     return found

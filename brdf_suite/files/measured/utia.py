@@ -45,7 +45,7 @@ def read_utia(path: PathLike, *, srgb_encoded: bool = False) -> AnisotropicTable
     if len(data) != _SIZE:
         state = "cut off" if len(data) < _SIZE else "too long"
         at = f"byte {min(len(data), _SIZE)}"
-        raise FileError(path, f"is {state}: {_SIZE:,} bytes are wanted, it has {len(data):,}", at)
+        raise FileError(path, f"is {state}: expected {_SIZE:,} bytes, found {len(data):,}", at)
     stored = np.frombuffer(data, "<f8")
     wrong = ~(np.abs(stored) <= _LARGEST_VALUE)
     if wrong.any():

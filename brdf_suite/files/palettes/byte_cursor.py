@@ -28,7 +28,7 @@ class ByteCursor:
     def take(self, count: int, what: str) -> bytes:
         """Return the next bytes; :class:`FileError` where the file ends before."""
         if count > self.left:
-            raise self.fail(f"ends within {what}: {count:,} bytes are wanted, {max(self.left, 0):,} are left")
+            raise self.fail(f"ends within {what}: expected {count:,} bytes, {max(self.left, 0):,} are left")
         found = self.content[self.at : self.at + count]
         self.at += count
         return found
@@ -51,7 +51,7 @@ class ByteCursor:
         found = struct.unpack(f">{count}f", self.take(4 * count, what))
         for index, value in enumerate(found):
             if not math.isfinite(value):
-                raise self.fail(f"a finite number is wanted for {what}, not {value}", start + 4 * index)
+                raise self.fail(f"expected a finite number for {what}, not {value}", start + 4 * index)
         return found
 
     def utf16(self, characters: int, what: str) -> str:

@@ -99,7 +99,7 @@ class _Rows:
         usage = row.get("usage", "") or "process"
         if usage not in USAGES:
             raise collector.fail(
-                f"one of {', '.join(USAGES)} is wanted, not {usage[:40]!r}", f"{place}, column usage"
+                f"expected one of {', '.join(USAGES)}, not {usage[:40]!r}", f"{place}, column usage"
             )
         collector.add(
             place,
@@ -133,14 +133,14 @@ class _Rows:
         model = row["model"].strip()
         if model not in MODELS:
             raise collector.fail(
-                f"one of {', '.join(MODELS)} is wanted, not {model[:40]!r}", f"{place}, column model"
+                f"expected one of {', '.join(MODELS)}, not {model[:40]!r}", f"{place}, column model"
             )
         # Spreadsheets make 10.0 or 10,0 of 10.
         degrees = row.get("observer_deg", "").strip().replace(",", ".")
         observer = number_in(collector.path, degrees or "0", line, "observer_deg")
         if observer not in (0.0, 2.0, 10.0):
             raise collector.fail(
-                f"2, 10 or nothing is wanted, not {observer:g}", f"{place}, column observer_deg"
+                f"expected 2, 10 or nothing, not {observer:g}", f"{place}, column observer_deg"
             )
         return collector.colour(
             place,

@@ -57,7 +57,7 @@ def _columns(text: str, collector: Collector) -> int:
 def _read_colour(line: str, place: str, collector: Collector, *, opacity: bool) -> None:
     found = _COLOUR.fullmatch(line)
     if found is None:
-        raise collector.fail(f"three numbers and a name are wanted, not {line.strip()[:40]!r}", place)
+        raise collector.fail(f"expected three numbers and a name, not {line.strip()[:40]!r}", place)
     values = [int(found[i]) for i in (1, 2, 3)]
     if not all(0 <= value <= 255 for value in values):
         collector.note("{n} colour[|s] [has|have] numbers beyond 0 to 255, which were brought to its edge.")

@@ -20,10 +20,10 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     if lines[0].strip() != _HEAD:
         raise collector.fail(f"does not begin with {_HEAD!r}", "line 1")
     if len(lines) < 3 or lines[1].strip() != "0100":
-        raise collector.fail("version 0100 is wanted", "line 2")
+        raise collector.fail("expected version 0100", "line 2")
     text = lines[2].strip()
     if not re.fullmatch(r"\d{1,7}", text, re.ASCII):
-        raise collector.fail(f"a count of colours is wanted, not {text[:40]!r}", "line 3")
+        raise collector.fail(f"expected a count of colours, not {text[:40]!r}", "line 3")
     count = int(text)
     collector.check_count(count, "line 3")
     for number, line in enumerate(lines[3:], 4):
@@ -36,7 +36,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         found = _COLOUR.fullmatch(line)
         values = [int(found[i]) for i in (1, 2, 3)] if found else [256]
         if found is None or max(values) > 255:
-            raise collector.fail(f"three numbers from 0 to 255 are wanted, not {line.strip()[:40]!r}", place)
+            raise collector.fail(f"expected three numbers from 0 to 255, not {line.strip()[:40]!r}", place)
         if found[4] not in (None, "255"):
             collector.note("The opacity of {n} colour[|s] is left out: a paint has none.")
         collector.add(place, collector.colour(place, "", "RGB", [value / 255.0 for value in values]))

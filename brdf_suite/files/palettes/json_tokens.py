@@ -99,7 +99,7 @@ class _Reader:
             for index, item in enumerate(value):
                 self._item("", item, group, f"{place}[{index}]")
         else:
-            raise collector.fail("an object or a list is wanted", place)
+            raise collector.fail("expected an object or a list", place)
 
     def _item(self, key: str, item: object, group: GroupPath, place: str) -> None:
         collector = self._collector

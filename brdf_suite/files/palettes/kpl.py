@@ -100,7 +100,7 @@ class _Reader:
             return otherwise
         if not re.fullmatch(r"\d{1,9}", text, re.ASCII):
             raise self._collector.fail(
-                f"a whole number is wanted for {name}, not {text[:40]!r}", f"line {element.line}"
+                f"expected a whole number for {name}, not {text[:40]!r}", f"line {element.line}"
             )
         return int(text)
 

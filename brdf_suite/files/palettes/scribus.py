@@ -70,7 +70,7 @@ def _colour(element: Element, collector: Collector, place: str) -> FlatColour:
             values = bytes.fromhex(found[1]) if found else b""
             if len(values) != len(key):
                 raise collector.fail(
-                    f"{len(key)} bytes as in #{'33' * len(key)} are wanted for {key}, not {given[key][:40]!r}",
+                    f"expected {len(key)} bytes as in #{'33' * len(key)} for {key}, not {given[key][:40]!r}",
                     place,
                 )
             return collector.colour(place, name, key, [value / 255.0 for value in values])

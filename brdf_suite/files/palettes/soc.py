@@ -36,7 +36,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         text = element.attributes.get("color", "")
         found = _HEX.fullmatch(text.strip())
         if found is None:
-            raise collector.fail(f"a colour as in #336699 is wanted, not {text[:40]!r}", place)
+            raise collector.fail(f"expected a colour as in #336699, not {text[:40]!r}", place)
         name = collector.name(element.attributes.get("name", ""))
         collector.add(
             place, collector.colour(place, name, "RGB", [int(part, 16) / 255.0 for part in found.groups()])

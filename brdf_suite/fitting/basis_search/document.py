@@ -129,7 +129,7 @@ def result_from_json(reader: FieldReader, paints: int) -> CountResult:
     def numbers(name: str, reader: FieldReader = reader, count: int | None = paints) -> tuple[float, ...]:
         values = reader.take(name)
         if not isinstance(values, list) or (count is not None and len(values) != count):
-            reader.fail(f"{count or 'some'} numbers are wanted", name)
+            reader.fail(f"expected {count or 'some'} numbers", name)
         return tuple(_number(reader, name, value) for value in values)
 
     def lobes(name: str, reader: FieldReader = reader) -> tuple[float, ...]:
@@ -159,7 +159,7 @@ def result_from_json(reader: FieldReader, paints: int) -> CountResult:
 
 def _number(reader: FieldReader, name: str, value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 <= value < 1e12:
-        reader.fail("a number of at least 0 is wanted", name)
+        reader.fail("expected a number of at least 0", name)
     return float(value)
 
 

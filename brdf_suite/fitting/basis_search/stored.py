@@ -58,7 +58,7 @@ def load_search(path: Path) -> StoredSearch:
             "format",
         )
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
-        reader.fail("a list of names is wanted", "paints")
+        reader.fail("expected a list of names", "paints")
     results = tuple(result_from_json(item, len(names)) for item in reader.take_objects("results"))
     if any(a.count >= b.count for a, b in itertools.pairwise(results)):
         reader.fail("the counts do not rise", "results")

@@ -137,7 +137,7 @@ def check_samples(
     if len(light) != len(view) or data.shape != (len(light), 3):
         raise FittingError(
             f"The samples do not fit together: wi {light.shape}, wo {view.shape}, values {data.shape}; "
-            "(n, 3) of each is wanted."
+            "expected (n, 3) of each."
         )
     share = np.ones(len(light)) if weights is None else np.asarray(weights, np.float64)
     if share.shape != (len(light),) or not np.all(np.isfinite(share)) or np.any(share < 0.0):
@@ -220,7 +220,7 @@ def spread(theta_h: Floats, theta_d: Floats, most: int, seed: int) -> Places:
 def _directions(name: str, value: npt.ArrayLike) -> Floats:
     found = np.asarray(value, np.float64)
     if found.ndim != 2 or found.shape[1] != 3:
-        raise FittingError(f"The directions {name} have the shape {found.shape}; (n, 3) is wanted.")
+        raise FittingError(f"The directions {name} have the shape {found.shape}; expected (n, 3).")
     length = np.einsum("nk,nk->n", found, found)
     # A NaN fails the comparison, as it should.
     wrong = np.flatnonzero(~(np.abs(length - 1.0) < 1e-4))

@@ -59,9 +59,9 @@ class Settings:
         _whole("seed", self.seed, 0, 2**32 - 1)
         _whole("samples", self.samples, 100, 200_000)
         if self.model not in MODELS:
-            raise ValueRangeError("model", f"one of {', '.join(MODELS)} is wanted, not {self.model!r}")
+            raise ValueRangeError("model", f"expected one of {', '.join(MODELS)}, not {self.model!r}")
         if self.loss not in LOSSES:
-            raise ValueRangeError("loss", f"one of {', '.join(LOSSES)} is wanted, not {self.loss!r}")
+            raise ValueRangeError("loss", f"expected one of {', '.join(LOSSES)}, not {self.loss!r}")
         # A NaN fails the comparison, as it should.
         if not 10.0 <= self.grazing_deg <= 90.0:
             raise ValueRangeError("grazing_deg", f"{self.grazing_deg:g}° is outside the range 10° to 90°")
@@ -69,4 +69,4 @@ class Settings:
 
 def _whole(place: str, value: object, low: int, high: int) -> None:
     if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
-        raise ValueRangeError(place, f"a whole number from {low} to {high:,} is wanted, not {value!r}")
+        raise ValueRangeError(place, f"expected a whole number from {low} to {high:,}, not {value!r}")

@@ -36,7 +36,7 @@ class MapLayout:
         """Lay out maps of ``resolution`` texels along each axis, or of as many as a factor asks for."""
         if not LEAST_SIZE <= resolution <= MOST_SIZE:
             raise ValueRangeError(
-                "resolution", f"{LEAST_SIZE} to {MOST_SIZE} texels are wanted, not {resolution}"
+                "resolution", f"expected {LEAST_SIZE} to {MOST_SIZE} texels, not {resolution}"
             )
         shapes: dict[str, tuple[int, ...]] = {}
         starts: dict[str, int] = {}

@@ -93,9 +93,9 @@ def factorize(
         Shapes, resolution, smoothness, weights or factors are not as above.
     """
     if not (np.isfinite(smooth) and 0.0 <= smooth <= MOST_SMOOTHNESS):
-        raise ValueRangeError("smoothness", f"0 to {MOST_SMOOTHNESS:g} is wanted, not {smooth:g}")
+        raise ValueRangeError("smoothness", f"expected 0 to {MOST_SMOOTHNESS:g}, not {smooth:g}")
     if not 0.0 < bias <= 1.0:
-        raise ValueRangeError("bias", f"more than 0 and at most 1 is wanted, not {bias:g}")
+        raise ValueRangeError("bias", f"expected more than 0 and at most 1, not {bias:g}")
     chosen = parse_factors(factors) if isinstance(factors, str) else factors
     samples = _checked(wi, wo, values, weights)
     scale = samples.values.mean(axis=0)
@@ -151,7 +151,7 @@ def _checked(
     light, view, given = (np.asarray(array, np.float64) for array in (wi, wo, values))
     if given.ndim != 2 or given.shape[1] != 3 or light.shape != given.shape or view.shape != given.shape:
         raise ValueRangeError(
-            "samples", f"(n, 3) each is wanted, not {light.shape}, {view.shape}, {given.shape}"
+            "samples", f"expected (n, 3) each, not {light.shape}, {view.shape}, {given.shape}"
         )
     keep = np.isfinite(given).all(axis=1) & np.isfinite(light).all(axis=1) & np.isfinite(view).all(axis=1)
     keep &= (light[:, 2] > 0.0) & (view[:, 2] > 0.0)
@@ -159,7 +159,7 @@ def _checked(
     if weights is not None:
         share = np.asarray(weights, np.float64)
         if share.shape != keep.shape or not np.isfinite(share).all() or (share < 0.0).any():
-            raise ValueRangeError("weights", "one finite number a sample is wanted, not negative")
+            raise ValueRangeError("weights", "expected one finite number a sample, not negative")
         keep &= share > 0.0
         share = share[keep]
     if not keep.any():

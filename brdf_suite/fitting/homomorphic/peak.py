@@ -113,9 +113,9 @@ def factorize_with_peak(
         As :func:`~brdf_suite.fitting.homomorphic.factorize.factorize`; or ``cut`` or ``form`` is not as above.
     """
     if not cut > 1.0:
-        raise ValueRangeError("cut", f"more than 1 time the body is wanted, not {cut:g}")
+        raise ValueRangeError("cut", f"expected more than 1 time the body, not {cut:g}")
     if form not in PEAK_FORMS:
-        raise ValueRangeError("peak", f"one of {', '.join(PEAK_FORMS)} is wanted, not {form!r}")
+        raise ValueRangeError("peak", f"expected one of {', '.join(PEAK_FORMS)}, not {form!r}")
     chosen = parse_factors(factors) if isinstance(factors, str) else factors
     body = _Body(chosen, resolution, smooth, bias, cut)
     share = np.ones(len(samples)) if weights is None else np.asarray(weights, np.float64)

@@ -53,7 +53,7 @@ def factor_picture(
     """
     values = np.asarray(picture, np.float64)
     if values.ndim != 2 or min(values.shape) < 2:
-        raise ValueRangeError("picture", f"(h, w) of at least 2 by 2 is wanted, not {values.shape}")
+        raise ValueRangeError("picture", f"expected (h, w) of at least 2 by 2, not {values.shape}")
     if unknown := set(projections) - set(PLANE_PROJECTIONS):
         raise ValueRangeError("projections", f"{min(unknown)!r} is none of {', '.join(PLANE_PROJECTIONS)}")
     height, width = values.shape

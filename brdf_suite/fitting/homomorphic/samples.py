@@ -81,7 +81,7 @@ def sample_reflectance(
         found = FactorizationSamples(reflectance.wi, reflectance.wo, reflectance.values)
         return rotate_pairs(found, rng) if reflectance.isotropic else found
     if not 1 <= pairs <= MOST_PAIRS:
-        raise ValueRangeError("pairs", f"1 to {MOST_PAIRS:,} are wanted, not {pairs}")
+        raise ValueRangeError("pairs", f"expected 1 to {MOST_PAIRS:,}, not {pairs}")
     wi, wo = even_directions(pairs, rng), even_directions(pairs, rng)
     return FactorizationSamples(wi, wo, np.asarray(reflectance.eval(wi, wo)), even=True)
 

@@ -104,7 +104,7 @@ def separate(
     """
     most = min(MOST_TERMS, half_size**2, difference_size**2)
     if not 1 <= terms <= most:
-        raise ValueRangeError("terms", f"1 to {most} are wanted, not {terms}")
+        raise ValueRangeError("terms", f"expected 1 to {most}, not {terms}")
     h = texel_directions(half_size).reshape(-1, 3)
     d = texel_directions(difference_size).reshape(-1, 3)
     tangent, bitangent = half_frames(h)

@@ -100,7 +100,7 @@ def stored_bases(path: Path) -> tuple[dict[int, LobeBasis], int]:
     for item in reader.take_objects("results"):
         values = item.take("exponents")
         if not isinstance(values, list) or not all(type(value) in (int, float) for value in values):
-            item.fail("a list of numbers is wanted", "exponents")
+            item.fail("expected a list of numbers", "exponents")
         try:
             basis = LobeBasis(tuple(values))
         except FittingError as error:

@@ -32,7 +32,7 @@ class Quality:
         for name, most in limits.items():
             value = getattr(self, name)
             if not isinstance(value, int) or isinstance(value, bool) or not 1 <= value <= most:
-                raise ValueRangeError(name, f"a whole number from 1 to {most:,} is wanted, not {value!r}")
+                raise ValueRangeError(name, f"expected a whole number from 1 to {most:,}, not {value!r}")
 
     @property
     def mirrors(self) -> bool:
@@ -61,5 +61,5 @@ def find_quality(name_or_quality: str | Quality) -> Quality:
     if isinstance(name_or_quality, Quality):
         return name_or_quality
     if name_or_quality not in PRESETS:
-        raise ValueRangeError("quality", f"one of {', '.join(PRESETS)} is wanted, not {name_or_quality!r}")
+        raise ValueRangeError("quality", f"expected one of {', '.join(PRESETS)}, not {name_or_quality!r}")
     return PRESETS[name_or_quality]

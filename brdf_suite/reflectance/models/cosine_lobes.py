@@ -62,7 +62,7 @@ class CosineLobes:
             rows = list(np.asarray(getattr(self, name), float).reshape(-1, 3))
             if len(rows) != len(checked):
                 raise ValueRangeError(
-                    name, f"a colour for each of {len(checked)} exponents is wanted, not {describe(rows)}"
+                    name, f"expected a colour for each of {len(checked)} exponents, not {describe(rows)}"
                 )
             table = np.array(
                 [rgb(row, f"{name}[{i}]", PARAMETERS[f"{name}[]"]) for i, row in enumerate(rows)]

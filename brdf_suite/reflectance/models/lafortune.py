@@ -90,10 +90,10 @@ class Lafortune:
     def __post_init__(self) -> None:
         object.__setattr__(self, "kd", rgb(self.kd, "kd", PARAMETERS["kd"]))
         if not isinstance(self.lobes, (tuple, list)):
-            raise ValueRangeError("lobes", f"a list is wanted, not {describe(self.lobes)}")
+            raise ValueRangeError("lobes", f"expected a list, not {describe(self.lobes)}")
         for index, lobe in enumerate(self.lobes):
             if not isinstance(lobe, LafortuneLobe):
-                raise ValueRangeError(f"lobes[{index}]", f"a lobe is wanted, not {describe(lobe)}")
+                raise ValueRangeError(f"lobes[{index}]", f"expected a lobe, not {describe(lobe)}")
         object.__setattr__(self, "lobes", tuple(self.lobes))
 
     @property

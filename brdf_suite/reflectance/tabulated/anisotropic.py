@@ -76,7 +76,7 @@ class AnisotropicTable:
             thetas[name] = nodes
         wanted = (thetas["theta_i"].size, -1, thetas["theta_o"].size, -1, 3)
         if values.ndim != 5 or any(w not in (-1, n) for w, n in zip(wanted, values.shape, strict=True)):
-            raise ValueRangeError("values", f"has the shape {values.shape}; {wanted} is wanted")
+            raise ValueRangeError("values", f"has the shape {values.shape}; expected {wanted}")
         if values.shape[1] != values.shape[3] or values.shape[1] < 2:
             raise ValueRangeError(
                 "values", f"has {values.shape[1]} and {values.shape[3]} azimuths; as many of both"

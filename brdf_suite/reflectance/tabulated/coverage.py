@@ -37,7 +37,7 @@ class Coverage:
             array = np.ascontiguousarray(getattr(self, name), np.float32).view()
             if array.ndim != 3 or array.shape != self.samples.shape:
                 raise ValueRangeError(
-                    name, f"has the shape {array.shape}; (θh, θd, φd), alike for both, is wanted"
+                    name, f"has the shape {array.shape}; expected (θh, θd, φd), alike for both"
                 )
             # A NaN is neither.
             if not (array.min() >= 0.0 and array.max() < np.inf):

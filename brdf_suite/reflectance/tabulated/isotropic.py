@@ -68,7 +68,7 @@ class IsotropicTable:
         # Views, so that the caller's own arrays stay writable and nothing of 17 MB is copied without need.
         values = np.ascontiguousarray(self.values, np.float32).view()
         if values.ndim != 4 or values.shape[3] != 3:
-            raise ValueRangeError("values", f"has the shape {values.shape}; (θh, θd, φd, 3) is wanted")
+            raise ValueRangeError("values", f"has the shape {values.shape}; expected (θh, θd, φd, 3)")
         infer_grid(values, self.reciprocal)
         # A NaN is neither.
         if not (values.min() >= 0.0 and values.max() < np.inf):
@@ -77,10 +77,10 @@ class IsotropicTable:
         holes = self.holes
         holes = np.zeros(values.shape[:3], np.bool_) if holes is None else np.asarray(holes, np.bool_).view()
         if holes.shape != values.shape[:3]:
-            raise ValueRangeError("holes", f"has the shape {holes.shape}; {values.shape[:3]} is wanted")
+            raise ValueRangeError("holes", f"has the shape {holes.shape}; expected {values.shape[:3]}")
         if self.coverage is not None and self.coverage.shape != values.shape[:3]:
             raise ValueRangeError(
-                "coverage", f"has the shape {self.coverage.shape}; {values.shape[:3]} is wanted"
+                "coverage", f"has the shape {self.coverage.shape}; expected {values.shape[:3]}"
             )
         values.flags.writeable = False
         holes.flags.writeable = False
@@ -196,7 +196,7 @@ class IsotropicTable:
             return self
         half, odd = divmod(self.values.shape[2], 2)
         if odd or half < 2:
-            raise ValueRangeError("values", f"φd has {self.values.shape[2]} bins; an even number is wanted")
+            raise ValueRangeError("values", f"φd has {self.values.shape[2]} bins; expected an even number")
         known = ~np.asarray(self.holes)
         first, second = known[:, :, :half, None], known[:, :, half:, None]
         one, other = self.values[:, :, :half], self.values[:, :, half:]

@@ -78,7 +78,7 @@ class ScatteredSamples:
         for name in ("wi", "wo"):
             directions = self._keep(name, (None, 3))
             if len(directions) == 0:
-                raise ValueRangeError(name, "holds no sample; at least one is wanted")
+                raise ValueRangeError(name, "holds no sample; expected at least one")
             length = np.sqrt(np.einsum("ni,ni->n", directions, directions))
             wrong = np.flatnonzero((np.abs(length - 1.0) > 1e-6) | (directions[:, 2] < 0.0))
             if wrong.size:
@@ -102,7 +102,7 @@ class ScatteredSamples:
             want is None or have == want for have, want in zip(array.shape, shape, strict=True)
         )
         if not fits:
-            raise ValueRangeError(name, f"has the shape {array.shape}; {shape} is wanted")
+            raise ValueRangeError(name, f"has the shape {array.shape}; expected {shape}")
         if not np.isfinite(array).all():
             at = np.argwhere(~np.isfinite(array))[0].tolist()
             raise ValueRangeError(f"{name}{at}", "is not a finite number")
