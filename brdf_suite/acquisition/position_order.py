@@ -101,7 +101,7 @@ def check_positions(
     """Return which positions of a folder are out of order.
 
     Of each position only the shortest exposures are unpacked, until one shows a highlight; those in ``leave_out``,
-    (position, exposure), and those that cannot be read, are passed over.
+    (position, exposure), and those that cannot be read, are skipped.
     """
     order = PositionOrder(session, folder)
     for k, position in enumerate(session.positions):

@@ -21,7 +21,7 @@ def irradiance_from_white(
 ) -> tuple[float, float, float]:
     """Return what arrives at the turntable's axis on a surface that faces the lamp, each channel.
 
-    A Lambertian white of reflectance ρ sends back L = ρ E cosθ / π; at the axis there is (d_white/d_axis)² as much, and
+    A Lambertian white of reflectance ρ reflects L = ρ E cosθ / π; at the axis there is (d_white/d_axis)² as much, and
     the lamp's intensity along its axis over that towards the white.
 
     Parameters

@@ -16,7 +16,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     command = commands.add_parser(
         "check",
         help="check a paint, a measured file or a model: reciprocity, sign, energy",
-        description="Measure whether a reflectance is reciprocal, never negative, and sends back no more light than "
+        description="Measure whether a reflectance is reciprocal, never negative, and reflects no more light than "
         "arrives: its directional albedo (light at an angle) and the white furnace (view at an angle). What a model "
         "claims and does not keep is a fault; what it does not claim is listed with its size.",
         epilog="exit status: 0 every claim held, 1 one did not",

@@ -74,7 +74,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--keep-mean",
         choices=("auto", "on", "off"),
         default="auto",
-        help="scale the product so that it sends back as much as the samples do; default: auto, where that brings it "
+        help="scale the product so that it reflects as much as the samples do; default: auto, where that brings it "
         "no farther from them",
     )
     command.add_argument(

@@ -90,7 +90,7 @@ class FactorCoat:
     """A clearcoat over factored terms: they are multiplied by T(θi) T(θo) / T̄ · (1 - K) / (1 - K E_b).
 
     ``ior`` of the coat, ``spread`` of the base (0 mirror, 1 matt), ``inner`` and ``even``: what of matt light the coat
-    keeps inside, and sends back from outside; ``albedo`` (3,) of the base without the coat, 0 to 1. The coat's own
+    keeps inside, and reflects from outside; ``albedo`` (3,) of the base without the coat, 0 to 1. The coat's own
     highlight is that of the lobes.
     """
 

@@ -1,7 +1,7 @@
 """Fraction of a paint's base reflected by visible flakes, and the smooth remainder.
 
 A paint's flakes lie in many layers; what sparkles are those that can be seen one by one: so many to the square
-millimetre, so large. They cover the share c = 1 - exp(-density·π/4·size²) of the surface, and as mirrors they send back
+millimetre, so large. They cover the share c = 1 - exp(-density·π/4·size²) of the surface, and as mirrors they reflect
 R of the light on them, in and out through the coat. With the density of tilts p = bell / (2π m²) per solid angle, and
 the solid angle of a mirrored direction outside a coat of index n being 4 n² cos²θ'/cosθ times that of the tilt at the
 mirror direction (θ' below the coat),

@@ -34,7 +34,7 @@ ScreenProgram = tuple[moderngl.Program, moderngl.VertexArray]
 
 
 def assign(program: moderngl.Program, values: Mapping[str, object]) -> None:
-    """Set uniforms by name; those that the compiler found unused, and dropped, are passed over.
+    """Set uniforms by name; those that the compiler removed as unused are skipped.
 
     Arrays are tuples with a value per element; of an array whose end is unused the rest is set.
     """

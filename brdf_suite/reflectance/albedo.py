@@ -24,7 +24,7 @@ _RING_TIMES_AZIMUTHS = 6.4
 
 
 def normal_albedo(reflectance: Reflectance) -> Floats:
-    """Return the share (3,) of light along the normal that an isotropic reflectance sends back.
+    """Return the share (3,) of light along the normal that an isotropic reflectance reflects.
 
     2π ∫ f_r cosθ sinθ dθ by 16 Gauss-Legendre points in sin²θ; for smooth reflectances, not for mirror lobes.
     """
@@ -33,7 +33,7 @@ def normal_albedo(reflectance: Reflectance) -> Floats:
 
 
 def directional_albedo(reflectance: Reflectance, wi: npt.ArrayLike, azimuths: int = 64) -> Floats:
-    """Return the share (..., 3) of light from ``wi`` (..., 3) that is sent back: ∫ f_r(wi, wo) cosθo dωo.
+    """Return the share (..., 3) of light from ``wi`` (..., 3) that is reflected: ∫ f_r(wi, wo) cosθo dωo.
 
     By quadrature over the half vector, in rings about the normal that narrow towards it (dωo = 4 wi·h dωh): mirror
     lobes are round there at any incidence, so a coat of roughness .002 is resolved as well as a matt base.
@@ -55,7 +55,7 @@ def white_furnace(reflectance: Reflectance, wo: npt.ArrayLike, azimuths: int = 6
 
 
 def hemispherical_albedo(reflectance: Reflectance, azimuths: int = 32) -> Floats:
-    """Return the share (3,) of even light that is sent back: the mean of the directional albedo over sin²θ.
+    """Return the share (3,) of even light that is reflected: the mean of the directional albedo over sin²θ.
 
     For isotropic reflectances, by 6 Gauss-Legendre points.
     """

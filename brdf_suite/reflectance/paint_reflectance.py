@@ -31,7 +31,7 @@ class PaintReflectance:
     notices: tuple[str, ...] = ()
     parameters: ClassVar[Mapping[str, Parameter]] = PARAMETERS
     reciprocal: ClassVar[bool] = True
-    # The readings are what they are: a paint that would send back more than it gets carries a notice.
+    # The readings are what they are: a paint that would reflect more than it gets carries a notice.
     energy_conserving: ClassVar[bool] = False
     base_under_coat: ClassVar[bool] = True
 

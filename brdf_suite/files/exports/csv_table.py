@@ -164,7 +164,7 @@ def read(path: PathLike) -> ImportedPaints:
         raise FileError(path, "holds no paint", "line 2")
     known = {*_FIRST, *_TEXTS, "G20", "G60", *(axis + name[1:] for name in angles for axis in "Lab")}
     unknown = [name for name in columns if name not in known | table.settings]
-    notes = [f"The column {name[:80]!r} is none of a paint's and was passed over." for name in unknown]
+    notes = [f"The column {name[:80]!r} is none of a paint's and was skipped." for name in unknown]
     if "G20" not in columns:
         notes.append("The table says nothing of gloss; the paints get 90 GU at 20°.")
     return ImportedPaints(tuple(paints), tuple(notes))

@@ -2,7 +2,7 @@
 
 A lobe of Trowbridge and Reitz with Smith's height-correlated shadowing loses the light that meets a second facet. The
 reference implementation of MaterialX makes up for it by the factor 1 + F0 (1 - E) / E (Turquin 2019), E being the share
-of the light from one direction that one bounce sends back where every facet reflects all.
+of the light from one direction that one bounce reflects where every facet reflects all.
 
 E is the mean of (1 + Λo) / (1 + Λo + Λi) over the facets that are seen from there (Heitz 2018), here of an even grid of
 them; tabulated once over roughness and direction.

@@ -7,7 +7,7 @@ One base colour c, a share μ of metal and one roughness make
 with D of Trowbridge and Reitz for α = roughness², V the height-correlated visibility of Smith, F_d the interface
 between base and coat (0.04 in glTF; none where the indices agree, as in the OpenPBR written here). The clearcoat takes
 F(wo·n) from the base on the way to the view, and adds its own lobe, as the reference implementations layer them; that
-of MaterialX also adds what further bounces between facets send back (:mod:`brdf_suite.files.exports.lobe_albedo`).
+of MaterialX also adds what further bounces between facets reflect (:mod:`brdf_suite.files.exports.lobe_albedo`).
 
 c enters each channel linearly: for each pair (μ, roughness) of a grid it follows by least squares, and from the best
 pair all five parameters are found together, so that the mean square of ΔE00 is least. One colour for every angle is

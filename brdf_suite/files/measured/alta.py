@@ -1,7 +1,7 @@
 """ALTA text: a header of ``#KEY values`` lines, then columns of inputs and outputs.
 
 ``#DIM nx ny`` counts the columns; ``#PARAM_IN`` names the coordinates and ``#PARAM_OUT`` what the values are
-(default 1/sr); ``#VS`` says how many columns of intervals follow each output, which are passed over. Angles are in
+(default 1/sr); ``#VS`` says how many columns of intervals follow each output, which are skipped. Angles are in
 radians. L is the light, V the view. The projected coordinates are (θ cos Δφ, θ sin Δφ), with Δφ = 0 on the
 light's own side. The cosine of ``INV_STERADIAN_COSINE_FACTOR`` is that of the output direction, the view.
 """

@@ -5,7 +5,7 @@ the bins along (θh, θd, φd); then three planes of float64, red, green and blu
 φd + n_φd·(θd + n_θd·θh). A stored value is f_r·1500 / (1, 1.15, 1.66) of linear Rec. 709; a negative one, in any
 channel, is a hole. Met as well: φd over 360° (both orders of a pair apart, or with MERL's own header of 360 above
 180 bins), and tables that hold f_r itself. Which of the two is decided by energy: a surface of more than
-0.2 % reflectance, taken without the factors, would send back more light than it got.
+0.2 % reflectance, taken without the factors, would reflect more light than it got.
 """
 
 from __future__ import annotations

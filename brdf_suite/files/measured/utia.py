@@ -73,7 +73,7 @@ def read_utia(path: PathLike, *, srgb_encoded: bool = False) -> AnisotropicTable
     facts["albedo_45"] = albedo
     if albedo > 1.0:
         notes.append(
-            f"it sends back {albedo:.3g} of the light that falls on it at 45°, so its values are not f_r as they stand"
+            f"it reflects {albedo:.3g} of the light that falls on it at 45°, so its values are not f_r as they stand"
         )
     facts["notes"] = tuple(notes)
     return AnisotropicTable(table.values, theta, theta, table.source, facts)

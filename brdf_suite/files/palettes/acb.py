@@ -41,10 +41,10 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     tail = cursor.take(min(8, cursor.left), "the tail")
     usage = "spot" if tail == b"spflspot" else "process"
     if cursor.left or tail not in (b"", b"spflspot", b"spflproc"):
-        collector.note("The bytes behind the last colour are passed over.")
+        collector.note("The bytes behind the last colour are skipped.")
     for start, name, code, channels in records:
         if not name.strip():
-            collector.note("{n} empty place[|s] on the pages [is|are] left out.")
+            collector.note("{n} empty slot[|s] skipped.")
             continue
         place = f"byte {start}"
         whole = collector.name(f"{prefix}{name}{postfix}")

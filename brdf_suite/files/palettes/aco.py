@@ -54,12 +54,12 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     while cursor.left:
         start = cursor.at
         if sections and cursor.left < 4:
-            collector.note(f"{cursor.left} bytes behind the last colour are passed over.")
+            collector.note(f"{cursor.left} bytes behind the last colour are skipped.")
             break
         version = cursor.u16("the version")
         if version not in (1, 2) or version in sections:
             if sections:
-                collector.note(f"{len(content) - start:,} bytes behind the last colour are passed over.")
+                collector.note(f"{len(content) - start:,} bytes behind the last colour are skipped.")
                 break
             raise cursor.fail(f"version {version} is not known; 1 and 2 are", start)
         count = cursor.u16("the count of colours")

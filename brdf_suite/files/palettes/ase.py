@@ -54,15 +54,15 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
             group = collector.group(f"byte {start}", group, _name(block))
         elif kind == _END:
             if not group:
-                collector.note("{n} end[|s] of groups that never began [is|are] passed over.")
+                collector.note("{n} end[|s] of groups that never began skipped.")
             group = group[:-1]
         elif kind == _COLOUR:
             _read_colour(block, collector, group)
         else:
-            collector.note("{n} block[|s] of a kind that is not known [is|are] passed over.")
+            collector.note("{n} block[|s] of a kind that is not known skipped.")
         cursor.at = end
     if cursor.left:
-        collector.note(f"{cursor.left:,} bytes behind the last block are passed over.")
+        collector.note(f"{cursor.left:,} bytes behind the last block are skipped.")
     return collector.finish()
 
 

@@ -70,7 +70,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         found = parse_colour(token["value"])
         if found is None:
             collector.note(
-                "{n} custom propert[y that is no colour|ies that are no colours] known here [is|are] passed over."
+                "{n} custom propert[y that is no colour|ies that are no colours] known here skipped."
             )
             continue
         if found[1] != 1.0:

@@ -86,7 +86,7 @@ class _Rows:
         known = {*_FIRST, *_FLAT, *_LAST, "G20", "G60"} | readings | known_settings()
         for name in self._columns:
             if name not in known:
-                self._collector.note(f"The column {name[:80]!r} is none of a palette's and was passed over.")
+                self._collector.note(f"The column {name[:80]!r} is none of a palette's and was skipped.")
         if "G20" not in self._columns and not all(entry.is_flat for entry in self._collector.entries):
             self._collector.note("The table says nothing of gloss; the paints get 90 GU at 20°.")
 

@@ -50,7 +50,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
 def _columns(text: str, collector: Collector) -> int:
     if text.isascii() and text.isdigit() and len(text) < 5:
         return int(text)
-    collector.note("The count of columns is none and was passed over.")
+    collector.note("The count of columns is none and was skipped.")
     return 0
 
 

@@ -31,7 +31,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         if not line.strip():
             continue
         if len(collector.entries) == count:
-            collector.note("{n} line[|s] beyond the count that the file says [is|are] passed over.")
+            collector.note("{n} line[|s] beyond the count that the file says skipped.")
             continue
         found = _COLOUR.fullmatch(line)
         values = [int(found[i]) for i in (1, 2, 3)] if found else [256]

@@ -110,9 +110,7 @@ class _Reader:
                 self._token(key, item, group, place)
                 return
             if any(name in item for name in _VALUES) and "$value" in item:
-                collector.note(
-                    "{n} token[ that is no colour|s that are no colours] known here [is|are] passed over."
-                )
+                collector.note("{n} token[ that is no colour|s that are no colours] known here skipped.")
                 return
             self.walk(item, self._group(key, item, group, place) if key else group, place)
         elif isinstance(item, str) and (found := _colour(item)):
@@ -123,16 +121,14 @@ class _Reader:
             else:
                 self._row(key, item, group, place)
         else:
-            collector.note("{n} value[ that is no colour|s that are no colours] [is|are] passed over.")
+            collector.note("{n} value[ that is no colour|s that are no colours] skipped.")
 
     def _row(self, key: str, items: list[object], group: GroupPath, place: str) -> None:
         """A list of colours under one name, as in ``"grey": ["#f8f9fa", "#f1f3f5"]``."""
         for index, item in enumerate(items):
             found = _colour(item) if isinstance(item, str) else None
             if found is None:
-                self._collector.note(
-                    "{n} value[ that is no colour|s that are no colours] [is|are] passed over."
-                )
+                self._collector.note("{n} value[ that is no colour|s that are no colours] skipped.")
             else:
                 name = self._collector.name(f"{key} {index}" if key else "")
                 self._add(found[0], found[1], name, group, f"{place}[{index}]")

@@ -146,7 +146,7 @@ def _compare(entry: Entry, other: Entry, counts: Counter[str], models: Counter[t
 def _of_palette(palette: Palette, back: Palette) -> list[str]:
     losses = []
     if palette.name != back.name:
-        losses.append("The palette's name is left out: that of the file counts.")
+        losses.append("The palette's name is not stored; the file name is used.")
     for field, word in (("notes", "notes"), ("colour", "colour"), ("columns", "count of columns")):
         own, new = getattr(palette, field), getattr(back, field)
         if own and own != new:

@@ -1,6 +1,6 @@
 """PAL of Windows: a RIFF file of form ``PAL``, whose chunk ``data`` has R, G, B and flags in a byte each.
 
-Little-endian, as all of RIFF. Chunks of other kinds are passed over by their lengths.
+Little-endian, as all of RIFF. Chunks of other kinds are skipped by their lengths.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
             found = True
             _read_data(ByteCursor(content, path, cursor.at, cursor.at + size), collector)
         else:
-            collector.note("{n} further part[|s] of the file [is|are] passed over.")
+            collector.note("{n} further part[|s] of the file skipped.")
         cursor.at = min(len(content), cursor.at + size + size % 2)
     if not found:
         raise cursor.fail("ends without a chunk of colours")

@@ -33,7 +33,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     collector.check_count(len(root.children), f"line {root.line}")
     for element in root.children:
         if element.name != "COLOR":
-            collector.note("{n} element[ that is no colour|s that are no colours] [is|are] passed over.")
+            collector.note("{n} element[ that is no colour|s that are no colours] skipped.")
             continue
         place = f"line {element.line}"
         has = element.attributes.get

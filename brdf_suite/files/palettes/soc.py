@@ -31,7 +31,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     for element in root.children:
         place = f"line {element.line}"
         if element.name != "color":
-            collector.note("{n} element[ that is no colour|s that are no colours] [is|are] passed over.")
+            collector.note("{n} element[ that is no colour|s that are no colours] skipped.")
             continue
         text = element.attributes.get("color", "")
         found = _HEX.fullmatch(text.strip())

@@ -34,7 +34,7 @@ _COARSEST = 8
 class FactorizationResult:
     """Result of a factorization.
 
-    ``product``: the maps. ``mean_correction`` (3,): what α was multiplied by so that the approximation sends back as
+    ``product``: the maps. ``mean_correction`` (3,): what α was multiplied by so that the approximation reflects as
     much over the samples as they do; 1 where it was not asked for. ``used``: samples that took part, ``left_out``:
     those that were not finite, or below the horizon; ``raised``: negative ones that were taken for 0. ``solver``: the
     way that was taken.
@@ -180,7 +180,7 @@ def _sizes(resolution: int) -> list[int]:
 def correct_mean(
     product: Factorization, wi: Floats, wo: Floats, values: Floats, weights: Floats | None = None
 ) -> tuple[Factorization, Floats]:
-    """Return ``product`` with α such that it sends back as much over samples as their ``values``, and by what factor.
+    """Return ``product`` with α such that it reflects as much over samples as their ``values``, and by what factor.
 
     What is compared is the mean of f_r cosθi cosθo, in each channel: with both cosines, since a reflectance may be
     without bounds at grazing angles, where it sends little. Samples that are not finite do not count.

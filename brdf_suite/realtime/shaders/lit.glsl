@@ -113,7 +113,7 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
         return sum;
 #endif
     // No light stands out by more than flakes that lie flat do in a light without extent: the visible ones become
-    // rarer with their tilt by more than their contrast rises. So faint and broad lights are passed over at once.
+    // rarer with their tilt by more than their contrast rises. So faint and broad lights are skipped at once.
     float most = largest(base_gain * flake_lobe(0.0));
 #ifdef SPARKLE_GLINTS
     most *= glint_contrast(field, 0.35355339 / flakes.z * flake_optics.y);

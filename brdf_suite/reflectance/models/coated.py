@@ -9,7 +9,7 @@ A matt base (``spread`` 1) sends up light in all directions, of which K = K_r = 
 E_F being the coat's mean F for even light; T̄ = 1 - E_F, so that (1 - K)/T̄ = 1/n² is the widening of the solid
 angle at the surface. A mirror below (``spread`` 0) sends up one direction, K = 1 - √(T(θi) T(θo)), which there
 is F, and T̄ = 1 - K: the sum over all bounces of a mirror pair, T²/(1 - F E_b). Between them K and T̄ are mixed.
-So a white base of either kind sends back all light; nothing is made and nothing lost (without T̄, which some
+So a white base of either kind reflects all light; nothing is made and nothing lost (without T̄, which some
 renderers leave out, a white matt base under n = 1.5 would lose 9 % of what enters). In between it is a model, and
 ``energy_conserving`` says where it is sure.
 
@@ -69,7 +69,7 @@ class Coated:
 
     @cached_property
     def energy_conserving(self) -> bool:
-        """Return whether the whole certainly sends back no more than it gets.
+        """Return whether the whole certainly reflects no more than it gets.
 
         The series knows the base by its mean albedo and its spread only. Between a matt base and a mirror, or with
         the wrong spread, it may give a white base a few per cent too much. So this bounds the base's part: its

@@ -45,9 +45,9 @@ class CookTorrance:
 
     @property
     def energy_conserving(self) -> bool:
-        """Return whether the weights cannot send back more than arrives.
+        """Return whether the weights cannot reflect more than arrives.
 
-        Facets in V-shaped grooves send back at most all light, so kd + 4 Σ ks ≤ 1 suffices (Σ ks in the quarter
+        Facets in V-shaped grooves reflect at most all light, so kd + 4 Σ ks ≤ 1 suffices (Σ ks in the quarter
         form); more may still conserve energy, where F is small.
         """
         weights = np.array([lobe.ks for lobe in self.paint.lobes]).reshape(-1, 3).sum(axis=0)

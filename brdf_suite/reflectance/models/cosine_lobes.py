@@ -84,7 +84,7 @@ class CosineLobes:
         parts = [mixture.diffuse(math.pi * luminance(np.asarray(self.kd)))]
         rows = zip(np.asarray(self.exponents), np.asarray(self.kdd), np.asarray(self.kg), strict=True)
         for exponent, kdd, kg in rows:
-            # What each sends back along the normal.
+            # What each reflects along the normal.
             weight = 2.0 * math.pi * (luminance(kdd) / (exponent + 2.0) + luminance(kg) / (exponent + 1.0))
             parts.append(mixture.mirror_lobe(weight, float(exponent)))
         return parts

@@ -17,7 +17,7 @@ from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import rgb
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
-    {"albedo": Parameter("Albedo", "", 0.0, 1.0, 0.5, "Share of the light sent back, linear Rec. 2020")}
+    {"albedo": Parameter("Albedo", "", 0.0, 1.0, 0.5, "Share of the light reflected, linear Rec. 2020")}
 )
 
 

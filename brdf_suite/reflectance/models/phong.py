@@ -58,7 +58,7 @@ class Phong:
 
     @property
     def energy_conserving(self) -> bool:
-        """Return whether no more light is sent back than arrives; the original form's lobe knows no bound."""
+        """Return whether no more light is reflected than arrives; the original form's lobe knows no bound."""
         whole = bool(np.all(np.asarray(self.kd) + np.asarray(self.ks) <= 1.0))
         return whole and (self.form == "modified" or not np.any(self.ks))
 

@@ -5,7 +5,7 @@ sides reach the slope φm = arccos(floor). Every facet reflects as a matt and a 
 
     f = kd/π + ks (n+2)(n+4) / (8π (2^(-n/2) + n)) (N·h)ⁿ,
 
-which alone sends back kd + ks along its normal and less elsewhere. What is seen is the sum over the facets
+which alone reflects kd + ks along its normal and less elsewhere. What is seen is the sum over the facets
 that light and view both reach, over one period:
 
     f_r = ∫ f (N·i)+ (N·o)+ ds / (spacing cosθi cosθo).
@@ -95,7 +95,7 @@ class PoulinFournier:
 
     @property
     def energy_conserving(self) -> bool:
-        """Return whether a facet sends back no more than it gets; then neither does the surface."""
+        """Return whether a facet reflects no more than it gets; then neither does the surface."""
         return bool(np.all(np.asarray(self.kd) + np.asarray(self.ks) <= 1.0))
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
