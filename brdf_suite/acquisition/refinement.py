@@ -161,8 +161,8 @@ def refine(
     start = geometry if outline is None else outline.geometry
     if len(highlights) < _LEAST_HIGHLIGHTS:
         raise AcquisitionError(
-            f"The light's mirror image was found at {len(highlights)} positions of the light, and 4 are wanted to "
-            "refine its place. Free the highlights in the mask, or continue without refinement."
+            f"The light's mirror image was found at {len(highlights)} positions of the light; refining its "
+            "place needs 4. Free the highlights in the mask, or continue without refinement."
         )
     series = HighlightSeries.of(start, highlights)
     prior = priors(start, outline)

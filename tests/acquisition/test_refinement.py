@@ -176,7 +176,7 @@ def test_a_masked_or_missing_highlight_is_none(rig: Rig, outline: SphereOutline)
     hidden = np.zeros((_SIDE, _SIDE), bool)
     assert find_highlight(rig.radiance[4], outline.geometry, 4, hidden) is None
     assert find_highlight(np.zeros((_SIDE, _SIDE, 3)), outline.geometry, 4) is None
-    with pytest.raises(AcquisitionError, match="expected 4"):
+    with pytest.raises(AcquisitionError, match="needs 4"):
         refine(outline.geometry, outline, rig.find(outline.geometry)[:3])
 
 

@@ -54,7 +54,7 @@ def refused(tmp_path: Path, content: bytes | str) -> DocumentError:
         (("kind",), "measured", "kind", "aspecular"),
         (("name",), 7, "name", "expected a text"),
         (("measurements",), {}, "measurements", "expected a list"),
-        (("measurements",), [], "measurements", "there are 0"),
+        (("measurements",), [], "measurements", "found 0"),
         (("measurements", 1), None, "measurements[1]", "expected an object"),
         (("measurements", 1, "lab"), [1, 2], "measurements[1].lab", "three numbers"),
         (("measurements", 1, "lab", 0), float("nan"), "measurements[1].lab[0]", "finite"),

@@ -64,7 +64,7 @@ def test_values_are_frozen_and_normalised() -> None:
         (lambda: blue(illuminant="A"), "illuminant", "D65"),
         (lambda: blue(observer_deg=2), "observer_deg", "10°"),
         (lambda: blue(gloss=90.0), "gloss", "90.0"),
-        (lambda: blue(measurements=blue().measurements[:2]), "measurements", "there are 2"),
+        (lambda: blue(measurements=blue().measurements[:2]), "measurements", "found 2"),
         (lambda: blue(measurements=blue().measurements[:2] * 2), "measurements[2]", "same angles"),
         (lambda: blue(measurements=(*blue().measurements, None)), "measurements[3]", "null"),
     ],

@@ -264,7 +264,7 @@ def test_faulty_exr_files_are_refused(tmp_path: Path) -> None:
     refuse(file, patched_window(good, b"dataWindow", (0, 0, 31, 8191)), "bad.exr")
     channels = {name: np.ones((1, 32), np.float32) for name in "RGB"}
     refuse(file, save(tmp_path / "line.exr", channels).read_bytes(), "32 × 1", "too small")
-    refuse(file, save(tmp_path / "z.exr", {"Z": np.ones(SHAPE, np.float32)}).read_bytes(), "Z", "wanted")
+    refuse(file, save(tmp_path / "z.exr", {"Z": np.ones(SHAPE, np.float32)}).read_bytes(), "Z", "expected")
     integers = {name: np.ones(SHAPE, np.uint32) for name in "RGB"}
     refuse(file, save(tmp_path / "uint.exr", integers).read_bytes(), "integers")
     refuse(file, exr_bytes(tmp_path, chromaticities=(0.3,) * 8), "unusable primaries")
