@@ -74,10 +74,10 @@ def draw(folder: Path, paint: str, size: str) -> None:
         panel.set_axis_off()
     figure.savefig(IMAGES / "acquired.jpg", dpi=100, pil_kwargs={"quality": 88})
     plt.close(figure)
-    tell_differences(paint, table, fitted)
+    print_differences(paint, table, fitted)
 
 
-def tell_differences(paint: str, table: Path, fitted: Path) -> None:
+def print_differences(paint: str, table: Path, fitted: Path) -> None:
     """Print how far table and fit are from the paint at the trade's angles, light at 45°."""
     truth = load_measurable(paint).reflectance
     angles = np.array([-15.0, 15.0, 25.0, 45.0, 75.0, 110.0])

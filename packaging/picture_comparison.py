@@ -78,7 +78,7 @@ def sparkle(folder: Path) -> None:
         scene.set_environment(load_environment("sunny"))
         scene.set_paint_fit(fitter.fit(load_shipped_paint("coarse_silver")))
         rows = []
-        for places, told in ((MOVING, "turned by {0:g}°"), (FARTHER, "{1:.0f} cm away")):
+        for places, title in ((MOVING, "turned by {0:g}°"), (FARTHER, "{1:.0f} cm away")):
             row = []
             for azimuth, distance in places:
                 view = View(
@@ -87,7 +87,7 @@ def sparkle(folder: Path) -> None:
                     exposure_ev=-2.4,
                     exposure_mode="locked",
                 )
-                text = told.format(azimuth - 40.0, 100.0 * (distance - 0.1))
+                text = title.format(azimuth - 40.0, 100.0 * (distance - 0.1))
                 row.append(captioned(Image.fromarray(np.asarray(scene.image(view, size))), text))
             rows.append(row)
     fitter.close()
@@ -225,10 +225,12 @@ def models(folder: Path, measured: Path) -> None:
     shown = {key: srgb_encode(display_light(value, ev, view.tone_curve)) for key, value in light.items()}
     for name, (scene, estimate) in scenes.items():
         errors = errors_of(shown[name], shown["measured table"], inside)
-        told = name if name == "measured table" else f"{name}: dE00 {errors.mean:.1f}, FLIP {errors.flip:.2f}"
+        caption = (
+            name if name == "measured table" else f"{name}: dE00 {errors.mean:.1f}, FLIP {errors.flip:.2f}"
+        )
         print(f"| {name} | {errors.mean:.2f} | {errors.p99:.1f} | {errors.flip:.3f} |", flush=True)
         exposed = replace(scene, view=replace(scene.view, exposure_ev=ev))
-        tiles.append(captioned(Image.fromarray(exposed.codes(estimate)).crop((22, 34, 326, 200)), told))
+        tiles.append(captioned(Image.fromarray(exposed.codes(estimate)).crop((22, 34, 326, 200)), caption))
     sheet([tiles[:2], tiles[2:]]).save(folder / "comparison_models.png", optimize=True)
 
 

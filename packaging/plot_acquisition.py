@@ -3,7 +3,7 @@
     python packaging/plot_acquisition.py [FOLDER] [--size 320] [--positions 180] [--paint table1_polaris_silver]
 
 The photographs are those that ``acquire --simulate`` wrote into FOLDER; without one they are simulated as they are
-asked for, with noise, a response that nobody is told, and 12 bits.
+asked for, with noise, a response that is not stated, and 12 bits.
 """
 
 from __future__ import annotations
@@ -58,14 +58,14 @@ def main() -> None:
         road = Acquisition(SimulatorSource(Simulator(truth, settings, options.paint)), wanted)
     else:
         road = Acquisition.open(options.folder, wanted)
-    road.calibrate(tell)
-    found = road.table(tell)
+    road.calibrate(show_progress)
+    found = road.table(show_progress)
     draw_errors(found, truth, IMAGES / "acquisition_errors.png")
     draw_slices(found, truth, IMAGES / "acquisition_slices.png")
     draw_layouts(found, truth, IMAGES / "acquisition_parameterizations.jpg")
 
 
-def tell(fraction: float, what: str) -> None:
+def show_progress(fraction: float, what: str) -> None:
     """Say how far the work is."""
     print(f"\r{fraction:4.0%} {what:40}", end="", file=sys.stderr, flush=True)
 

@@ -84,7 +84,7 @@ def draw(rows: list[tuple[str, FileFit]], path: Path, columns: int) -> None:
 
 
 def fitted(title: str, reflectance: Reflectance, lobes: int) -> tuple[str, FileFit]:
-    """Fit and tell."""
+    """Fit and print a summary."""
     found = fit_reflectance_lobes(title, reflectance, Settings(lobes=lobes))
     words = "two lobes" if lobes == 2 else "three lobes"
     print(title, words, found.errors_within)

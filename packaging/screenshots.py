@@ -146,8 +146,8 @@ def main() -> int:
         views = dict(VIEWS)
         if "viewer_lamps" in wanted and MEASURED.is_file():
             factored = f"{scratch}/krylon_blue.brdfpaint"
-            told = ["factorize", str(MEASURED), "-o", factored]
-            run([sys.executable, "-m", "brdf_suite.cli.main", *told], environment)
+            command = ["factorize", str(MEASURED), "-o", factored]
+            run([sys.executable, "-m", "brdf_suite.cli.main", *command], environment)
             views["viewer_lamps"] = (LAMPS_ALONE, [factored, "--theme", "dark"])
         for name, (view, command) in views.items():
             if name in wanted:

@@ -80,8 +80,8 @@ def drive(options: argparse.Namespace) -> int:
         find()
         wait(lambda: assistant.bench.is_quiet and not assistant._chain)
     if "fit" not in assistant.bench.have:
-        told = assistant.window.messages.shown()
-        raise SystemExit(f"A step failed: {[message.what for message in told.values()]}")
+        messages = assistant.window.messages.shown()
+        raise SystemExit(f"A step failed: {[message.what for message in messages.values()]}")
     assistant.window.exposures.choose(EXPOSURES - 4)
     for page in PAGES:
         assistant.window.show_page(page)

@@ -121,7 +121,7 @@ class Walk:
         field.selectAll()
         QTest.keyClicks(field, text)
         QTest.keyClick(field, Qt.Key.Key_Return)
-        # Without a window manager no field is told that the focus has left it.
+        # Without a window manager no field is notified that the focus has left it.
         getattr(field, "lineEdit", lambda: field)().deselect()
 
     def click(self, button: Any) -> None:

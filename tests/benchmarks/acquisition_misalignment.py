@@ -74,7 +74,7 @@ def median_error(table: IsotropicTable, simulator: Simulator) -> float:
 def centre_and_light(geometry: RigGeometry, simulator: Simulator) -> tuple[float, float]:
     """Return by how much the sphere's centre is off in the picture, pixels, and the lamp at most, degrees.
 
-    The lamp's direction is told from the sphere, against that to the camera: a lens whose middle is not well known
+    The lamp's direction is reported from the sphere, against that to the camera: a lens whose middle is not well known
     turns the camera's frame, and changes neither.
     """
     distance = simulator.settings.camera_distance_m

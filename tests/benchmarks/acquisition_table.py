@@ -114,16 +114,16 @@ def _timed() -> dict[str, float | None]:
     done = subprocess.run([sys.executable, __file__], capture_output=True, text=True, check=False)
     if done.returncode:
         raise SuiteError(f"The timed reconstruction failed: {done.stderr.strip().splitlines()[-1:]}")
-    told = json.loads(done.stdout)
+    reported = json.loads(done.stdout)
     NOTES["reconstruct_s"] = (
         f"{TIMED_POSITIONS} positions measured, their time a position taken for 180, and for the "
-        f"{told['before']} that the calibration reads before"
+        f"{reported['before']} that the calibration reads before"
     )
     NOTES["reconstruct_memory_mb"] = (
         f"{TIMED_POSITIONS} positions; nothing is kept of a position but its sums, and of the calibration's "
         "at most 600 MB"
     )
-    return {"reconstruct_s": told["seconds"], "reconstruct_memory_mb": told["memory_mb"]}
+    return {"reconstruct_s": reported["seconds"], "reconstruct_memory_mb": reported["memory_mb"]}
 
 
 def timed() -> dict[str, float]:

@@ -1,7 +1,7 @@
 """From a slider's mouse event to the numbers and patches of Designer: set, and painted.
 
 A drag of 600 steps in the real window with all its parts, in a process of its own on Qt's offscreen platform. The first
-30 steps, in which caches fill, do not count. Slow work is done at idle; its longest pieces are told beside.
+30 steps, in which caches fill, do not count. Slow work is done at idle; its longest pieces are reported beside.
 """
 
 from __future__ import annotations

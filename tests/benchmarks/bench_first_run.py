@@ -175,8 +175,8 @@ def _windows(binaries: Path, folder: Path) -> float:
             for number in range(_RUNS):
                 home = _home(folder / f"{program}-{number}")
                 words = ("--size", "1280x720", "--report-startup", "--screenshot", "window.png")
-                told = _output(binaries / program, *words, home=home, DISPLAY=display)
-                times.append(float(json.loads(told.splitlines()[-1])["finished_s"]))
+                reported = _output(binaries / program, *words, home=home, DISPLAY=display)
+                times.append(float(json.loads(reported.splitlines()[-1])["finished_s"]))
             found[program] = median(times)
     NOTES["first_window_s"] = ", ".join(f"{program} {time:.2f} s" for program, time in found.items())
     return max(found.values())

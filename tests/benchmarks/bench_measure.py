@@ -98,7 +98,7 @@ def run(progress: Progress | None) -> dict[str, float | None]:
         except UnreachableError:
             refused += 1
             continue
-        # A colour that the working space does not hold is shown as the nearest one, and that is told.
+        # A colour that the working space does not hold is shown as the nearest one, and that is reported.
         if any("more saturated" in notice for notice in plain.notices):
             continue
         used += 1

@@ -2,7 +2,8 @@
 
 ``kill_cache_writers.py`` starts this file as a process and kills it. Free, it writes for ever and says ``start`` and
 ``end`` of each write. In steps it does nothing unbidden: it makes the entry whose number it is sent, and stands still
-until it is told to go on before the maps are made (``filtering``) and after each piece that is written (``piece``).
+until it is signalled to continue before the maps are made (``filtering``) and after each piece that is written
+(``piece``).
 """
 
 from __future__ import annotations
@@ -31,7 +32,9 @@ ENTRIES = 4
 KEPT = 3.5  # entries that fit below the limit: room has to be made all the time
 PATIENCE_S = 150.0
 _PIECE_BYTES = 1 << 20
-_STANDS_STILL_S = 3600.0  # in steps a writer gives no sign of life for as long as it is not told to go on
+_STANDS_STILL_S = (
+    3600.0  # in steps a writer gives no sign of life for as long as it is not signalled to continue
+)
 
 Parts = Iterable[bytes | memoryview]
 
@@ -77,10 +80,10 @@ def say(*words: object) -> None:
 
 
 def stand_still(*words: object) -> None:
-    """Say where this process stands, and wait until it is told to go on."""
+    """Say where this process stands, and wait until it is signalled to continue."""
     say(*words)
     if not sys.stdin.readline():
-        sys.exit("Nobody is there to say what is next.")
+        sys.exit("The controlling process is gone.")
 
 
 def pieces(parts: Parts) -> list[bytes | memoryview]:
@@ -105,7 +108,7 @@ def write_straight(folder: Path, key: str, parts: Parts) -> None:
 
 
 def report_outcome(store: MapCache, found: LobeMaps, wanted: LobeMaps) -> None:
-    """Say what was wrong with the maps and what the cache told."""
+    """Say what was wrong with the maps and the cache's notices."""
     if not same(found, wanted):
         say("wrong")
     for notice in store.notices:
@@ -118,12 +121,12 @@ def write_for_ever(folder: Path, size: int, seed: int, careless: bool) -> None:
     made = {environment(i).name: maps_of(i, size) for i in range(ENTRIES)}
     real = write_straight if careless else cache_folder.write
 
-    def told(folder: Path, key: str, parts: Parts) -> None:
+    def reported(folder: Path, key: str, parts: Parts) -> None:
         say("start")
         real(folder, key, parts)
         say("end")
 
-    cache_folder.write = told
+    cache_folder.write = reported
     cache.prefilter = lambda environment, *_: made[environment.name]
     rng = random.Random(seed)
     store = MapCache(folder, limit_bytes=limit(size))
@@ -147,7 +150,7 @@ def write_in_steps(folder: Path, size: int, careless: bool) -> None:
         stand_still("filtering")
         return made[environment.name]
 
-    def tell(_: float, what: str) -> None:
+    def pause(_: float, what: str) -> None:
         nonlocal waiting
         if what.startswith("waiting") and not waiting:
             waiting = True
@@ -161,7 +164,7 @@ def write_in_steps(folder: Path, size: int, careless: bool) -> None:
     for line in sys.stdin:
         wanted = environment(int(line))
         waiting = False
-        report_outcome(store, store.get_or_compute(wanted, EXPONENTS, tell), made[wanted.name])
+        report_outcome(store, store.get_or_compute(wanted, EXPONENTS, pause), made[wanted.name])
         say("idle")
 
 
@@ -197,7 +200,7 @@ class Writer:
                 return time.monotonic() - begin, said
             said.append(line)
 
-    def tell(self, word: object = "go") -> None:
+    def send(self, word: object = "go") -> None:
         """Say what is next to a writer in steps: an entry's number, or to go on."""
         assert self.process.stdin is not None
         self.process.stdin.write(f"{word}\n")

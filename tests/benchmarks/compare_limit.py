@@ -143,7 +143,7 @@ def adverse(count: int) -> None:
         solver.run(limit.LIMIT_S)
         seconds.append(time.perf_counter() - start)
     print(
-        f"\nHiGHS told {1e3 * limit.LIMIT_S:g} ms on 2,000×64 in three channels: median "
+        f"\nHiGHS with a limit of {1e3 * limit.LIMIT_S:g} ms on 2,000×64 in three channels: median "
         f"{1e3 * np.median(seconds):.1f} ms, longest {1e3 * max(seconds):.1f} ms"
     )
     optima, whole = [], []

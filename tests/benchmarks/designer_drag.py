@@ -16,7 +16,7 @@ from time import perf_counter, thread_time
 STEPS = 600
 SETTLE_S = 4.0
 BETWEEN_S = 0.004
-"""What the event loop gets between two events: a mouse tells of itself some 125 to 1,000 times a second."""
+"""What the event loop gets between two events: a mouse sends events some 125 to 1,000 times a second."""
 SIZE = (1400, 900)
 SWING_PX = 60
 

@@ -1,4 +1,4 @@
-"""The sample set of Table 1 of McCool, Ang and Ahmad 2001, as far as the paper tells of it.
+"""The sample set of Table 1 of McCool, Ang and Ahmad 2001, as far as the paper describes it.
 
 The paper names the model (Poulin and Fournier's cylinders), 57,600 pairs even over both hemispheres, their mean 0.3855
 and, through RMS error and SNR, their RMS 0.421; it does not name the parameters. Those here give both within half a

@@ -31,7 +31,7 @@ from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Reflectance
 
-#: For whoever waits.
+#: For waiting callers.
 TITLE = "the fit at several incidences"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {

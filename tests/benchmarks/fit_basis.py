@@ -14,7 +14,7 @@ from brdf_suite.fitting.lobes.basis import STORED_NAME
 from brdf_suite.progress import Progress, report
 from brdf_suite.resources import resource, resource_root
 
-#: For whoever waits.
+#: For waiting callers.
 TITLE = "the exponents"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {

@@ -10,7 +10,7 @@ from brdf_suite.fitting import LobeFit, LobeFitter
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.build import build_paint
 
-#: For whoever waits.
+#: For waiting callers.
 TITLE = "a drag, and unrelated paints"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float, str, str]] = {

@@ -24,7 +24,7 @@ from brdf_suite.reflectance.build import build_paint
 
 FloatArray = NDArray[np.float64]
 
-#: For whoever waits.
+#: For waiting callers.
 TITLE = "the limit and the optimum"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float, str, str]] = {

@@ -26,7 +26,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from fuzz_measured import mutate, options, told
+from fuzz_measured import mutate, options, reported
 
 from brdf_suite.documents.light_store import STUDIO_ENDING, load_light, save_light
 from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp
@@ -68,7 +68,7 @@ def _radiance(path: Path) -> np.ndarray:
 
 
 def _child(path: Path, seed: int, first: int, last: int, pipe: Any) -> None:
-    """Read mutations ``first`` … ``last`` - 1 and tell each outcome through the pipe."""
+    """Read mutations ``first`` … ``last`` - 1 and report each outcome through the pipe."""
     content = path.read_bytes()
     _radiance(path)  # imports, caches and threads are not what is limited
     silent = os.open(os.devnull, os.O_WRONLY)
@@ -108,7 +108,7 @@ def fuzz(
         fault = ""
         while True:
             try:
-                # Four times the limit: the machine may be busy, and each reading tells its own time.
+                # Four times the limit: the machine may be busy, and each reading reports its own time.
                 message = receive.recv() if receive.poll(4.0 * SECONDS) else "hang"
             except EOFError:
                 child.join()
@@ -216,7 +216,7 @@ def main() -> int:
                 f" the longest took {longest:.2f} s; peak {peak:,.0f} MB",
                 flush=True,
             )
-            faults += told(counts)
+            faults += reported(counts)
     return 1 if faults else 0
 
 

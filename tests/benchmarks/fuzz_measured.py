@@ -186,7 +186,7 @@ def options(description: str | None, how_many: str) -> argparse.ArgumentParser:
     return parser
 
 
-def told(counts: Counter[str]) -> int:
+def reported(counts: Counter[str]) -> int:
     """Print the faults among the outcomes, and return how many there are."""
     faults = {result: count for result, count in counts.items() if result.startswith("FAULT")}
     for result, count in faults.items():
@@ -204,7 +204,7 @@ def main() -> int:
             f" {counts['refused']} refused; the longest took {longest:.2f} s",
             flush=True,
         )
-        faults += told(counts)
+        faults += reported(counts)
     return 1 if faults else 0
 
 

@@ -166,8 +166,8 @@ def samples(files: list[Path], names: list[str]) -> list[tuple[str, bytes, Palet
     return [(f"made.{f.name}", made_file(f), f) for f in FORMATS if not names or f.name in names]
 
 
-def main(tell: Callable[[str], None] = print) -> int:
-    """Damage, read and tell."""
+def main(report: Callable[[str], None] = print) -> int:
+    """Damage, read and report."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -182,11 +182,11 @@ def main(tell: Callable[[str], None] = print) -> int:
         counts, longest = fuzz(
             content, name, known, arguments.mutations, arguments.seed, arguments.keep, cut=True
         )
-        tell(
+        report(
             f"{name}: {arguments.mutations} mutations, each read twice, and {len(content)} beginnings:"
             f" {counts['read']} read, {counts['refused']} refused; the longest took {longest:.2f} s"
         )
-        faults += fuzz_measured.told(counts)
+        faults += fuzz_measured.reported(counts)
         sys.stdout.flush()
     return 1 if faults else 0
 

@@ -151,7 +151,7 @@ class SteppedTrial:
         if situation == "beside":
             self._into_a_write(other, self._beside(entry))
         elif situation == "waited for":
-            other.tell(entry)
+            other.send(entry)
             other.expect("waiting")
         victim.kill()
         self._asides += victim.asides
@@ -162,19 +162,19 @@ class SteppedTrial:
         self.left_over.append(len(self._checker.unfinished()))
         self.damaged += len(self._checker.verify().damaged)
         if situation != "alone":
-            other.tell()
+            other.send()
             while other.expect("piece", "idle")[0] == "piece":
-                other.tell()
+                other.send()
 
     def _into_a_write(self, writer: Writer, entry: int) -> None:
         """Let a writer write some of an entry, and not the last piece of it."""
         cache_folder.remove(entry_path(self._checker, entry))
-        writer.tell(entry)
+        writer.send(entry)
         writer.expect("filtering")
-        writer.tell()
+        writer.send()
         count = int(writer.expect("piece")[2])
         for _ in range(self._rng.randrange(count - 1)):
-            writer.tell()
+            writer.send()
             writer.expect("piece")
 
     def _beside(self, entry: int) -> int:

@@ -1,4 +1,4 @@
-"""Read environments of 16,384 × 8,192 pixels in a process of their own, and tell the time and the memory it took.
+"""Read environments of 16,384 × 8,192 pixels in a process of their own, and report their time and memory.
 
     python tests/benchmarks/large_environment.py [--folder FOLDER]
 

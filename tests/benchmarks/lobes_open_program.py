@@ -88,7 +88,7 @@ def _views_are_there(program: object) -> bool:
 def _until(app: object, done: object) -> None:
     from PySide6.QtCore import QEventLoop, QTimer
 
-    # Waiting for events and not asking for them: whoever asks all the time takes the threads their turn.
+    # Waiting for events and not asking for them: constant polling takes processor time from the threads.
     alarm = QTimer()
     alarm.start(2)
     begin = perf_counter()

@@ -133,7 +133,7 @@ def measure(file: Path) -> dict[str, object]:
 
 
 def held_kb(process: int, file: str, name: str) -> float:
-    """Return what Linux tells of a process's memory, kB."""
+    """Return a process's memory as reported by Linux, kB."""
     text = Path(f"/proc/{process}/{file}").read_text()
     return float(next(line.split()[1] for line in text.splitlines() if line.startswith(f"{name}:")))
 

@@ -60,15 +60,15 @@ def test_the_angles(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(part, "STEPS", 3)
     monkeypatch.setattr(part, "designed", lambda: few)
     monkeypatch.setattr(part, "cook_torrance", lambda: some)
-    told: list[tuple[float, str]] = []
-    figures = finite(part.run(lambda share, what: told.append((share, what))), part)
+    reported: list[tuple[float, str]] = []
+    figures = finite(part.run(lambda share, what: reported.append((share, what))), part)
     assert figures["de00_worst_usual"] < 2.5 < figures["de00_worst"]
     assert figures["de00_at_measured"] < 0.2
     assert figures["de00_at_measured_cook_torrance"] < figures["de00_worst_cook_torrance"] < 7.0
     for key in ("de00_worst_usual", "de00_at_measured_cook_torrance", "de00_worst_cook_torrance"):
         assert part.BOUNDS[key][:2] == ("", None)
-    assert [share for share, _ in told] == sorted(share for share, _ in told)
-    assert any("table1_" in what for _, what in told)
+    assert [share for share, _ in reported] == sorted(share for share, _ in reported)
+    assert any("table1_" in what for _, what in reported)
 
 
 def test_the_basis(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -88,7 +88,7 @@ def test_the_basis(monkeypatch: pytest.MonkeyPatch) -> None:
         part.run(None)
 
 
-def test_the_parts_are_told_one_after_another_in_words(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_parts_are_reported_one_after_another_in_words(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = load_module(HERE / "bench_fit.py")
     for module in whole.PARTS:
 
@@ -98,12 +98,12 @@ def test_the_parts_are_told_one_after_another_in_words(monkeypatch: pytest.Monke
             return dict.fromkeys(module.BOUNDS, 1.0)
 
         monkeypatch.setattr(module, "run", run)
-    told: list[tuple[float, str]] = []
-    figures = whole.run(lambda share, what: told.append((share, what)))
+    reported: list[tuple[float, str]] = []
+    figures = whole.run(lambda share, what: reported.append((share, what)))
     assert set(figures) == set(whole.BOUNDS)
     titles = [module.TITLE for module in whole.PARTS]
-    assert [what for _, what in told] == [w for title in titles for w in (title, f"half of {title}")]
-    assert [share for share, _ in told] == [k / (2 * len(titles)) for k in range(2 * len(titles))]
+    assert [what for _, what in reported] == [w for title in titles for w in (title, f"half of {title}")]
+    assert [share for share, _ in reported] == [k / (2 * len(titles)) for k in range(2 * len(titles))]
 
 
 def test_the_comparison_of_limits_prints_its_tables() -> None:

@@ -51,9 +51,9 @@ def test_changes_run_what_they_reach_each_on_its_platform(
     assert "tests/qt/test_tasks.py" in rest
     assert not [word for word in rest if word.startswith(script.SCREEN)]
     assert "tests/appearance/test_spaces.py" not in rest
-    told = capsys.readouterr().out
-    assert "1 changed files reach" in told
-    assert "tests/qt/test_tasks.py" in told
+    printed = capsys.readouterr().out
+    assert "1 changed files reach" in printed
+    assert "tests/qt/test_tasks.py" in printed
 
 
 def test_without_a_change_nothing_runs(

@@ -45,7 +45,7 @@ def test_what_is_shipped_is_what_the_texts_give(checkout: Path, translate, tmp_p
     assert (tmp_path / "de.qm").read_bytes() == (translate.RELEASED / "de.qm").read_bytes()
 
 
-def test_faults_of_a_translation_are_told(translate, tmp_path: Path) -> None:
+def test_faults_of_a_translation_are_reported(translate, tmp_path: Path) -> None:
     path = tmp_path / "x.ts"
     path.write_text(
         "<TS><context><name/>"
