@@ -44,7 +44,7 @@ def choose_light(path: str | os.PathLike[str], headers: Sequence[ExrHeader]) -> 
                 return light
     known = _shown(", ".join(channel.name for header in flat for channel in header.channels))
     wanted = "R, G and B, or Y with or without RY and BY"
-    raise FileError(path, f"has the channels {known}; expected {wanted},", "channels")
+    raise FileError(path, f"has the channels {known}; expected {wanted}", "channels")
 
 
 def _shown(text: str) -> str:

@@ -204,7 +204,7 @@ def test_a_table_that_a_spreadsheet_saved_again_is_read(tmp_path: Path) -> None:
     [
         ("name,L_15,a_15,b_15\nx,1,2,nan\n", "line 2, column b_15", "finite number"),
         ("name,L_15,a_15,b_15\nx,1,2\n", "line 2, column b_15", "finite number"),
-        ("name,L_15,a_15,b_15\nx,1,2,3\n", "line 2, measurements", "from 3 to"),
+        ("name,L_15,a_15,b_15\nx,1,2,3\n", "line 2, measurements", "expected 3 to"),
         ("name,L_15,a_15,b_15\nx,1,2,3,4\n", "line 2", "more than 4 cells"),
         ("name,L_15,L_15\nx,1,2\n", "line 1", "twice"),
         ("name,illuminant,L_15,a_15,b_15\nx,A,1,2,3\n", "line 2", "without a spectrum"),

@@ -124,7 +124,7 @@ def test_bad_arrays_are_refused_by_name(shared_data: Path, tmp_path: Path) -> No
     rgb[0, 0, 0, 0, 0] = np.nan
     cases: dict[str, tuple[dict[str, Any], str]] = {
         "missing": ({"sigma": None}, "'sigma' is missing"),
-        "type": ({"ndf": good["ndf"].astype(np.float64)}, "'ndf': float32"),
+        "type": ({"ndf": good["ndf"].astype(np.float64)}, "'ndf': expected float32"),
         "zero density": ({"vndf": vndf}, "'vndf': the density of an incident direction is zero"),
         "negative density": ({"vndf": -good["vndf"]}, "'vndf': a density is negative"),
         "nan": ({"rgb": rgb}, "'rgb': holds a number that is not finite"),

@@ -302,7 +302,7 @@ def test_a_small_astm_file_by_hand(tmp_path: Path) -> None:
         ("R,G,B", "R,G", "line 4: the value columns"),
         (",phi_r", "", "line 4: VARS must name"),
         ("0.25,", "", "line 5: expected 7 numbers"),
-        ("0.25", "inf", "line 5: a finite number"),
+        ("0.25", "inf", "line 5: expected a finite number"),
     ],
 )
 def test_damaged_astm_files_name_the_place(tmp_path: Path, old: str, new: str, words: str) -> None:
@@ -331,9 +331,9 @@ def test_a_small_pgii_file_by_hand(tmp_path: Path) -> None:
     [
         ("#incident_angle 30 0\n", "", "no header names the incident angle"),
         ("BSDF", "XYZ", "#format names XYZ"),
-        ("60 180 0.5", "60 180", "line 4: theta, phi and one value"),
+        ("60 180 0.5", "60 180", "line 4: expected theta, phi and one value"),
         ("60 180 0.5", "260 180 1", "line 4: the direction"),
-        ("30 0\n", "x 0\n", "line 3: a finite number"),
+        ("30 0\n", "x 0\n", "line 3: expected a finite number"),
     ],
 )
 def test_damaged_pgii_files_name_the_place(tmp_path: Path, old: str, new: str, words: str) -> None:
