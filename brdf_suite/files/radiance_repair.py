@@ -57,7 +57,7 @@ def clip_negative(pixels: NDArray[np.float32]) -> tuple[NDArray[np.float32], lis
     count, total = int(negative.any(axis=2).sum()), pixels.shape[0] * pixels.shape[1]
     share = "all of them" if count == total else f"{min(100.0 * count / total, 99.0):.2g} %"
     lowest = float(pixels.min())
-    note = f"{_pixels(negative)} ({share}) had negative radiance, down to {lowest:.3g}; clamped to 0"
+    note = f"{_pixels(negative)} ({share}) held negative radiance, down to {lowest:.3g}; clamped to 0"
     return np.maximum(pixels, np.float32(0.0)), [note]
 
 

@@ -128,10 +128,10 @@ def test_bad_arrays_are_refused_by_name(shared_data: Path, tmp_path: Path) -> No
         "zero density": ({"vndf": vndf}, "'vndf': the density of an incident direction is zero"),
         "negative density": ({"vndf": -good["vndf"]}, "'vndf': a density is negative"),
         "nan": ({"rgb": rgb}, "'rgb': holds a number that is not finite"),
-        "falling": ({"theta_i": good["theta_i"][::-1].copy()}, "'theta_i': numbers rising"),
+        "falling": ({"theta_i": good["theta_i"][::-1].copy()}, "'theta_i': expected numbers rising"),
         "directions": ({"luminance": good["luminance"][:, :5].copy()}, "'luminance': the shape"),
         "channels": ({"rgb": good["rgb"][:, :, :2].copy()}, "'rgb': 2 channels"),
-        "thin": ({"sigma": good["sigma"][:1].copy()}, "'sigma': grids of at least 2 x 2"),
+        "thin": ({"sigma": good["sigma"][:1].copy()}, "'sigma': expected grids of at least 2 x 2"),
     }
     for name, (fields, words) in cases.items():
         path = tmp_path / f"{name}.bsdf"
