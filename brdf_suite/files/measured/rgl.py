@@ -52,7 +52,7 @@ def read_rgl(path: PathLike, options: ReadOptions | None = None) -> TensorReflec
     if channels > MOST_BANDS:
         fields.fail("wavelengths", f"{channels} bands are more than the {MOST_BANDS} allowed")
     if values.shape[2] != channels:
-        reason = f"expected {values.shape[2]} channels, where {channels}"
+        reason = f"{values.shape[2]} channels; expected {channels}"
         fields.fail("spectra" if spectral else "rgb", reason)
     own = _OWN - {"rgb"} if spectral else _OWN  # a file may hold both; the other one is kept
     description = fields.bytes_of("description").tobytes().decode("utf-8", "replace")
