@@ -219,6 +219,11 @@ class ViewerController(QObject):
         if self._complete and not self._finished and not self._awaits_parts:
             self._finished = True
             self.picture_finished.emit()
+            QTimer.singleShot(0, self, self._upload_rest)
+
+    def _upload_rest(self) -> None:
+        if self.drawer is not None:
+            self.window.picture.look(self.drawer.upload_rest)
 
     @property
     def _awaits_parts(self) -> bool:

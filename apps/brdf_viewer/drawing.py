@@ -53,6 +53,8 @@ class StageDrawer:
         self.angle_fits = AngleFits(stage)
         self.angle_fits.arrived.connect(stage.contents_changed)
         self._renderer = SceneRenderer(context, self.angle_fits.angles)
+        # The first picture waits for no map that it does not show; see upload_rest.
+        self._renderer.renderer.environment.on_demand = True
         self._uploads: dict[str, Callable[[Any], None]] = {
             "environment": self._renderer.set_environment,
             "surface": lambda mesh: self._renderer.set_surface(mesh, self._uploading.baked),
@@ -127,6 +129,10 @@ class StageDrawer:
         """Measure the exposure of what is drawn, for the stage to show it at; 0 EV where no object is seen."""
         if self._fit is not None:
             self._stage.metered_ev = automatic_ev(self._renderer.renderer, view, size) or 0.0
+
+    def upload_rest(self) -> None:
+        """Upload what the first picture did without, so that no edit waits for it."""
+        self._renderer.renderer.environment.write_all()
 
     def release(self) -> None:
         """Give every OpenGL object back."""

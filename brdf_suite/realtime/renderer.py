@@ -109,6 +109,11 @@ class Renderer(OffscreenPictures):
         return self._objects.counters
 
     @property
+    def environment(self) -> EnvironmentTextures:
+        """The environment's maps on the GPU."""
+        return self._environment
+
+    @property
     def objects(self) -> GpuObjects:
         """Where the objects of this context are made; :meth:`release` gives back those of others too."""
         return self._objects
