@@ -97,9 +97,8 @@ class EnvironmentTextures:
         # Light from anywhere is in the diffuse map everywhere.
         self.is_dark = not maps.diffuse.faces.any()
 
-    def write_all(self) -> None:
-        """Write the maps that no material has looked up yet, and from now on all of them at once."""
-        self.on_demand = False
+    def write_rest(self) -> None:
+        """Write the maps that no material has looked up yet."""
         for texture in self._textures:
             self._write(texture)
 
