@@ -16,7 +16,9 @@ from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.lighting.map_file import DamagedMapFileError
 from brdf_suite.lighting.packed_maps import pack_maps, read_packed_maps
 from brdf_suite.lighting.prefilter import LobeMaps, prefilter
-from brdf_suite.pipeline.scene import load_environment
+from brdf_suite.pipeline.any_fit import fit_any
+from brdf_suite.pipeline.picture import OffscreenScene
+from brdf_suite.pipeline.scene import load_environment, load_surface
 from brdf_suite.progress import Progress
 from brdf_suite.resources import resource_root
 
@@ -101,3 +103,19 @@ def test_a_damaged_file_is_said_and_its_maps_are_made(
     assert len(work) == 1
     assert "packaged maps" in prepared.notices[0]
     assert "Install brdf-suite again" in prepared.notices[0]
+
+
+def test_a_still_picture_uploads_only_the_maps_that_it_shows_and_looks_the_same() -> None:
+    prepared = load_environment(View().environment)
+    fit = fit_any("blue", errors=False)
+    uploads, pictures = [], []
+    for only in (True, False):
+        with OffscreenScene((1, 1)) as scene:
+            scene.renderer.only_needed = only
+            scene.set_environment(prepared)
+            scene.set_surface(load_surface("sphere"))
+            scene.set_paint_fit(fit)
+            pictures.append(scene.image(View(surface="sphere"), (64, 36)))
+            uploads.append(scene.counters.texture_uploads)
+    assert np.array_equal(*pictures)
+    assert uploads[0] <= uploads[1] - 3 * 6
