@@ -1,7 +1,7 @@
 """The eight paints of Table 1 of Günther et al. 2005, as the virtual instruments read them.
 
-Run in a checkout, it writes ``docs/table1.md``; ``brdf-suite bench measure --write`` puts :func:`readings` into
-``docs/measurements.md``. The figures are computed, nothing is copied::
+Run in a checkout, it writes ``docs/method/table1.md``; ``brdf-suite bench measure --write`` puts :func:`readings` into
+``docs/method/measurements.md``. The figures are computed, nothing is copied::
 
     python packaging/measure_table1.py [FILE]
 """
@@ -159,7 +159,7 @@ def page() -> str:
 
 def main() -> int:
     """Write to the file named on the command line, or into the docs."""
-    default = Path(__file__).resolve().parent.parent / "docs" / "table1.md"
+    default = Path(__file__).resolve().parent.parent / "docs" / "method" / "table1.md"
     path = Path(sys.argv[1]) if len(sys.argv) > 1 else default
     path.write_text(page(), encoding="utf-8")
     print(path)

@@ -1,4 +1,4 @@
-"""Draw the pictures of the rig in docs/acquisition.md: from above, and simulated photographs of it.
+"""Draw the pictures of the rig in docs/method/acquisition.md: from above, and simulated photographs of it.
 
 .venv/bin/python packaging/picture_acquisition_rig.py
 """

@@ -1,4 +1,4 @@
-"""Draw docs/images/measured_*.png and write docs/measured_errors.md: measured data against their lobes.
+"""Draw docs/images/measured_*.png and write docs/method/measured_errors.md: measured data against their lobes.
 
     python packaging/plot_measured_fits.py [DATA]
 
@@ -33,7 +33,7 @@ from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 IMAGES = Path(__file__).resolve().parent.parent / "docs" / "images"
-PAGE = IMAGES.parent / "measured_errors.md"
+PAGE = IMAGES.parent / "method" / "measured_errors.md"
 TEXT = """\
 # Errors of measured data as lobes
 

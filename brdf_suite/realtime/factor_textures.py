@@ -45,7 +45,7 @@ class FactorTextures:
     Parameters
     ----------
     layout
-        How maps over directions are kept; ``parabolic`` is both nearer to the numbers and faster (docs/viewer.md).
+        How maps over directions are kept; ``parabolic`` is both nearer to the numbers and faster (docs/use/viewer.md).
     store
         Of what numbers the textures are.
     """

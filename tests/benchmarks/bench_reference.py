@@ -27,7 +27,7 @@ NAME = "reference"
 
 _raytraced = load_module(Path(__file__).with_name("raytraced_figures.py"))
 
-#: The sixteen of docs/reference.md: from analytic fits of measured paints, and invented.
+#: The sixteen of docs/method/reference.md: from analytic fits of measured paints, and invented.
 DESIGNED = (
     "silver_metallic",
     "silver_metallic_2",
