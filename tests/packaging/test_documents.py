@@ -1,4 +1,4 @@
-"""Links between the documents resolve, the index lists every page, and the answers of where.md exist."""
+"""Links and named files of the documents exist, the index lists every page, and where.md answers with files."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 CODE_BLOCK = re.compile(r"^```.*?^```", re.DOTALL | re.MULTILINE)
 LINK = re.compile(r"\]\((?![a-z]+:)([^)\s]+)\)")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
+NAMED_FILE = re.compile(r"`((?:apps|brdf_suite|docs|packaging|resources|tests)/[\w./*-]+\.\w+)`")
 ANSWER = re.compile(r"^\| (Where .+\?) \| `([^`]+)` \|$", re.MULTILINE)
 
 
@@ -54,3 +55,13 @@ def test_where_md_answers_25_questions_with_files(checkout: Path) -> None:
     answers = ANSWER.findall((checkout / "docs" / "development" / "where.md").read_text(encoding="utf-8"))
     assert len({question for question, _ in answers}) == len(answers) == 25
     assert [path for _, path in answers if not (checkout / path).is_file()] == []
+
+
+def test_files_that_a_page_names_exist(checkout: Path) -> None:
+    missing = [
+        f"{page.name}: {path}"
+        for page in pages(checkout)
+        for path in NAMED_FILE.findall(page.read_text(encoding="utf-8"))
+        if not any(checkout.glob(path))
+    ]
+    assert missing == []
