@@ -15,7 +15,7 @@ _TITLE = """\
 Generated from `measurements.json` by `brdf-suite bench NAME --write` (`--all`: every benchmark). A figure is valid for
 the machine and day named; ratios are taken within one run. `packaging/insert_figures.py` copies figures to other pages.
 """
-_HEADER = "| figure | value | bound | kept | what it is |\n|---|---|---|---|---|"
+_HEADER = "| figure | value | bound | met | description |\n|---|---|---|---|---|"
 _COMPARE = {"<=": lambda value, bound: value <= bound, ">=": lambda value, bound: value >= bound}
 
 
