@@ -1,6 +1,6 @@
 """What flakes that can be counted are taken for, by every renderer: mirrors of aluminium, a little wavy.
 
-A paint's flakes lie in many layers; countable are those that can be seen one by one (docs/sparkle.md).
+A paint's flakes lie in many layers; countable are those that can be seen one by one (docs/method/sparkle.md).
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from brdf_suite.documents.paint import Flakes
 FLAKE_REFLECTANCE = 0.9
 """Of an aluminium flake, the usual one; published values of the metal are 0.87 to 0.92 over the visible."""
 FLAKE_WAVINESS = 0.01
-"""Radians: standard deviation of the tilt within one flake, which is no perfect mirror (docs/sparkle.md)."""
+"""Radians: standard deviation of the tilt within one flake, which is no perfect mirror (docs/method/sparkle.md)."""
 LARGEST_SHARE = 0.9
 """Of the base: finer flakes and pigment between them are never absent."""
 

@@ -27,7 +27,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Reconstruct a table of half-angle bins (Günther et al. 2005) from a folder with session.json and "
         "photographs: the camera's response, the sphere and the light are found from the photographs themselves. What "
         "is done is kept in OUT.work: stopped or killed, the same command goes on where it was, and the table comes "
-        "out the same. docs/acquisition.md describes the folder.",
+        "out the same. docs/use/acquisition.md describes the folder.",
     )
     command.add_argument("folder", metavar="DIR", type=Path, help="the session's folder, or its session.json")
     command.add_argument(

@@ -1,6 +1,6 @@
 """Where lobes are looked up: the table that ``brdf-suite shading-table`` makes, brought to the nodes of a ramp.
 
-What the table holds and how it is found is told in ``lighting/shading_table.py`` and docs/shading.md. Exponents above
+``lighting/shading_table.py`` and docs/method/shading.md describe the table and its computation. Exponents above
 the table's last are so sharp that a shift no longer matters: they are looked up at R with a closed amplitude.
 """
 
