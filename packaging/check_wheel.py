@@ -26,6 +26,7 @@ NEEDED = (
     "brdf_suite/_resources/meshes/speed_form.glb",
     "brdf_suite/_resources/environments/booth.exr",
     "brdf_suite/_resources/occlusion/",
+    "brdf_suite/_resources/lobe_maps/",
     "brdf_suite/_resources/colour/cie.csv",
     "brdf_suite/realtime/shaders/",
     "brdf_designer/__main__.py",

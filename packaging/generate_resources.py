@@ -1,8 +1,8 @@
-"""Write the packaged resources: paints, meshes, environments, and the occlusion of the first surface.
+"""Write the packaged resources: paints, meshes, environments, occlusion of the first surface, maps of the first light.
 
 Run without an argument for all of them, or name the kinds::
 
-    python packaging/generate_resources.py [paints] [meshes] [environments] [occlusion]
+    python packaging/generate_resources.py [paints] [meshes] [environments] [occlusion] [lobe_maps]
 
 Everything is computed, nothing is drawn at random without a fixed seed: the same code writes the same files.
 """
@@ -65,11 +65,34 @@ def occlusion(folder: Path) -> Iterator[Path]:
     yield path
 
 
+def lobe_maps(folder: Path) -> Iterator[Path]:
+    """Write the filtered maps of the light that a new user sees first, for a picture and for Designer's small one."""
+    from brdf_designer.preview_scene import LIGHT_WIDTH
+
+    from brdf_suite.lighting.cache import PACKAGED_ENDING, cache_key
+    from brdf_suite.lighting.packed_maps import pack_maps
+    from brdf_suite.lighting.prefilter import prefilter
+    from brdf_suite.pipeline.environments import read_environment
+    from brdf_suite.pipeline.scene import default_view, find_environment, narrowed
+    from brdf_suite.pipeline.shading_maps import map_exponents
+
+    for old in folder.glob(f"*{PACKAGED_ENDING}"):
+        old.unlink()
+    name, source = find_environment(default_view().environment)
+    light = read_environment(source)
+    for environment in (light, narrowed(light, LIGHT_WIDTH)):
+        key = cache_key(environment, map_exponents())
+        path = folder / f"{key}{PACKAGED_ENDING}"
+        path.write_bytes(pack_maps(prefilter(environment, map_exponents()), key, name))
+        yield path
+
+
 KINDS: dict[str, Callable[[Path], Iterator[Path]]] = {
     "paints": paints,
     "meshes": meshes,
     "environments": environments,
     "occlusion": occlusion,
+    "lobe_maps": lobe_maps,
 }
 
 

@@ -2,7 +2,7 @@
 
     python packaging/insert_figures.py [--check]
 
-A figure of docs/measurements.json stands in README.md, CONTRIBUTING.md or docs/*.md between a marker and its end:
+A figure of docs/method/measurements.json stands in README.md, CONTRIBUTING.md or docs/**/*.md between two markers:
 
     <!--figure edit.edit_overhead_median_ms-->1.8 ms<!--/-->
 
@@ -55,7 +55,7 @@ def figure(measurements: dict[str, Any], name: str, options: list[str]) -> str:
     bench, _, key = name.partition(".")
     row = measurements.get(bench, {}).get("figures", {}).get(key)
     if row is None:
-        raise MarkerError(f"docs/measurements.json has no figure {name!r}")
+        raise MarkerError(f"docs/method/measurements.json has no figure {name!r}")
     if row["value"] is None:
         raise MarkerError(f"the figure {name!r} was not measured")
     digits = int(options.pop(0)) if options and options[0].isdigit() else DIGITS
@@ -116,12 +116,14 @@ def filled(text: str, measurements: dict[str, Any], place: str) -> str:
 
 def documents(checkout: Path) -> list[Path]:
     """Return the documents that may hold markers."""
-    return [checkout / "README.md", checkout / "CONTRIBUTING.md", *sorted((checkout / "docs").glob("*.md"))]
+    return [checkout / "README.md", checkout / "CONTRIBUTING.md", *sorted((checkout / "docs").rglob("*.md"))]
 
 
 def insert_into_documents(checkout: Path, *, check: bool = False) -> list[Path]:
     """Fill every document's markers from ``checkout``'s measurements; return those that differed."""
-    measurements = json.loads((checkout / "docs" / "measurements.json").read_text(encoding="utf-8"))
+    measurements = json.loads(
+        (checkout / "docs" / "method" / "measurements.json").read_text(encoding="utf-8")
+    )
     different = []
     for path in documents(checkout):
         old = path.read_text(encoding="utf-8")
@@ -147,7 +149,7 @@ def main() -> int:
         return 1
     for path in different:
         print(
-            f"{path.relative_to(CHECKOUT)}: {'differs from' if check else 'renewed from'} docs/measurements.json"
+            f"{path.relative_to(CHECKOUT)}: {'differs from' if check else 'renewed from'} docs/method/measurements.json"
         )
     return 1 if check and different else 0
 

@@ -1,4 +1,4 @@
-"""Draw the pictures of the rig in docs/acquisition.md: from above, and simulated photographs of it.
+"""Draw the rig from above and simulated photographs of it, for docs/use/acquisition.md and docs/method/acquisition.md.
 
 .venv/bin/python packaging/picture_acquisition_rig.py
 """

@@ -1,4 +1,4 @@
-"""Draw the pictures of docs/colour_editing.md: Designer with six angles in LCh, and with a paint that cannot be.
+"""Draw the pictures of docs/use/colour_editing.md: Designer with six angles in LCh, and with a paint that cannot be.
 
 Run ``.venv/bin/python packaging/picture_colour.py``; they are written to docs/images/. The windows are real ones, on an
 X server without a screen, with fresh settings.

@@ -1,4 +1,4 @@
-"""Draw docs/images/comparison_*.png and print the figures of docs/comparison.md.
+"""Draw docs/images/comparison_*.png and print the figures of docs/method/comparison.md.
 
     python packaging/picture_comparison.py [--measured FILE] [--only sparkle|paints|models] [folder]
 

@@ -4,7 +4,7 @@
 
 DATA is the folder of measured files (default: ../shared/data/brdf). The paper's figure shows two lobes fitted to its
 Polaris Silber; the table here is simulated from its Table 1 with 3 % noise, since the measurement itself was never
-published. The figures in docs/cook_torrance_fit.md come from `brdf-suite bench acquisition --json`.
+published. The figures in docs/method/cook_torrance_fit.md come from `brdf-suite bench acquisition --json`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Draw the figures of docs/fit.md into docs/images: error over the number of lobes and over the number of samples.
+"""Draw the figures of docs/method/fit.md into docs/images: error over the numbers of lobes and of samples.
 
 Run in a checkout, with the development dependencies; a minute on two cores::
 
@@ -134,7 +134,7 @@ def plot_samples(count: int | None, path: Path) -> None:
 
 def main(argv: Sequence[str] | None = None) -> None:
     """Write the pictures."""
-    parser = argparse.ArgumentParser(description="Draw the figures of docs/fit.md.")
+    parser = argparse.ArgumentParser(description="Draw the figures of docs/method/fit.md.")
     parser.add_argument("folder", nargs="?", type=Path, default=CHECKOUT / "docs" / "images")
     parser.add_argument("--paints", type=int, default=None, help="use so many paints of the database only")
     given = parser.parse_args(argv)

@@ -1,4 +1,4 @@
-"""Draw the pictures of docs/shading.md: the three Fresnel modes, and the two forms of the look-up.
+"""Draw the pictures of docs/method/shading.md: the three Fresnel modes, and the two forms of the look-up.
 
 .venv/bin/python packaging/plot_shading.py
 """

@@ -1,4 +1,4 @@
-"""Take the pictures of the assistant "Acquire…" in docs/designer.md: the real window, on a session that is simulated.
+"""Take the pictures of the assistant "Acquire…" in docs/use/designer.md: the real window, on a simulated session.
 
 Run ``.venv/bin/python packaging/screenshots_acquire.py``; pictures are written to docs/images/ as ``acquire_*.png``.
 ``--theme``, ``--size``, ``--scale`` and ``--into`` make them elsewhere in another look. Settings are fresh ones. The

@@ -1,4 +1,4 @@
-"""Walk the path of docs/designer.md through the real Designer, by keys and clicks, and take a picture at each step.
+"""Walk the path of docs/use/designer.md through the real Designer, by keys and clicks, and take a picture at each step.
 
 Run ``.venv/bin/python packaging/screenshots_designer.py``; pictures are written to docs/images/ as
 ``designer_path_1.png`` and so on. ``--theme``, ``--size``, ``--scale`` and ``--into`` make them elsewhere in another

@@ -1,4 +1,4 @@
-"""Make the pictures of docs/lobe_visualizer.md: the real window, on an X server without a screen.
+"""Make the pictures of docs/use/lobe_visualizer.md: the real window, on an X server without a screen.
 
 Run ``.venv/bin/python packaging/screenshots_lobes.py [NAME …]``; they are written to docs/images/. ``--theme``,
 ``--size``, ``--scale`` and ``--into`` make them elsewhere in another look. Settings are fresh ones for every picture.

@@ -1,4 +1,4 @@
-"""Make the pictures of docs/color_swatch.md: the real program with 200 paints, on an X server without a screen.
+"""Make the pictures of docs/use/color_swatch.md: the real program with 200 paints, on an X server without a screen.
 
 Run ``.venv/bin/python packaging/screenshots_swatch.py [NAME …]``; pictures are written to docs/images/. Settings and
 cache are fresh ones. ``--size``, ``--theme``, ``--scale`` and ``--into`` make them elsewhere in another look.

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from brdf_suite.realtime.camera import Bounds
     from brdf_suite.realtime.context import Context
 
+_PREPARE_MS = 500
+"""After the first picture, when the window is there: what edits need is compiled then."""
 _LIGHT, _SHOWN = "preview/light", "preview/shown"
 
 
@@ -151,7 +153,8 @@ class PreviewControl(QObject):
 
     def _draw_later(self) -> None:
         """Plan the picture anew: while the hand moves, a slow one waits, and shows the newest when it rests."""
-        self._plan = list(self.pace.after_change())
+        # The first picture is for nothing but to be there soon: no draft before it.
+        self._plan = list(self.pace.after_change()) if self.drawn is not None else [(0, False)]
         self._drawing.start(self._plan[0][0])
 
     def _draw(self) -> None:
@@ -165,7 +168,14 @@ class PreviewControl(QObject):
         if self._plan:
             self._drawing.start(self._plan[0][0] - waited)
 
+    def _prepare_edits(self) -> None:
+        drawer, surface = self._drawer, self.panel.surface
+        if drawer is not None and surface is not None and not drawer.prepared:
+            surface.with_context(drawer.prepare_edits)
+
     def _time(self, milliseconds: float, typical: bool) -> None:
+        if self._drawer is not None and self._drawer.drawn is not None and not self._drawer.prepared:
+            QTimer.singleShot(_PREPARE_MS, self, self._prepare_edits)
         if typical and self._drawer is not None:
             self.pace.note(milliseconds, draft=self._drawer.draft)
 

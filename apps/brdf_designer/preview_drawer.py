@@ -49,6 +49,8 @@ class PreviewDrawer:
         self._scene: PreviewScene | None = None
         self._fit: PaintFit | None = None
         self.draft = False
+        self.prepared = False
+        """Whether all that an edit may ask for is uploaded and compiled, or will be with the next frame."""
 
     @property
     def bounds(self) -> Bounds | None:
@@ -75,6 +77,7 @@ class PreviewDrawer:
             self._angle_fits = AngleFits()
             self._angle_fits.arrived.connect(self._better)
             self._renderer = SceneRenderer(self._context, self._angle_fits.angles)
+            self._renderer.renderer.only_needed = not self.prepared
         uploads = scene is not self._scene
         if uploads:
             if self._scene is None or scene.surface is not self._scene.surface:
@@ -89,6 +92,12 @@ class PreviewDrawer:
         else:
             self._renderer.draw(view, framebuffer, size)
         return not uploads
+
+    def prepare_edits(self) -> None:
+        """Upload what the first picture did without, and compile it with the next frame, so that no edit waits."""
+        self.prepared = True
+        if self._renderer is not None:
+            self._renderer.renderer.only_needed = False
 
     def release(self) -> None:
         """Give every OpenGL object back."""

@@ -168,6 +168,8 @@ class ViewerController(QObject):
     def _make_drawer(self, context: Context) -> StageDrawer:
         self.drawer = StageDrawer(context, self.stage, self.window.surround, self._refused)
         self.tone.prepare(self.drawer)
+        if self._finished:  # in place of a context that was lost
+            QTimer.singleShot(0, self, self._prepare_edits)
         return self.drawer
 
     def _refused(self, kind: str, error: SuiteError) -> None:
@@ -219,6 +221,11 @@ class ViewerController(QObject):
         if self._complete and not self._finished and not self._awaits_parts:
             self._finished = True
             self.picture_finished.emit()
+            QTimer.singleShot(0, self, self._prepare_edits)
+
+    def _prepare_edits(self) -> None:
+        if self.drawer is not None:
+            self.window.picture.with_context(self.drawer.prepare_edits)
 
     @property
     def _awaits_parts(self) -> bool:

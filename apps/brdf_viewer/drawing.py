@@ -53,6 +53,9 @@ class StageDrawer:
         self.angle_fits = AngleFits(stage)
         self.angle_fits.arrived.connect(stage.contents_changed)
         self._renderer = SceneRenderer(context, self.angle_fits.angles)
+        # The first picture waits for no map and no program that it does not show; see prepare_edits.
+        self._renderer.renderer.only_needed = True
+        self._prepared = True
         self._uploads: dict[str, Callable[[Any], None]] = {
             "environment": self._renderer.set_environment,
             "surface": lambda mesh: self._renderer.set_surface(mesh, self._uploading.baked),
@@ -116,7 +119,9 @@ class StageDrawer:
             traced.render(shown, framebuffer, size)
         else:
             self._renderer.draw(shown, framebuffer, size)
-        return not any(uploads)
+        # A frame that compiles, too, tells nothing of the time that frames take.
+        prepared, self._prepared = self._prepared, True
+        return prepared and not any(uploads)
 
     def traced_light(self, size: tuple[int, int]) -> TracedLight | None:
         """Return what shows the traced picture where there is one of this size on the stage."""
@@ -127,6 +132,11 @@ class StageDrawer:
         """Measure the exposure of what is drawn, for the stage to show it at; 0 EV where no object is seen."""
         if self._fit is not None:
             self._stage.metered_ev = automatic_ev(self._renderer.renderer, view, size) or 0.0
+
+    def prepare_edits(self) -> None:
+        """Upload what the first picture did without, and compile it with the next frame, so that no edit waits."""
+        self._renderer.renderer.only_needed = False
+        self._prepared = False
 
     def release(self) -> None:
         """Give every OpenGL object back."""

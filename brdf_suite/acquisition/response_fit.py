@@ -4,7 +4,7 @@ The energy Σ w(y_ij)·(g(y_ij) - t_i x_j)² weighs each code by one over the va
 from the photographs themselves. Robertson, Borman and Stevenson (2003) minimize it by turns, one free value for each
 code; here g is a smooth curve (:mod:`.response_curve`) and the radiances x_j are eliminated, so that Gauss-Newton
 steps take both at once. OpenCV's ``CalibrateRobertson`` takes 8 bits only, and its free values are noisy where codes
-are rare; docs/acquisition.md has the figures of both.
+are rare; docs/method/acquisition.md has the figures of both.
 """
 
 from __future__ import annotations

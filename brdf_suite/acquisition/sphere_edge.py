@@ -158,19 +158,21 @@ def _offset(s: Floats, value: Floats, blur: float) -> tuple[float, float, float]
         return 0.0, math.inf, math.inf
     value = value / scale
 
-    def misfit(delta: float) -> tuple[float, Floats]:
-        columns = _columns((s - delta) / blur, blur)
-        gram = columns @ columns.T + 1e-10 * len(s) * np.eye(len(columns))
-        factors = np.asarray(np.linalg.solve(gram, columns @ value), float)
-        rest = value - factors @ columns
-        return float(rest @ rest), factors
+    def misfits(*deltas: float) -> tuple[list[float], Floats]:
+        """Return the misfit at each place, and the factors (4,) at the last."""
+        columns = _columns((s - np.array(deltas)[:, None]) / blur, blur)
+        gram = columns @ columns.transpose(0, 2, 1) + 1e-10 * len(s) * np.eye(columns.shape[1])
+        factors = np.linalg.solve(gram, columns @ value[:, None])
+        rest = value - (factors.transpose(0, 2, 1) @ columns)[:, 0]
+        sums: list[float] = np.einsum("ni,ni->n", rest, rest).tolist()
+        return sums, np.asarray(factors[-1, :, 0], float)
 
     tried = np.arange(-_REACH, _REACH + 0.01, 0.5)
-    sums = [misfit(float(t))[0] for t in tried]
+    sums = misfits(*tried)[0]
     centre, step = float(tried[int(np.argmin(sums))]), 0.25
     here = min(sums)
     for _ in range(9):
-        left, right = misfit(centre - step)[0], misfit(centre + step)[0]
+        left, right = misfits(centre - step, centre + step)[0]
         if left < here and left <= right:
             centre, here = centre - step, left
         elif right < here:
@@ -179,11 +181,11 @@ def _offset(s: Floats, value: Floats, blur: float) -> tuple[float, float, float]
             bend = left + right - 2.0 * here
             if bend > 0.0 and step < 0.1:
                 centre += 0.5 * step * (left - right) / bend
-                here = misfit(centre)[0]
+                here = misfits(centre)[0][0]
             step *= 0.5
     step = 0.1
-    bend = (misfit(centre - step)[0] + misfit(centre + step)[0] - 2.0 * here) / step**2
-    factors = misfit(centre)[1]
+    (before, after, _), factors = misfits(centre - step, centre + step, centre)
+    bend = (before + after - 2.0 * here) / step**2
     variance = here / max(len(s) - 5, 1)
     # The sphere is brighter than what is behind it: just inside, step and root together.
     if bend <= 0.0 or factors[1] + factors[2] + factors[3] <= 0.0:
@@ -192,14 +194,14 @@ def _offset(s: Floats, value: Floats, blur: float) -> tuple[float, float, float]
 
 
 def _columns(x: Floats, blur: float) -> Floats:
-    """Return 1, H₀, H½ and H₁ (4, n) at distances of x blurs inside the edge."""
+    """Return 1, H₀, H½ and H₁ (k, 4, n) at distances (k, n) of x blurs inside the edge."""
     from scipy.special import ndtr  # 0.1 s to import, needed here alone
 
     step = ndtr(x)
     ramp = x * step + np.exp(-0.5 * x * x) / math.sqrt(2.0 * math.pi)
     places, roots = _root_table()
     root = np.where(x > places[-1], np.sqrt(np.maximum(x, 0.0)), np.interp(x, places, roots))
-    return np.stack((np.ones_like(x), step, math.sqrt(blur) * root, blur * ramp))
+    return np.stack((np.ones_like(x), step, math.sqrt(blur) * root, blur * ramp), axis=1)
 
 
 @lru_cache(maxsize=1)

@@ -27,7 +27,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Reconstruct a table of half-angle bins (Günther et al. 2005) from a folder with session.json and "
         "photographs: the camera's response, the sphere and the light are found from the photographs themselves. What "
         "is done is kept in OUT.work: stopped or killed, the same command resumes where it stopped, with the same "
-        "table. docs/acquisition.md describes the folder.",
+        "table. docs/use/acquisition.md describes the folder.",
     )
     command.add_argument("folder", metavar="DIR", type=Path, help="the session's folder, or its session.json")
     command.add_argument(

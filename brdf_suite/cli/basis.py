@@ -57,7 +57,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--default",
         metavar="N",
         type=_number(1, 12),
-        help="the count to be the default; left out, the rule of docs/basis.md chooses",
+        help="the count to be the default; left out, the rule of docs/method/basis.md chooses",
     )
     command.add_argument("--fresh", action="store_true", help="forget what an interrupted search found")
     add_export(command)

@@ -23,7 +23,7 @@ from brdf_suite.progress import Progress
 
 _CHECKOUT = Path(__file__).resolve().parent.parent.parent
 _FOLDER = _CHECKOUT / "tests" / "benchmarks"
-_DOCS = _CHECKOUT / "docs"
+_DOCS = _CHECKOUT / "docs" / "method"
 _INSERT_FIGURES = _CHECKOUT / "packaging" / "insert_figures.py"
 
 
@@ -41,7 +41,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     command.add_argument(
         "--write",
         action="store_true",
-        help="write the figures into docs/measurements.json and .md, and into the documents",
+        help="write the figures into docs/method/measurements.json and .md, and into the documents",
     )
     command.set_defaults(run=run)
 

@@ -1,4 +1,4 @@
-"""Benchmark results: ``docs/measurements.json``, and ``docs/measurements.md``, which is generated from it."""
+"""Benchmark figures: ``docs/method/measurements.json``, and the page ``measurements.md`` generated from it."""
 
 from __future__ import annotations
 
@@ -12,11 +12,10 @@ from typing import Any
 _TITLE = """\
 # Measurements
 
-Made of `docs/measurements.json` by `brdf-suite bench NAME --write` (`--all` for all of them). The text of a section is
-its benchmark's own. A figure holds for the machine and day named; ratios are taken within one run. Where another page
-quotes a figure, `packaging/insert_figures.py` puts it there.
+Generated from `measurements.json` by `brdf-suite bench NAME --write` (`--all`: every benchmark). A figure is valid for
+the machine and day named; ratios are taken within one run. `packaging/insert_figures.py` copies figures to other pages.
 """
-_HEADER = "| figure | value | bound | kept | what it is |\n|---|---|---|---|---|"
+_HEADER = "| figure | value | bound | met | description |\n|---|---|---|---|---|"
 _COMPARE = {"<=": lambda value, bound: value <= bound, ">=": lambda value, bound: value >= bound}
 
 
@@ -132,7 +131,7 @@ def today() -> str:
 
 
 def renew_section(docs: Path, section: ReportSection) -> None:
-    """Replace, or add, one benchmark's figures in ``docs/measurements.json``, and write the page; others stay."""
+    """Replace, or add, one benchmark's figures in ``measurements.json`` and write the page; others stay."""
     path = docs / "measurements.json"
     kept = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
     kept[section.result.name] = section.to_json()
@@ -142,7 +141,7 @@ def renew_section(docs: Path, section: ReportSection) -> None:
 
 
 def page(docs: Path) -> str:
-    """Return the text of ``docs/measurements.md`` for the figures in ``docs/measurements.json``."""
+    """Return the text of ``measurements.md`` for the figures in ``measurements.json``."""
     kept = json.loads((docs / "measurements.json").read_text(encoding="utf-8"))
     sections = (ReportSection.from_json(name, section).markdown() for name, section in kept.items())
     return f"{_TITLE}\n" + "\n".join(sections)

@@ -123,7 +123,7 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         "--sparkle",
         choices=SPARKLE_MODES,
         default=None,
-        help=f"how the paint's flakes are drawn (default: {View().sparkle.mode}; docs/sparkle.md)",
+        help=f"how the paint's flakes are drawn (default: {View().sparkle.mode}; docs/method/sparkle.md)",
     )
     command.add_argument(
         "--no-fresnel", action="store_const", const="off", dest="fresnel", help="the same as --fresnel off"

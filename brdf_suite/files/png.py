@@ -25,6 +25,8 @@ _CODE_POINTS = {SRGB_SPACE.title: (1, 13), DISPLAY_P3_SPACE.title: (12, 13)}
 """Primaries and transfer curve by the numbers of ITU-T H.273, for the chunk cICP."""
 
 _COLOUR_TYPES = {1: 0, 3: 2, 4: 6}
+_LEVEL = 4
+"""Of zlib: a third of the time of its usual level, 6, for a file that is a tenth larger."""
 _FILTERED_BYTES = 8 << 20
 """Of rows that are filtered and packed at a time."""
 
@@ -83,7 +85,7 @@ def _write(
     metadata: Mapping[str, str],
     space: DisplaySpace | None,
 ) -> None:
-    packer = zlib.compressobj(6)
+    packer = zlib.compressobj(_LEVEL)
     kind: tuple[np.dtype[Any], int] | None = None
     done, above = 0, np.zeros(0, np.uint8)
     for strip in strips:

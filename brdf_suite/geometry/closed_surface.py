@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.geometry.components import connected_components
+
 _MERGED = 1e-5
 """Vertices that lie closer than this share of the surface's extent are one."""
 
@@ -23,9 +25,6 @@ def is_closed_outward(positions: NDArray[np.float32], triangles: NDArray[np.inte
     >>> is_closed_outward(corners, sides[1:])
     False
     """
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
     low = positions.min(axis=0)
     step = float((positions.max(axis=0) - low).max()) * _MERGED
     if not step > 0.0:
@@ -40,8 +39,7 @@ def is_closed_outward(positions: NDArray[np.float32], triangles: NDArray[np.inte
     forward, backward = (first * count + second)[real], (second * count + first)[real]
     if not np.array_equal(np.sort(forward), np.sort(backward)):
         return False
-    graph = coo_array((np.ones(len(first), np.int8), (first, second)), shape=(count, count))
-    whole, names = connected_components(graph, directed=False)
+    whole, names = connected_components(count, first, second)
     a, b, c = (positions[triangles].astype(np.float64) - low).transpose(1, 0, 2)
     volumes = np.bincount(names[corners[:, 0]], np.einsum("ij,ij->i", a, np.cross(b, c)), whole)
     return bool((volumes[np.unique(names[corners[:, 0]])] > 0.0).all())

@@ -9,6 +9,8 @@ program at the same work, a kill at any moment), the caller gets the maps; failu
   reading (:mod:`.map_file`, :mod:`.cache_folder`).
 - Programs that need the same entry are serialized by a lock (:mod:`.cache_lock`). A damaged entry is removed
   only by who holds it, so that no process removes what another has just rebuilt.
+- The maps of the default light come with the programs (``packaging/generate_resources.py lobe_maps`` writes them):
+  they are looked for first, under the same key, and are never copied into the user's folder.
 - Above the size limit the entries unused for longest are removed.
 """
 
@@ -27,12 +29,17 @@ from brdf_suite.lighting.cache_folder import ENDING, CacheCheck, CacheEntry
 from brdf_suite.lighting.cache_lock import exclusive_entry
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.map_file import FORMAT_VERSION, DamagedMapFileError, encode_maps, read_map_file
+from brdf_suite.lighting.packed_maps import read_packed_maps
 from brdf_suite.lighting.prefilter import ALGORITHM_VERSION, LobeMaps, Ready, background_size, prefilter
 from brdf_suite.progress import Progress, report
+from brdf_suite.resources import resource_root
 
 ENVIRONMENT_VARIABLE = "BRDF_SUITE_CACHE"
 LIMIT_VARIABLE = "BRDF_SUITE_CACHE_MB"
 DEFAULT_LIMIT_BYTES = 2 * 1024**3
+PACKAGED = "lobe_maps"
+"""The folder, among the resources, of the maps that come with the programs."""
+PACKAGED_ENDING = ".packedmaps"
 
 _log = logging.getLogger(__name__)
 
@@ -104,7 +111,9 @@ class MapCache:
         Only an unsound request or a cancelled ``progress`` raises.
         """
         key = cache_key(environment, exponents)
-        found = self._load(key, damaged_goes=False)
+        found = self._load_packaged(key)
+        if found is None:
+            found = self._load(key, damaged_goes=False)
         if found is None:
             waiting = exclusive_entry(
                 self.folder,
@@ -139,6 +148,19 @@ class MapCache:
     def verify(self, *, remove: bool = False, progress: Progress | None = None) -> CacheCheck:
         """Read every entry and compare its checksum; ``remove`` the damaged ones and what was left unfinished."""
         return cache_folder.check(self.folder, remove_damaged=remove, progress=progress, notice=self._notice)
+
+    def _load_packaged(self, key: str) -> LobeMaps | None:
+        """Return maps that come with the programs; None where these are not among them, or are damaged."""
+        path = resource_root() / PACKAGED / f"{key}{PACKAGED_ENDING}"
+        try:
+            return read_packed_maps(path, key)
+        except FileNotFoundError:
+            return None
+        except (DamagedMapFileError, OSError) as error:
+            self._notice(
+                f"The packaged maps {path} cannot be used ({error}); they are made again. Install brdf-suite again."
+            )
+            return None
 
     def _load(self, key: str, *, damaged_goes: bool) -> LobeMaps | None:
         """Return an entry; None where it is not there, or not to be used, which is reported when it is removed."""

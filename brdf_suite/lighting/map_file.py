@@ -49,9 +49,19 @@ def encode_maps(maps: LobeMaps, key: str, environment: str = "") -> list[bytes |
 
     ``key`` names what the maps were made from; ``environment`` is what the user calls it, for listings only.
     """
+    distinct, header = describe_maps(maps, key, environment)
+    payload = [np.ascontiguousarray(m.faces, dtype="<f2").data.cast("B") for m in distinct]
+    header["crc32"] = [zlib.crc32(block) for item in payload for block in _blocks(item)]
+    text = json.dumps(header).encode()
+    text += b" " * (-(_START + len(text)) % _ALIGN)
+    sizes = _SIZES.pack(_MAGIC, FORMAT_VERSION, len(text), sum(len(item) for item in payload))
+    return [sizes, hashlib.sha256(sizes + text).digest(), text, *payload]
+
+
+def describe_maps(maps: LobeMaps, key: str, environment: str) -> tuple[list[FaceArray], dict[str, Any]]:
+    """Return the distinct maps in the order of a file, and the header that says what each of them serves."""
     distinct = list({id(m): m for m in (maps.diffuse, maps.background, *maps.lobes)}.values())
     place = {id(m): index for index, m in enumerate(distinct)}
-    payload = [np.ascontiguousarray(m.faces, dtype="<f2").data.cast("B") for m in distinct]
     header = {
         "key": key,
         "environment": environment,
@@ -60,12 +70,8 @@ def encode_maps(maps: LobeMaps, key: str, environment: str = "") -> list[bytes |
         "diffuse": place[id(maps.diffuse)],
         "background": place[id(maps.background)],
         "maps": [{"size": m.size, "scale": m.scale} for m in distinct],
-        "crc32": [zlib.crc32(block) for item in payload for block in _blocks(item)],
     }
-    text = json.dumps(header).encode()
-    text += b" " * (-(_START + len(text)) % _ALIGN)
-    sizes = _SIZES.pack(_MAGIC, FORMAT_VERSION, len(text), sum(len(item) for item in payload))
-    return [sizes, hashlib.sha256(sizes + text).digest(), text, *payload]
+    return distinct, header
 
 
 def decode_maps(data: bytes, key: str) -> LobeMaps:
@@ -142,7 +148,7 @@ def _read(stream: _Stream, total: int, key: str) -> LobeMaps:
         sums = [int(number) for number in header["crc32"]]
         if sum(map(_map_bytes, sizes)) != total - _START - length:
             raise DamagedMapFileError("its maps have other sizes than its header says")
-        return _maps_of(header, _checked_maps(stream, sizes, sums))
+        return maps_of_header(header, _checked_maps(stream, sizes, sums))
     except (ValueError, KeyError, TypeError, IndexError, OverflowError, RecursionError) as error:
         raise DamagedMapFileError(f"its header is damaged ({error})") from error
 
@@ -180,7 +186,8 @@ def _checked_maps(stream: _Stream, sizes: list[int], sums: list[int]) -> list[ND
     return maps
 
 
-def _maps_of(header: dict[str, Any], faces: list[NDArray[np.float16]]) -> LobeMaps:
+def maps_of_header(header: dict[str, Any], faces: list[NDArray[np.float16]]) -> LobeMaps:
+    """Return the maps that a header of :func:`describe_maps` speaks of; ``faces`` in its order."""
     maps = [FaceArray(item, float(entry["scale"])) for item, entry in zip(faces, header["maps"], strict=True)]
     exponents = tuple(float(exponent) for exponent in header["exponents"])
     lobes = tuple(maps[index] for index in header["lobes"])

@@ -1,6 +1,6 @@
 """How far the real-time picture is from the path-traced one: paints in environments on a sphere, by effect.
 
-As docs/agreement.md has it: object pixels only, coat and Fresnel on, exposure such that the median luminance of the
+As in docs/method/agreement.md: object pixels only, coat and Fresnel on, exposure such that the median luminance of the
 object is 0.18, ΔE00 and FLIP (67 pixels per degree) after the same tone curve. Three errors are told apart:
 
 - the whole: the real-time picture against the paint itself, path-traced;

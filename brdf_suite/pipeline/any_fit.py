@@ -5,7 +5,7 @@ The weights are of one kind, whatever they were fitted to, and the renderer draw
 - A designed paint and a Cook-Torrance one are two layers, each fitted for itself (``reflectance.layers``).
 - What nothing divides is fitted as one (``fitting.lobes.undivided``).
 
-Errors are given where the fit did not look, as docs/measured_fits.md tells.
+Errors are given where the fit did not look, as docs/method/measured_fits.md tells.
 """
 
 from __future__ import annotations

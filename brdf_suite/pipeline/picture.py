@@ -160,6 +160,7 @@ class OffscreenScene(SceneRenderer):
         self._context = create_context()
         try:
             super().__init__(self._context)
+            self.renderer.only_needed = True
             self._size = size
             self._framebuffer = self._context.simple_framebuffer(size)
         except BaseException:

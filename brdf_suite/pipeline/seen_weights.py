@@ -3,7 +3,7 @@
 A designed paint is fitted in the plane of incidence at 45°, and Fresnel's equations take it to other angles. That is
 not enough for what is wide and does not look the same from everywhere: a facet lobe of Cook and Torrance is narrower
 across the plane than in it, by the cosine, so that a round lobe fitted in the plane sends 1.4 times too much to a view
-along the normal and a third at grazing (docs/shading.md has the figures); measured data follow no equation at all; and
+along the normal and a third at grazing (docs/method/shading.md); measured data follow no equation at all; and
 a paint read under several lights has another colour at each of them.
 
 So here the target at a view is T(ω) = f_r·(N·ω) over the whole half sphere, the columns are the look-ups themselves, as

@@ -1,7 +1,8 @@
 """Textures of one environment: the stack of broad lobes, a cube map per sharp lobe, diffuse, background.
 
 A map that serves several purposes (the background is the map of the lobes too sharp to be filtered) is uploaded
-once. A new environment of the same sizes is written into the textures that are there.
+once. A new environment of the same sizes is written into the textures that are there. Maps of sharp lobes can wait
+until a material asks for them: those are most of the bytes, and few paints look all of them up.
 """
 
 from __future__ import annotations
@@ -42,10 +43,19 @@ class _Map:
 
 
 class EnvironmentTextures:
-    """The textures of one environment, and the uniforms that describe them to the shader."""
+    """The textures of one environment, and the uniforms that describe them to the shader.
+
+    Attributes
+    ----------
+    on_demand
+        Whether a sharp lobe's map is written only when a material first looks it up, for a picture that is drawn
+        once, or for the first one; else :meth:`load` writes all, so that no edit waits for one.
+    """
 
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects
+        self.on_demand = False
+        self._unwritten: dict[int, CubeFaces] = {}
         self._textures: list[moderngl.TextureCube] = []
         self._stack = LobeStack(objects)
         self._diffuse: _Map | None = None
@@ -73,9 +83,11 @@ class EnvironmentTextures:
         if sizes != [texture.size[0] for texture in self._textures]:
             self._release_cubes()
             self._textures = [self._objects.cube(size) for size in sizes]
-        with graphics_errors(self._objects.context, "loading the environment's maps"):
-            for texture, faces in zip(self._textures, distinct.values(), strict=True):
-                self._write(texture, faces)
+        self._unwritten = dict(zip((t.glo for t in self._textures), distinct.values(), strict=True))
+        shared = {id(maps.diffuse.faces), id(maps.background.faces)}
+        for texture, identity in zip(self._textures, distinct, strict=True):
+            if identity in shared or not self.on_demand:
+                self._write(texture)
         self._stack.load(sorted(broad.items()))
         texture_of = dict(zip(distinct, self._textures, strict=True))
         diffuse, background, *others = (_Map(texture_of[id(faces.faces)], faces.scale) for faces in whole)
@@ -84,6 +96,11 @@ class EnvironmentTextures:
         self.exponents = maps.exponents
         # Light from anywhere is in the diffuse map everywhere.
         self.is_dark = not maps.diffuse.faces.any()
+
+    def write_rest(self) -> None:
+        """Write the maps that no material has looked up yet."""
+        for texture in self._textures:
+            self._write(texture)
 
     def bind(self) -> None:
         """Bind what all materials share and switch filtering across the edges of faces on."""
@@ -114,6 +131,7 @@ class EnvironmentTextures:
         lobes = []
         for unit, exponent in enumerate(exponents):
             own = self._sharp[exponent]
+            self._write(own.texture)
             own.texture.use(FIRST_SHARP_UNIT + unit)
             lobes.append((own.scale, own.level, exponent))
         lobes += [(0.0, 0.0, 1.0)] * (MAX_SHARP - len(lobes))
@@ -127,14 +145,19 @@ class EnvironmentTextures:
     def _release_cubes(self) -> None:
         for texture in self._textures:
             self._objects.release(texture)
-        self._textures = []
+        self._textures, self._unwritten = [], {}
 
-    def _write(self, texture: moderngl.TextureCube, faces: CubeFaces) -> None:
-        for face in range(6):
-            texture.write(face, np.ascontiguousarray(faces.faces[face]))
-        self._objects.counters.texture_uploads += 6
-        if faces.size >= MIPMAPPED_FROM:
-            texture.build_mipmaps()
-            texture.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
-        else:
-            texture.filter = (moderngl.LINEAR, moderngl.LINEAR)
+    def _write(self, texture: moderngl.TextureCube) -> None:
+        """Write a texture's map, where that has not been done."""
+        faces = self._unwritten.pop(texture.glo, None)
+        if faces is None:
+            return
+        with graphics_errors(self._objects.context, "loading the environment's maps"):
+            for face in range(6):
+                texture.write(face, np.ascontiguousarray(faces.faces[face]))
+            self._objects.counters.texture_uploads += 6
+            if faces.size >= MIPMAPPED_FROM:
+                texture.build_mipmaps()
+                texture.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
+            else:
+                texture.filter = (moderngl.LINEAR, moderngl.LINEAR)

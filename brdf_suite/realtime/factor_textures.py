@@ -45,7 +45,7 @@ class FactorTextures:
     Parameters
     ----------
     layout
-        How maps over directions are kept; ``parabolic`` is both nearer to the numbers and faster (docs/viewer.md).
+        Layout of maps over directions; ``parabolic`` is more accurate and faster (docs/method/factorization.md).
     store
         Of what numbers the textures are.
     """

@@ -1,7 +1,7 @@
 """Look-up table of ``brdf-suite shading-table``, resampled at the nodes of a ramp.
 
-What the table holds and how it is found is described in ``lighting/shading_table.py`` and docs/shading.md. Exponents
-above the table's last are so sharp that a shift no longer matters: they are looked up at R with a closed amplitude.
+``lighting/shading_table.py`` and docs/method/shading.md describe the table and its computation. Exponents above
+the table's last are so sharp that a shift no longer matters: they are looked up at R with a closed amplitude.
 """
 
 from __future__ import annotations

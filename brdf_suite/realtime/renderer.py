@@ -109,6 +109,17 @@ class Renderer(OffscreenPictures):
         return self._objects.counters
 
     @property
+    def only_needed(self) -> bool:
+        """Whether nothing is uploaded and compiled but for the next picture; else all that an edit may ask for."""
+        return self._environment.on_demand
+
+    @only_needed.setter
+    def only_needed(self, only: bool) -> None:
+        self._environment.on_demand = only
+        if not only:
+            self._environment.write_rest()
+
+    @property
     def objects(self) -> GpuObjects:
         """Factory of this context's objects; :meth:`release` also releases those created by others."""
         return self._objects
@@ -383,7 +394,7 @@ class Renderer(OffscreenPictures):
     def _warm_up(self, samples: int, features: Features) -> None:
         """Draw one triangle with each program: drivers finish compiling at the first draw, not in an edit."""
         key = (samples, self._mesh.generation, features)
-        if self._warm == key or not self._mesh.materials:
+        if self._warm == key or self.only_needed or not self._mesh.materials:
             return
         material = self._materials.find("neutral", Modes(), self._environment.ladder)
         material.ramp.use(RAMP_UNIT)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import moderngl
@@ -58,7 +59,9 @@ def compose(
         number = len(files)
         files.append(name)
         lines.append(f"#line {number * _LINES_PER_FILE + 1}")
-        for row, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        # A shader of the user's is read anew each time, since it may have been edited.
+        text = _shipped_text(name) if path.parent == SHADERS else path.read_text(encoding="utf-8")
+        for row, line in enumerate(text.splitlines(), 1):
             include = _INCLUDE.match(line)
             if include:
                 add(include.group(1), f", asked for by {name}, line {row}")
@@ -69,6 +72,12 @@ def compose(
 
     add(name, "")
     return ShaderSource("\n".join(lines) + "\n", tuple(files))
+
+
+@cache
+def _shipped_text(name: str) -> str:
+    """Return a shipped shader file, read once a process."""
+    return (SHADERS / name).read_text(encoding="utf-8")
 
 
 def look_up_defines(broad: int, sharp: int) -> dict[str, str]:

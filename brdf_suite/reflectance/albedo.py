@@ -32,7 +32,9 @@ def normal_albedo(reflectance: Reflectance) -> Floats:
     return np.asarray(weights @ reflectance.eval(_NORMAL, wo))
 
 
-def directional_albedo(reflectance: Reflectance, wi: npt.ArrayLike, azimuths: int = 64) -> Floats:
+def directional_albedo(
+    reflectance: Reflectance, wi: npt.ArrayLike, azimuths: int = 64, first: float = 0.5
+) -> Floats:
     """Return the share (..., 3) of light from ``wi`` (..., 3) that is reflected: ∫ f_r(wi, wo) cosθo dωo.
 
     By quadrature over the half vector, in rings about the normal that narrow towards it (dωo = 4 wi·h dωh): mirror
@@ -42,16 +44,21 @@ def directional_albedo(reflectance: Reflectance, wi: npt.ArrayLike, azimuths: in
     ----------
     azimuths
         Points on each ring; an anisotropic streak needs more than the default.
+    first
+        Where the first of them lies, 0 to 1 of a step; the mean of the results for 0 and for 0.5 is that of twice
+        as many azimuths on the same rings.
     """
-    return _integral(reflectance, wi, azimuths, given_light=True)
+    return _integral(reflectance, wi, azimuths, first, given_light=True)
 
 
-def white_furnace(reflectance: Reflectance, wo: npt.ArrayLike, azimuths: int = 64) -> Floats:
+def white_furnace(
+    reflectance: Reflectance, wo: npt.ArrayLike, azimuths: int = 64, first: float = 0.5
+) -> Floats:
     """Return the radiance (..., 3) towards ``wo`` (..., 3) under light of 1 from everywhere: ∫ f_r cosθi dωi.
 
-    Equal to :func:`directional_albedo` where the reflectance is reciprocal.
+    Equal to :func:`directional_albedo` where the reflectance is reciprocal; ``azimuths`` and ``first`` as there.
     """
-    return _integral(reflectance, wo, azimuths, given_light=False)
+    return _integral(reflectance, wo, azimuths, first, given_light=False)
 
 
 def hemispherical_albedo(reflectance: Reflectance, azimuths: int = 32) -> Floats:
@@ -65,13 +72,15 @@ def hemispherical_albedo(reflectance: Reflectance, azimuths: int = 32) -> Floats
     return np.asarray(0.5 * shares @ directional_albedo(reflectance, wi, azimuths))
 
 
-def _integral(reflectance: Reflectance, fixed: npt.ArrayLike, azimuths: int, *, given_light: bool) -> Floats:
+def _integral(
+    reflectance: Reflectance, fixed: npt.ArrayLike, azimuths: int, first: float, *, given_light: bool
+) -> Floats:
     fixed = np.asarray(fixed, float)
     out = np.empty(fixed.shape)
     for index in np.ndindex(fixed.shape[:-1]):
         one = fixed[index]
         half, solid = _rings(
-            azimuths * _refinement(float(one[2])), min(_WIDEST_RING, _RING_TIMES_AZIMUTHS / azimuths)
+            azimuths * _refinement(float(one[2])), min(_WIDEST_RING, _RING_TIMES_AZIMUTHS / azimuths), first
         )
         other, dot = mirror_at(one, half), half @ one
         up = (other[:, 2] > 0.0) & (dot > 0.0)
@@ -87,7 +96,7 @@ def _refinement(cosine: float) -> int:
 
 
 @cache
-def _rings(azimuths: int, widest: float) -> tuple[Floats, Floats]:
+def _rings(azimuths: int, widest: float, first: float) -> tuple[Floats, Floats]:
     """Half vectors (n, 3) above the horizon, and their solid angles (n,)."""
     edges = [0.0, _NARROWEST_RING]
     while edges[-1] < 0.5 * math.pi:
@@ -97,7 +106,7 @@ def _rings(azimuths: int, widest: float) -> tuple[Floats, Floats]:
     low, high = np.array(edges[:-1])[:, None], np.array(edges[1:])[:, None]
     theta = (0.5 * (low + high) + 0.5 * (high - low) * nodes).ravel()
     weight = (0.5 * (high - low) * shares).ravel() * np.sin(theta) * (2.0 * math.pi / azimuths)
-    phi = (np.arange(azimuths) + 0.5) * (2.0 * math.pi / azimuths)
+    phi = (np.arange(azimuths) + first) * (2.0 * math.pi / azimuths)
     return spherical(theta[:, None], phi).reshape(-1, 3), np.repeat(weight, azimuths)
 
 

@@ -167,23 +167,22 @@ def check_reflectance(
 
 
 def _settled(
-    integral: Callable[[Reflectance, Floats, int], Floats], reflectance: Reflectance, light: Floats
+    integral: Callable[[Reflectance, Floats, int, float], Floats], reflectance: Reflectance, light: Floats
 ) -> Floats:
     """Return an albedo (k, 3), with more azimuths at each direction until more of them change nothing.
 
     The integrals' rings follow a highlight at the mirror direction; a peak elsewhere, as of a tape that sends light
     back to the lamp, falls between few azimuths.
     """
-    found = integral(reflectance, light, _FEWEST_AZIMUTHS)
+    few = integral(reflectance, light, _FEWEST_AZIMUTHS, 0.5)
+    found: Floats = 0.5 * (few + integral(reflectance, light, _FEWEST_AZIMUTHS, 0.0))
     for row, direction in enumerate(light):
-        azimuths = _FEWEST_AZIMUTHS
-        while azimuths < _MOST_AZIMUTHS:
+        azimuths, change = 2 * _FEWEST_AZIMUTHS, float(np.abs(found[row] - few[row]).max())
+        while change > _SETTLED and azimuths < _MOST_AZIMUTHS:  # nor does it settle where it is not a number
             azimuths *= 2
-            finer = integral(reflectance, direction, azimuths)
+            finer = integral(reflectance, direction, azimuths, 0.5)
             change = float(np.abs(finer - found[row]).max())
             found[row] = finer
-            if not change > _SETTLED:  # nor does it settle where it is not a number
-                break
     return found
 
 

@@ -78,7 +78,9 @@ class PartGeometry:
 
     def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return the lowest and the highest corner, (3,) each, metres, of the vertices that triangles use."""
-        used = self.positions[np.unique(self.triangles)].astype(np.float64)
+        is_used = np.zeros(len(self.positions), bool)
+        is_used[self.triangles.ravel()] = True
+        used = self.positions[is_used].astype(np.float64)
         return used.min(axis=0), used.max(axis=0)
 
     def _place(self, field: str) -> str:

@@ -27,7 +27,12 @@ def weld(positions: Float64) -> Int64:
     size = float(np.ptp(positions, axis=0).max())
     step = size * 1e-6 if size > 0.0 else 1.0
     cells = np.round((positions - positions.min(axis=0)) / step).astype(np.int64)
-    return np.unique(cells, axis=0, return_inverse=True)[1].reshape(-1)
+    return np.unique(packed(cells), return_inverse=True)[1].reshape(-1)
+
+
+def packed(cells: Int64) -> Int64:
+    """Return one number (n,) for each row of three in [0, 2²¹), in their order; numpy sorts rows much more slowly."""
+    return np.asarray((cells[:, 0] << 42) | (cells[:, 1] << 21) | cells[:, 2])
 
 
 def corner_angles(positions: Float64, triangles: Int64) -> Float64:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.surface.mesh import PartGeometry
-from brdf_suite.surface.normals import corner_normals, face_normals, is_inside_out, weld
+from brdf_suite.surface.normals import corner_normals, face_normals, is_inside_out, packed, weld
 from brdf_suite.surface.unwrap import box_uvs, uvs_in_millimetres
 
 Float64 = NDArray[np.float64]
@@ -146,8 +146,13 @@ def split_corners(
 
     Returns positions, triangles, normals and, for each new vertex, the old one.
     """
-    keys = np.concatenate([triangles.reshape(-1, 1), np.round(corners.reshape(-1, 3) * 1e6)], axis=1)
-    keys = keys.astype(np.int64)
-    _, first, flat = np.unique(keys, axis=0, return_index=True, return_inverse=True)
-    kept = triangles.reshape(-1)[first]
-    return positions[kept], flat.reshape(-1, 3), corners.reshape(-1, 3)[first], kept
+    vertices, normals = triangles.reshape(-1), corners.reshape(-1, 3)
+    facing = packed(np.round(normals * 1e6).astype(np.int64) + 1_000_000)
+    order = np.lexsort((facing, vertices))
+    starts = np.ones(len(order), np.bool_)
+    starts[1:] = (np.diff(vertices[order]) != 0) | (np.diff(facing[order]) != 0)
+    flat = np.empty(len(order), np.int64)
+    flat[order] = np.cumsum(starts) - 1
+    first = order[starts]
+    kept = vertices[first]
+    return positions[kept], flat.reshape(-1, 3), normals[first], kept

@@ -53,24 +53,24 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "",
         "kd, ks and m of the eight paints of Table 1 from tables with 3 % noise: median relative error",
     ),
-    "table1_worst_error": ("<=", None, "", "the largest of these errors"),
-    "table1_exact_worst_error": ("<=", None, "", "the largest from tables without noise"),
+    "table1_worst_error": ("<=", None, "", "largest of these errors"),
+    "table1_exact_worst_error": ("<=", None, "", "largest error from tables without noise"),
     "fit_full_table_s": (
         "<=",
         10.0,
         "s",
-        "three lobes to a 90 × 90 × 180 RGB table with noise, and the errors over every bin; median of 3",
+        "fit of three lobes to a noisy 90 × 90 × 180 RGB table, with errors over every bin; median of 3",
     ),
     "ct3_log_rms": (
         "<=",
         None,
         "",
-        "RMS of ln(fit/measured) of three Cook-Torrance lobes where the fit did not look, mean of cayman, krylon blue "
-        "and vch golden yellow",
+        "RMS of ln(fit/measured) of three Cook-Torrance lobes at unfitted samples, mean of cayman, krylon blue and "
+        "vch golden yellow",
     ),
-    "ggx3_log_rms": ("<=", None, "", "the same of three lobes of GGX"),
-    "ggx_clearcoat_log_rms": ("<=", None, "", "the same of two lobes of GGX under a clearcoat"),
-    "lobe_fit_log_rms": ("<=", None, "", "the same of the cosine lobes that a picture is made of"),
+    "ggx3_log_rms": ("<=", None, "", "the same for three lobes of GGX"),
+    "ggx_clearcoat_log_rms": ("<=", None, "", "the same for two lobes of GGX under a clearcoat"),
+    "lobe_fit_log_rms": ("<=", None, "", "the same for the cosine lobes of the real-time picture"),
 }
 NOTES: dict[str, str] = {}
 TABLES: dict[str, dict[str, object]] = {}
@@ -149,7 +149,7 @@ def full_table_seconds(repeats: int = REPEATS) -> float:
         times.append(perf_counter() - start)
         busy.append(process_time() - used)
     NOTES["fit_full_table_s"] = (
-        f"{found.fit.samples:,} bins for the solver, {found.errors.values:,} values judged; "
+        f"{found.fit.samples:,} bins for the solver, {found.errors.values:,} values compared; "
         f"{median(busy):.1f} s of processor time"
     )
     return median(times)

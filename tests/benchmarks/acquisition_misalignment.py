@@ -26,17 +26,17 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "<=",
         1.5,
         "",
-        "lamp 0.5° and sphere 2 pixels off: median error of the table after refinement, over that of an aligned rig",
+        "lamp 0.5° and sphere 2 pixels off: median table error after refinement, relative to an aligned rig",
     ),
     "unrefined_ratio": ("<=", None, "", "the same without refinement"),
-    "misaligned_centre_px": ("<=", None, "pixels", "the sphere's centre after refinement, off by"),
+    "misaligned_centre_px": ("<=", None, "pixels", "error of the sphere's centre after refinement"),
     "misaligned_light_deg": (
         "<=",
         None,
         "°",
-        "directions to the lamp after refinement, off by at most, all angles",
+        "largest error of lamp directions after refinement, all angles",
     ),
-    "highlight_rms_px": ("<=", None, "pixels", "highlights after refinement, root mean square"),
+    "highlight_rms_px": ("<=", None, "pixels", "highlight residuals after refinement, root mean square"),
 }
 NOTES: dict[str, str] = {}
 
@@ -74,7 +74,7 @@ def median_error(table: IsotropicTable, simulator: Simulator) -> float:
 def centre_and_light(geometry: RigGeometry, simulator: Simulator) -> tuple[float, float]:
     """Return by how much the sphere's centre is off in the picture, pixels, and the lamp at most, degrees.
 
-    The lamp's direction is reported from the sphere, against that to the camera: a lens whose middle is not well known
+    The lamp's direction is taken at the sphere, against that to the camera: a lens whose middle is not well known
     turns the camera's frame, and changes neither.
     """
     distance = simulator.settings.camera_distance_m

@@ -27,17 +27,17 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "<=",
         0.02,
         "",
-        "simulated rig: response of the camera, RMS of ln exposure over codes 1 … 98 % of full scale, worst channel",
+        "simulated rig: camera response, RMS of ln exposure over codes 1 … 98 % of full scale, worst channel",
     ),
-    "response_8_bit_rms": ("<=", None, "", "the same of 8-bit photographs"),
+    "response_8_bit_rms": ("<=", None, "", "the same for 8-bit photographs"),
     "response_8_bit_opencv_rms": ("<=", None, "", "OpenCV's CalibrateRobertson on the same 8-bit pixels"),
     "response_by_turns_rms": (
         "<=",
         None,
         "",
-        "the 12-bit pixels by Robertson's turns, one free value for each code",
+        "12-bit pixels by Robertson's iteration, one free value per code",
     ),
-    "merge_s": ("<=", None, "s", "16 exposures of 1024 × 1024 RGB of 16-bit files merged, best of 5"),
+    "merge_s": ("<=", None, "s", "merging 16 exposures of 1024 × 1024 RGB, 16-bit files, best of 5"),
     "merge_variance_ratio": (
         "<=",
         None,
@@ -151,7 +151,7 @@ def figures(progress: Progress | None = None) -> dict[str, float]:
         NOTES["response_8_bit_opencv_rms"] = "OpenCV is not installed"
     else:
         found["response_8_bit_opencv_rms"] = eight.rms(opencv)
-        NOTES["response_8_bit_opencv_rms"] = "it takes no other bits than 8"
+        NOTES["response_8_bit_opencv_rms"] = "supports 8 bits only"
     report(progress, 0.7, "merge")
     found |= merging()
     return found

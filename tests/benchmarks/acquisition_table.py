@@ -35,17 +35,17 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "measured bins below 75°",
     ),
     "table_p95_error": ("<=", None, "", "the same, 95th percentile"),
-    "table_filled_error": ("<=", None, "", "median relative error of the bins that were filled, below 75°"),
-    "table_covered": (">=", None, "", "share of the bins below 75° that was measured"),
-    "table_linear_error": ("<=", None, "", "θh < 3°, filled and blended: median error of linear θh"),
-    "table_traditional_error": ("<=", None, "", "the same of θi, θo, Δφ"),
-    "table_half_angle_error": ("<=", None, "", "the same of the layout that is kept"),
+    "table_filled_error": ("<=", None, "", "median relative error of filled bins, below 75°"),
+    "table_covered": (">=", None, "", "share of measured bins below 75°"),
+    "table_linear_error": ("<=", None, "", "θh < 3°, filled and interpolated: median error of linear θh"),
+    "table_traditional_error": ("<=", None, "", "the same for θi, θo, Δφ"),
+    "table_half_angle_error": ("<=", None, "", "the same for the stored layout"),
     "reconstruct_s": ("<=", 300.0, "s", "1024 × 1024 × 16 × 180, after decoding"),
     "reconstruct_memory_mb": (
         "<=",
         3072.0,
         "MB",
-        "largest resident size of the process that does so, the simulator in it",
+        "peak resident size of that process, including the simulator",
     ),
 }
 NOTES: dict[str, str] = {}
@@ -114,16 +114,14 @@ def _timed() -> dict[str, float | None]:
     done = subprocess.run([sys.executable, __file__], capture_output=True, text=True, check=False)
     if done.returncode:
         raise SuiteError(f"The timed reconstruction failed: {done.stderr.strip().splitlines()[-1:]}")
-    reported = json.loads(done.stdout)
+    timings = json.loads(done.stdout)
     NOTES["reconstruct_s"] = (
-        f"{TIMED_POSITIONS} positions measured, their time a position taken for 180, and for the "
-        f"{reported['before']} that the calibration reads before"
+        f"{TIMED_POSITIONS} positions measured, scaled to 180 and the {timings['before']} that the calibration reads"
     )
     NOTES["reconstruct_memory_mb"] = (
-        f"{TIMED_POSITIONS} positions; nothing is kept of a position but its sums, and of the calibration's "
-        "at most 600 MB"
+        f"{TIMED_POSITIONS} positions; only sums of positions are kept, and at most 600 MB for calibration"
     )
-    return {"reconstruct_s": reported["seconds"], "reconstruct_memory_mb": reported["memory_mb"]}
+    return {"reconstruct_s": timings["seconds"], "reconstruct_memory_mb": timings["memory_mb"]}
 
 
 def timed() -> dict[str, float]:

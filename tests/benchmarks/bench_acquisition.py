@@ -1,4 +1,4 @@
-"""From photographs of a painted sphere to a paint: the simulated rig reconstructed, its parts, and the fit."""
+"""Acquisition from photographs of a painted sphere: reconstruction of a simulated rig, its steps, and the fit."""
 
 from __future__ import annotations
 

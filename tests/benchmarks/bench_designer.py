@@ -1,7 +1,7 @@
-"""From a slider's mouse event to the numbers and patches of Designer: set, and painted.
+"""Time from a slider's mouse event to painted numbers and patches in Designer.
 
-A drag of 600 steps in the real window with all its parts, in a process of its own on Qt's offscreen platform. The first
-30 steps, in which caches fill, do not count. Slow work is done at idle; its longest pieces are reported beside.
+A drag of 600 steps in the real window with all parts, in a separate process on Qt's offscreen platform. The first 30
+steps, which fill caches, are excluded. Slow work runs at idle; its longest pieces are listed.
 """
 
 from __future__ import annotations
@@ -20,25 +20,25 @@ BOUNDS = {
         "<=",
         5.0,
         "ms",
-        "slider event to numbers and patches set and painted, median of a drag",
+        "slider event to painted numbers and patches, median of a drag",
     ),
     "update_p99_ms": ("<=", 12.0, "ms", "the same, 99th percentile"),
-    "update_cpu_median_ms": ("", None, "ms", "the processor's time of it on the window's thread, median"),
+    "update_cpu_median_ms": ("", None, "ms", "its processor time on the window's thread, median"),
     "update_cpu_p99_ms": ("", None, "ms", "the same, 99th percentile"),
     "followed_median_ms": (
         "",
         None,
         "ms",
-        "slider event until strip, curves and the fit's figures in the status bar are painted too, median",
+        "slider event until strip, curves and the fit figures in the status bar are also painted, median",
     ),
     "followed_p99_ms": ("", None, "ms", "the same, 99th percentile"),
-    "values_median_ms": ("", None, "ms", "the part of it until all values are set, before the painting"),
-    "idle_median_ms": ("", None, "ms", "a piece of the work that is done once the edits pause"),
-    "idle_max_ms": ("", None, "ms", "the longest of them: what an event that comes just then waits for"),
+    "values_median_ms": ("", None, "ms", "the part until all values are set, before painting"),
+    "idle_median_ms": ("", None, "ms", "one piece of the idle work"),
+    "idle_max_ms": ("", None, "ms", "the longest piece: the delay of an event at that moment"),
 }
 NOTES = {
     "update_median_ms": "strip and curves follow in the next turn of the event loop: followed_median_ms",
-    "update_p99_ms": "without the small picture, which this platform cannot draw",
+    "update_p99_ms": "without the preview, which this platform cannot draw",
 }
 _WARM_UP = 30
 

@@ -1,7 +1,7 @@
-"""From an edit of the paint to the finished frame.
+"""Time from an edit of the paint to the finished frame.
 
-One slider is dragged: a new Paint, its reflectance, the linear program, the weights in the GL buffer, the
-frame, glFinish. The same frame is drawn again unchanged; the difference of the two is the overhead.
+A slider drag: new Paint, reflectance, linear program, weights in the GL buffer, frame, glFinish. The same frame is then
+drawn again unchanged; the difference is the overhead.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ import numpy as np
 
 NAME = "edit"
 BOUNDS = {
-    "edit_overhead_median_ms": ("<=", 5.0, "ms", "edit to finished frame, minus the draw itself, median"),
+    "edit_overhead_median_ms": ("<=", 5.0, "ms", "edit to finished frame, minus drawing, median"),
     "edit_overhead_p99_ms": ("", None, "ms", "the same, 99th percentile"),
-    "frame_median_ms": ("", None, "ms", "the draw itself, speed form in the booth, 320×180, 4× MSAA"),
+    "frame_median_ms": ("", None, "ms", "drawing, speed form in the booth, 320×180, 4× MSAA"),
 }
 STEPS = 300
 SIZE = (320, 180)

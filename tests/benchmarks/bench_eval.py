@@ -1,4 +1,4 @@
-"""How fast reflectances are loaded and evaluated, and how much light the models send back; 10⁶ direction pairs."""
+"""Speed of loading and evaluating reflectances, and albedo of the models; 10⁶ direction pairs."""
 
 from __future__ import annotations
 
@@ -26,8 +26,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "<=",
         0.3,
         "s",
-        "35 MB MERL file, a tenth of it holes beside those below the horizon, to a table: conversion and filling, "
-        "median of 5",
+        "35 MB MERL file, a tenth of it holes above the horizon, to a table: conversion and filling, median of 5",
     ),
     "table_eval_1e6_s": ("<=", 0.3, "s", "eval of that table on 10⁶ pairs, median of 5"),
     "ct3_eval_1e6_s": ("<=", 0.15, "s", "eval of Cook-Torrance with three lobes on 10⁶ pairs, median of 5"),
@@ -85,7 +84,7 @@ def largest_albedo(progress: Progress | None) -> float:
             "white_furnace": checked.furnace.tolist(),
         }
         albedo = float(max(checked.albedo.max(), checked.furnace.max()))
-        shown.append(f"{name} {albedo:.3f}" + ("" if entry.energy_conserving else " (claims nothing)"))
+        shown.append(f"{name} {albedo:.3f}" + ("" if entry.energy_conserving else " (no claim)"))
         if entry.energy_conserving:
             largest = max(largest, albedo)
     NOTES["check"] = "largest directional albedo or white furnace of each: " + ", ".join(shown)

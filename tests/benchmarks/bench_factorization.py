@@ -1,4 +1,4 @@
-"""Homomorphic factorization: how near it comes (Table 1 of McCool, Ang and Ahmad 2001), and how long it takes."""
+"""Homomorphic factorization: accuracy (Table 1 of McCool, Ang and Ahmad 2001) and time."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         ">=",
         None,
         "dB",
-        "the same by LSMR from coarse to fine; within .2 dB of the direct answer",
+        "the same by LSMR from coarse to fine; within .2 dB of the direct solution",
     ),
     "snr_16_db": (">=", None, "dB", "the same at 16×16 (the paper: 13.30)"),
     "snr_naive_db": (">=", None, "dB", "averaged projection at 16×16 (the paper: 9.08)"),
     "time_32_s": ("<=", 0.5, "s", "57,600 samples, 32×32, RGB, median of 5"),
     "merl_64_s": ("<=", 30.0, "s", "every bin of a 90 × 90 × 180 table of Polaris Silver, 64×64, RGB"),
-    "memory_mb": ("<=", 1536.0, "MB", "largest resident size of the process after that"),
-    "snr_gap_db": ("<=", 0.2, "dB", "by how much LSMR's answer is farther than the direct one"),
+    "memory_mb": ("<=", 1536.0, "MB", "peak resident size of the process after that"),
+    "snr_gap_db": ("<=", 0.2, "dB", "loss of LSMR against the direct solution"),
     **_held_out.BOUNDS,
     **_shading.BOUNDS,
 }

@@ -1,10 +1,9 @@
-"""What a new user waits for: set-up, first picture and first window from an empty home folder, and what is installed.
+"""First run for a new user: set-up, first picture and first window from an empty home folder, and installed size.
 
-The wheel is built and installed, with the locked packages and without extras, into an environment of its own, and its
-bytecode compiled, as pip does. Each program runs as a process with a home folder and caches that begin empty; times
-are from the start of the process to its end, of a window to its `finished_s`. Windows are on an X server of their
-own. The set-up runs in fresh clones of what is committed, with no package cache; then
-the tests of this checkout run once.
+The wheel is built and installed with the locked packages, without extras, into a new environment, and its bytecode is
+compiled, as pip does. Each program starts with an empty home folder and empty caches. Times are from process start to
+its end, or to `finished_s` of a window. Windows use a separate X server. The set-up runs in fresh clones of the last
+commit without a package cache; then the tests of this checkout run once.
 """
 
 from __future__ import annotations
@@ -26,13 +25,13 @@ NAME = "first_run"
 
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
     "first_picture_s": ("<=", 6.0, "s", "`brdf-suite render blue -o blue.png`, empty home, median of 3"),
-    "second_picture_s": ("<=", 2.0, "s", "the same once more in that home, median of 3"),
+    "second_picture_s": ("<=", 2.0, "s", "the same again in that home, median of 3"),
     "first_window_s": (
         "<=",
         6.0,
         "s",
-        "Designer and Viewer with `--size 1280x720 --report-startup`, empty home: from the start of the process to the "
-        "first frame that nothing on its way will change, median of 3, the slower of the two",
+        "Designer and Viewer with `--size 1280x720 --report-startup`, empty home: process start to the first final "
+        "frame, median of 3, the slower of the two",
     ),
     "installed_mb": ("<=", 750.0, "MB", "files of all run-time packages, without extras and bytecode"),
     "cold_set_up": (
@@ -46,7 +45,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "<=",
         420.0,
         "s",
-        "`python3 packaging/test.py` in a prepared checkout; not measured where it fails",
+        "`python3 packaging/test.py` in a prepared checkout; not measured if it fails",
     ),
 }
 NOTES: dict[str, str] = {}

@@ -1,7 +1,6 @@
-"""How long a fit takes and how true it is: from target samples in hand to weights, three channels, base and coat.
+"""Time and accuracy of a fit: from target samples to weights, three channels, base and coat.
 
-The fitter runs with its own limit, as the programs use it. The times leave out sampling the reflectance, as
-the suite defines fit time.
+The fitter runs with its default limit, as in the programs. Fit time excludes sampling the reflectance.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Lobe Visualizer: surfaces in three dimensions, slice plots in a drag, opening a table; each in its own process."""
+"""Lobe Visualizer: 3-D surfaces, slice plots during a drag, opening a table; each in a separate process."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ BOUNDS = (
             "<=",
             16.0,
             "ms",
-            "six reflectances in polar plot and curves, from the incidence to painted, median of a drag",
+            "six reflectances in polar plot and curves, incidence change to painted, median of a drag",
         ),
         "slices_p99_ms": ("", None, "ms", "the same, 99th percentile"),
-        "slices_cpu_ms": ("", None, "ms", "processor's time of it, median"),
-        "slices_both_median_ms": ("", None, "ms", "with each one's fit as a second line, median"),
+        "slices_cpu_ms": ("", None, "ms", "its processor time, median"),
+        "slices_both_median_ms": ("", None, "ms", "with each fit as a second line, median"),
         "slices_both_p99_ms": ("", None, "ms", "the same, 99th percentile"),
-        "slices_both_cpu_ms": ("", None, "ms", "processor's time of it, median"),
+        "slices_both_cpu_ms": ("", None, "ms", "its processor time, median"),
     }
     | _open.BOUNDS
 )

@@ -1,8 +1,7 @@
-"""How true the virtual instruments are: designed paints measured back, and how long a measurement takes.
+"""Accuracy of the virtual instruments on designed paints, and time of a measurement.
 
-The paints are the shipped ones and 60 random ones that a clearcoat can be found for (L* at 15° 45 to 130, any hue,
-20° gloss 5 to 95). Gloss is read by integrating the whole reflectance over the receptor, not by the formula that the
-coat was solved with.
+The paints are the shipped ones and 60 random ones with a possible clearcoat (L* at 15° 45 to 130, any hue, 20° gloss
+5 to 95). Gloss integrates the whole reflectance over the receptor, instead of the formula used to solve the coat.
 """
 
 from __future__ import annotations
@@ -51,9 +50,9 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "",
         None,
         "GU",
-        "worst difference, coat integrated against formula, α .002 to .05, 20 and 60°",
+        "worst difference of integral and formula for the coat, α .002 to .05, 20 and 60°",
     ),
-    "refused": ("", None, "", "random paints left out because no clearcoat gives their gloss"),
+    "refused": ("", None, "", "random paints excluded because no clearcoat has their gloss"),
     "report_ms": ("", None, "ms", "one report: six angles, three gloss angles; no aperture, median"),
     "report_wide_ms": ("", None, "ms", "the same through 2° and 4°"),
 }

@@ -1,7 +1,7 @@
-"""Color Swatch with ten thousand paints: opening, scrolling, finding, its memory, and the pictures' rate.
+"""Color Swatch with ten thousand paints: opening, scrolling, searching, memory, and picture rate.
 
-The window is the program's own, in a process of its own on Qt's offscreen platform, with no picture kept: they are
-drawn and arrive while it is scrolled. The pictures' rate is that of the painter alone: key, fit, shading, reading back.
+The real window runs in a separate process on Qt's offscreen platform without cached pictures; they arrive while it is
+scrolled. The picture rate is that of the painter alone: key, fit, shading, read-back.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import numpy as np
 
 NAME = "palette"
 BOUNDS = {
-    "open_10k_s": ("<=", 1.0, "s", "a file of 10,000 paints: asked for to first swatches painted"),
+    "open_10k_s": ("<=", 1.0, "s", "a file of 10,000 paints: request to first swatches painted"),
     "scroll_median_ms": (
         "<=",
         16.0,
@@ -37,14 +37,14 @@ BOUNDS = {
         "<=",
         500.0,
         "MB",
-        "the window with 10,000 paints and the process that draws, after scrolling; shared pages once",
+        "window with 10,000 paints and drawing process, after scrolling; shared pages counted once",
     ),
     "thumbnails_per_s": (">=", 60.0, "1/s", "spheres of 96×96, 4 samples, with each paint's fit"),
     "thumbnail_cpu_ms": (
         "",
         None,
         "ms",
-        "the processors' time of one of them, which other programs do not lengthen",
+        "processor time of one picture, independent of machine load",
     ),
     "panels_per_s": ("", None, "1/s", "the same on the curved panel"),
     "strips_per_s": ("", None, "1/s", "flop strips of 96×96"),
@@ -52,21 +52,21 @@ BOUNDS = {
         "",
         None,
         "ms",
-        "the processor's time of a notch on the window's thread, median",
+        "processor time of a notch on the window's thread, median",
     ),
     "scroll_cpu_p99_ms": ("", None, "ms", "the same, 99th percentile"),
     "first_picture_s": (
         "",
         None,
         "s",
-        "asked for to the first picture drawn, nothing kept, process started for it",
+        "request to the first picture drawn, empty cache, including process start",
     ),
-    "first_page_s": ("", None, "s", "asked for to the last picture of the first page drawn, nothing kept"),
-    "arrived": ("", None, "", "pictures that arrived while the grid was scrolled"),
-    "window_mb": ("", None, "MB", "the window's process alone, resident, peak"),
-    "drawing_mb": ("", None, "MB", "the drawing process alone, resident, peak"),
+    "first_page_s": ("", None, "s", "request to the last picture of the first page drawn, empty cache"),
+    "arrived": ("", None, "", "pictures that arrived during scrolling"),
+    "window_mb": ("", None, "MB", "window process alone, resident, peak"),
+    "drawing_mb": ("", None, "MB", "drawing process alone, resident, peak"),
     "kept_ms": ("", None, "ms", "a picture of 96×96 read from disk"),
-    "columns_ms": ("", None, "ms", "columns of numbers of 10,000 paints"),
+    "columns_ms": ("", None, "ms", "numeric columns of 10,000 paints"),
     "duplicates_s": ("", None, "s", "duplicates among 10,000 paints within ΔE00 of 1"),
     "hue_path_s": ("", None, "s", "10,000 paints along the hue path"),
 }

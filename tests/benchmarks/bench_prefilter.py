@@ -1,4 +1,4 @@
-"""How long prefiltering takes, how exact it is, and what the cache saves; maps with a strong sun."""
+"""Time and accuracy of prefiltering, and time saved by the cache; maps with a strong sun."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
     "default_1k_s": ("<=", 1.5, "s", "whole default lobe set, pixels to packed maps, 1024×512, median of 5"),
     "default_2k_s": ("<=", 2.0, "s", "the same, 2048×1024, median of 3"),
     "default_4k_s": ("<=", 4.0, "s", "the same, 4096×2048"),
-    "default_8k_s": ("<=", 10.0, "s", "the same, 8192×4096, in a process of its own"),
-    "peak_memory_mb": ("<=", 2048.0, "MB", "most memory of that process, its 403 MB of pixels included"),
+    "default_8k_s": ("<=", 10.0, "s", "the same, 8192×4096, in a separate process"),
+    "peak_memory_mb": ("<=", 2048.0, "MB", "peak memory of that process, including its 403 MB of pixels"),
     "ratio_to_ducc0": (
         "<=",
         1.0,
@@ -46,7 +46,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "<=",
         1e-6,
         "",
-        "n = 5 … 5,120, against a float64 double sum, 2,040 directions, of the maximum",
+        "n = 5 … 5,120, against a float64 double sum, 2,040 directions, relative to the maximum",
     ),
     "error_rms": ("", None, "", "the same, root mean square"),
     "error_diffuse": ("<=", 2e-4, "", "n = 1, the same"),
@@ -55,15 +55,15 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "<=",
         1e-3,
         "",
-        "sky beside a one-texel sun of 10⁵ times its radiance, of the value there",
+        "sky beside a one-texel sun of 10⁵ times its radiance, relative to the value there",
     ),
     "negatives": ("<=", 0.0, "", "values below 0 in the same maps, before packing"),
-    "lookup_error": ("<=", 0.01, "", "packed maps looked up as a shader does, of the lobe's peak"),
+    "lookup_error": ("<=", 0.01, "", "look-ups of packed maps as in a shader, relative to the lobe's peak"),
     "lookup_error_2k": (
         "<=",
         0.01,
         "",
-        "the same, n = 50,000, filtered from 2048×1024; its map is held to 2,048 texels",
+        "the same, n = 50,000, filtered from 2048×1024; its map is limited to 2,048 texels",
     ),
     "lookup_error_4k": ("", None, "", "the same, n = 116,000, filtered from 4096×2048"),
     "cache_hit_ms": (

@@ -1,8 +1,8 @@
-"""How far the real-time picture is from the path-traced one, and how fast rays and paths are traced.
+"""Error of the real-time picture against path tracing, and speed of both tracers.
 
-Some twenty minutes on two cores, the first time. What is path-traced for the comparison is kept (in the folder that
-BRDF_SUITE_REFERENCE_KEEP names, else in the user's cache), so that a run that was cut off goes on, and one after a
-change of the real-time renderer takes a few minutes.
+The first run needs some twenty minutes on two cores. Path-traced pictures are kept in the folder
+BRDF_SUITE_REFERENCE_KEEP, or the user's cache. An interrupted run resumes, and a run after a change of the real-time
+renderer needs a few minutes.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ NAME = "reference"
 
 _raytraced = load_module(Path(__file__).with_name("raytraced_figures.py"))
 
-#: The sixteen of docs/reference.md: from analytic fits of measured paints, and invented.
+#: The sixteen of docs/method/reference.md: from analytic fits of measured paints, and invented.
 DESIGNED = (
     "silver_metallic",
     "silver_metallic_2",
@@ -54,37 +54,37 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "<=",
         1.2,
         "",
-        "16 designed paints on a sphere, all environments at hand: mean ΔE00",
+        "16 designed paints on a sphere, all available environments: mean ΔE00",
     ),
     "designed_de00_worst": ("<=", 4.0, "", "the same, the worst paint's mean"),
     "designed_de00_p99": ("<=", 6.0, "", "the same, mean of the pictures' 99th percentiles"),
     "designed_flip": ("<=", 0.05, "", "the same, mean FLIP at 67 pixels per degree"),
-    "designed_noise_de00": ("", None, "", "what the path tracer's own noise gives, mean ΔE00"),
+    "designed_noise_de00": ("", None, "", "error of the path tracer's noise alone, mean ΔE00"),
     "designed_less_noise_de00": (
         "",
         None,
         "",
-        "mean ΔE00 without it: of each picture, the root of the error's square less the noise's",
+        "mean ΔE00 without noise: per picture, root of the squared error minus that of noise",
     ),
-    "measured_de00_mean": ("<=", 3.0, "", "the eight of Table 1 and a measured yellow: mean ΔE00"),
+    "measured_de00_mean": ("<=", 3.0, "", "the eight paints of Table 1 and a measured yellow: mean ΔE00"),
     "measured_de00_worst": ("", None, "", "the same, the worst paint's mean"),
     "measured_de00_p99": ("", None, "", "the same, mean of the pictures' 99th percentiles"),
     "measured_flip": ("<=", 0.10, "", "the same, mean FLIP"),
-    "measured_noise_de00": ("", None, "", "the same, what the path tracer's own noise gives"),
-    "measured_less_noise_de00": ("", None, "", "the same, mean ΔE00 without it"),
+    "measured_noise_de00": ("", None, "", "the same, error of the path tracer's noise alone"),
+    "measured_less_noise_de00": ("", None, "", "the same, mean ΔE00 without noise"),
     "sparkle_energy_ratio": ("", None, "", "path tracer: mean radiance with single flakes / without"),
-    "sparkle_energy_error": ("<=", 0.02, "", "how far that is from 1"),
+    "sparkle_energy_error": ("<=", 0.02, "", "its distance from 1"),
     "environments": (
         "",
         None,
         "",
-        "how many there were: those shipped, and the shared ones where there are any",
+        "number of environments: shipped, and shared ones if available",
     ),
     "megasamples_per_core_s": (
         "",
         None,
         "1/µs",
-        "paths of a designed paint on the speed form, sunny, 320×240, of processor time",
+        "paths of a designed paint on the speed form, sunny, 320×240, by processor time",
     ),
 }
 

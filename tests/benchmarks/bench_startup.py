@@ -1,6 +1,6 @@
-"""From the start of a program's process to its first painted, usable window.
+"""Time from process start to the first painted, usable window.
 
-On Qt's offscreen platform, so that the figure is the program's own and no X server's.
+Qt's offscreen platform excludes the X server from the figure.
 """
 
 from __future__ import annotations

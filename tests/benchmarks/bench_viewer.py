@@ -1,9 +1,9 @@
 """Frame times of the surface shader, as ratios to a baseline shader in the same run.
 
-The fixed scene: a sphere of 100,000 triangles that covers 58 % of 1280x720, the default basis and the
-default paint with its weights at 16 incidences, no sparkle, the environment as background, one sample a pixel. The
-baseline draws the same frame with one reflection look-up and one diffuse look-up. Frames alternate, each waited for
-with glFinish, so that whatever else the machine does falls on both.
+The fixed scene is a sphere of 100,000 triangles that covers 58 % of 1280x720, with the default basis and the default
+paint with weights at 16 incidences, no sparkle, the environment as background, one sample per pixel. The baseline draws
+the same frame with one reflection look-up and one diffuse look-up. Frames alternate, each followed by glFinish, so
+other load affects both.
 """
 
 from __future__ import annotations
@@ -47,9 +47,19 @@ BOUNDS = {
         "frame of the default paint in the paper's form over the baseline frame, 1280x720, median",
     ),
     "frame_ratio": ("<=", 3.0, "", "the same with shifted look-ups, the default"),
-    "all_lobes_ratio": ("", None, "", "the same with a weight on every lobe of the basis, which no fit has"),
-    "smooth_ratio": ("", None, "", "the default with 4 samples a pixel, over a baseline with as many"),
-    "weights_change_ms": ("<=", 0.5, "ms", "weights changed, next frame at 64x64: extra cost, median"),
+    "all_lobes_ratio": (
+        "",
+        None,
+        "",
+        "the same with a weight on every lobe of the basis, beyond any real fit",
+    ),
+    "smooth_ratio": ("", None, "", "the default with 4 samples per pixel, over a baseline with as many"),
+    "weights_change_ms": (
+        "<=",
+        0.5,
+        "ms",
+        "extra cost of the next frame at 64x64 after a weight change, median",
+    ),
     "baseline_frame_ms": ("", None, "ms", "the baseline's frame, median"),
     "gpu_4k_ms": (
         "<=",

@@ -1,4 +1,4 @@
-"""Print what fitting weights in Rec. 709 instead of Rec. 2020 would cost saturated paints (docs/fit.md).
+"""Print what fitting weights in Rec. 709 instead of Rec. 2020 would cost saturated paints (docs/method/fit.md).
 
 python tests/benchmarks/compare_colour_spaces.py
 

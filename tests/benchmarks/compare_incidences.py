@@ -1,4 +1,4 @@
-"""Print what stands behind docs/incidence.md: what Fresnel's two ways cost and give, by measurement.
+"""Print what stands behind docs/method/incidence.md: what Fresnel's two ways cost and give, by measurement.
 
 Run ``python tests/benchmarks/compare_incidences.py`` from the repository. ΔE00 is between the whole paint and its
 fit, in the plane of incidence, at γ = -15, 15, 25, 45, 75 and 110° as far as the view stands no lower than 85°,

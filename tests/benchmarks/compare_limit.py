@@ -1,4 +1,4 @@
-"""Print what stands behind docs/fit.md on the program and its limit: what each choice in the solver costs and gives.
+"""Print the cost and the effect of each choice in the solver and its time limit (docs/method/fit.md).
 
 python tests/benchmarks/compare_limit.py [--paints N]
 """

@@ -1,4 +1,4 @@
-"""Print how well several lobe bases fit the shipped paints and coats, whole paints with their coat (docs/fit.md).
+"""Print how well several lobe bases fit the shipped paints, with their coats (docs/method/fit.md).
 
 python tests/benchmarks/compare_lobe_bases.py
 """

@@ -1,4 +1,4 @@
-"""Print what a second family of lobes, ``((1 + R·V)/2)^E``, does to readings and pictures (docs/fit.md).
+"""Print what a second family of lobes, ``((1 + R·V)/2)^E``, does to readings and pictures (docs/method/fit.md).
 
 python tests/benchmarks/compare_lobe_families.py
 

@@ -1,4 +1,4 @@
-"""Print how well the response of a simulated camera is recovered from shorter and poorer series (docs/acquisition.md).
+"""Print how well a simulated camera response is recovered from shorter and poorer series (docs/method/acquisition.md).
 
 python tests/benchmarks/compare_responses.py [--cases N]
 """

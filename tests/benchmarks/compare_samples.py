@@ -1,4 +1,4 @@
-"""Print what the samples of a fit cost: error against their number, for base and coat (docs/fit.md).
+"""Print what the samples of a fit cost: error against their number, for base and coat (docs/method/fit.md).
 
 python tests/benchmarks/compare_samples.py
 

@@ -1,4 +1,4 @@
-"""Print what three ways to weigh lobes cost over the number of lobes (docs/fit.md).
+"""Print what three ways to weigh lobes cost over the number of lobes (docs/method/fit.md).
 
 python tests/benchmarks/compare_solvers.py
 

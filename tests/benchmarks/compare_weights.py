@@ -1,4 +1,4 @@
-"""Print what the weights of samples and the way to the diffuse term cost over the paints (docs/fit.md).
+"""Print what the weights of samples and the way to the diffuse term cost over the paints (docs/method/fit.md).
 
 python tests/benchmarks/compare_weights.py
 """

@@ -41,7 +41,7 @@ BOUNDS = {
     for figure, text in (
         ("heldout_rel_rms", "{name}, 20 % held out, radial maps with the peak apart: RMS error over RMS"),
         ("folds_rel_rms", "the same with every sample of {name} held out once, in five folds"),
-        ("away_rel_rms", "the same of samples whose half vector is over 3° from the normal"),
+        ("away_rel_rms", "the same for samples whose half vector is over 3° from the normal"),
         ("folds_median_rel", "{name}, five folds: median relative error of the luminance"),
     )
 }

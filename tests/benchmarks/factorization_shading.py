@@ -32,9 +32,9 @@ BOUNDS = {
         "",
         "frame of a factored paint over that of plain diffuse, one lamp, 1280x720, median (the paper: about 2)",
     ),
-    "shading_ratio_radial": ("", None, "", "the same with maps over radii, as isotropic paints have"),
-    "shading_ratio_cube": ("", None, "", "the same with cube maps in place of parabolic ones"),
-    "shading_ratio_8_lamps": ("", None, "", "the same with eight lamps in both, in one pass"),
+    "shading_ratio_radial": ("", None, "", "the same with radial maps, as in isotropic paints"),
+    "shading_ratio_cube": ("", None, "", "the same with cube maps instead of parabolic ones"),
+    "shading_ratio_8_lamps": ("", None, "", "the same with eight lamps in both frames, in one pass"),
 }
 PLAIN = Path(__file__).with_name("plain_diffuse.frag.glsl")
 SIZE = (1280, 720)

@@ -31,7 +31,7 @@ from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Reflectance
 
-#: For waiting callers.
+#: The progress message.
 TITLE = "the fit at several incidences"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
@@ -68,9 +68,9 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "",
         None,
         "ΔE00",
-        "de00_at_measured of the other 8 paints, those of Table 1, fitted as facets: worst",
+        "de00_at_measured for the 8 paints of Table 1, fitted as facets: worst",
     ),
-    "de00_worst_cook_torrance": ("", None, "ΔE00", "de00_worst of these 8"),
+    "de00_worst_cook_torrance": ("", None, "ΔE00", "de00_worst for these 8"),
     "de00_at_measured_but_matte": ("", None, "ΔE00", "de00_at_measured without coats rougher than α = .05"),
 }
 #: key: what is to be known of the figure; filled by ``run``.
@@ -179,7 +179,7 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
     median, high = 1e3 * np.percentile(processor, [50, 99])
     NOTES["multi_angle_p99_ms"] = (
         f"processor time {median:.2f} ms in the median, {high:.2f} ms at the 99th percentile; "
-        f"{limited} of {len(fits)} met the limit of 16 ms"
+        f"{limited} of {len(fits)} reached the limit of 16 ms"
     )
     paints = designed()
     measured, held = judged(paints, subrange(progress, 0.6, 0.9))

@@ -14,7 +14,7 @@ from brdf_suite.fitting.lobes.basis import STORED_NAME
 from brdf_suite.progress import Progress, report
 from brdf_suite.resources import resource, resource_root
 
-#: For waiting callers.
+#: The progress message.
 TITLE = "the exponents"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
@@ -24,10 +24,10 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "",
         "maximum + mean error at the default count, found exponents over log-spaced ones between the same ends",
     ),
-    "basis_vs_best_log": ("", None, "", "the same over the best log-spaced set of all ends"),
-    "basis_error": ("", None, "", "maximum + mean error of the default exponents (1: just seen)"),
+    "basis_vs_best_log": ("", None, "", "the same over the best log-spaced set with any ends"),
+    "basis_error": ("", None, "", "maximum + mean error of the default exponents (1: just noticeable)"),
     "basis_search_s": ("<=", 900.0, "s", "whole basis search, 1 to 11 lobes, two workers; of the stored run"),
-    "database_paints": ("", None, "", "paints in the database of the search, 25 edits of them included"),
+    "database_paints": ("", None, "", "paints in the database of the search, including 25 edits"),
 }
 NOTES: dict[str, str] = {}
 #: Ends that the best log-spaced set is sought over.

@@ -10,14 +10,14 @@ from brdf_suite.fitting import LobeFit, LobeFitter
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.build import build_paint
 
-#: For waiting callers.
+#: The progress message.
 TITLE = "a drag, and unrelated paints"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float, str, str]] = {
     "drag_median_ms": ("<=", 0.25, "ms", "whole fit, 1,000 steps of a drag, median"),
     "drag_p99_ms": ("<=", 1.0, "ms", "whole fit, 1,000 steps of a drag, 99th percentile"),
     "unrelated_p99_ms": ("<=", 1.5, "ms", "whole fit, 1,000 unrelated paints, 99th percentile"),
-    "time_limited_share": ("<=", 0.01, "", "share of the 1,000 unrelated paints that met the time limit"),
+    "time_limited_share": ("<=", 0.01, "", "share of the 1,000 unrelated paints that reached the time limit"),
 }
 
 STEPS = 1_000

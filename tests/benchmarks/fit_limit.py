@@ -24,7 +24,7 @@ from brdf_suite.reflectance.build import build_paint
 
 FloatArray = NDArray[np.float64]
 
-#: For waiting callers.
+#: The progress message.
 TITLE = "the limit and the optimum"
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float, str, str]] = {
@@ -34,7 +34,12 @@ BOUNDS: dict[str, tuple[str, float, str, str]] = {
         "ms",
         "2,000×64 fit under a 1 ms limit, 99th percentile, best of 3 runs",
     ),
-    "hard_limit_error_ratio": ("<=", 1.5, "", "its L1 error over the optimum's, median of channels and fits"),
+    "hard_limit_error_ratio": (
+        "<=",
+        1.5,
+        "",
+        "its L1 error relative to the optimum, median of channels and fits",
+    ),
     "linprog_ratio": (
         ">=",
         60.0,
@@ -105,7 +110,7 @@ def hard_limit() -> dict[str, float]:
     runs = ", ".join(f"{value:.2f}" for value in percentiles)
     NOTES["hard_limit_p99_ms"] = (
         f"99th percentiles of the three runs: {runs} ms; longest fit {longest:.2f} ms. "
-        f"A loop that only waits for the limit, on the same machine just after: {idle_p99_ms():.2f} ms."
+        f"A loop that only waits for the limit, afterwards on the same machine: {idle_p99_ms():.2f} ms."
     )
     NOTES["hard_limit_error_ratio"] = f"90th percentile {np.percentile(ratios, 90):.2f}."
     return {"hard_limit_p99_ms": min(percentiles), "hard_limit_error_ratio": float(np.median(ratios))}
@@ -210,7 +215,7 @@ def against_scipy(progress: Progress | None) -> dict[str, float]:
         f"ours {1e3 * float(np.median(ours)):.3f} ms."
     )
     NOTES["objective_rel_gap"] = (
-        f"Over {6 * len(gaps)} programs; scipy's tolerances 1e-10. A fit that beats scipy's counts as below 0."
+        f"Over {6 * len(gaps)} programs; scipy's tolerances 1e-10. Below 0 a fit is better than scipy's."
     )
     return {
         "linprog_ratio": float(np.median(theirs) / np.median(ours)),

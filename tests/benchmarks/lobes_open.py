@@ -17,22 +17,22 @@ BOUNDS = {
         "<=",
         1.0,
         "s",
-        "35 MB table, from the wish to all views painted, the whole program, median of 5",
+        "35 MB table, from the request to all views painted, whole program, median of 5",
     ),
-    "table_read_s": ("", None, "s", "of it: until the table is on the desk"),
-    "table_open_cpu_s": ("", None, "s", "processor's time of all its threads until that picture"),
+    "table_read_s": ("", None, "s", "the part until the table is loaded"),
+    "table_open_cpu_s": ("", None, "s", "processor time of all threads until that picture"),
     "table_all_s": (
         "",
         None,
         "s",
-        "the same until every view is at rest, with the lobes fitted to the table",
+        "the same until every view is idle, with lobes fitted to the table",
     ),
-    "paint_open_s": ("", None, "s", "a shipped paint, the same way, in the same run"),
+    "paint_open_s": ("", None, "s", "a shipped paint, likewise, in the same run"),
     "table_open_offscreen": (
         "",
         None,
         "",
-        "1 where there was no screen, so that the view in 3-D was left out",
+        "1 without a screen, when the 3-D view is omitted",
     ),
 }
 

@@ -27,15 +27,15 @@ BOUNDS = {
         "<=",
         12.0,
         "ms",
-        "128x256 lobe surface recomputed and handed to GL, median, the slower of the two below",
+        "128x256 lobe surface recomputed and uploaded, median, the slower of the two below",
     ),
-    "surface_cook_torrance_ms": ("", None, "ms", "of three Cook-Torrance lobes, median"),
-    "surface_table_ms": ("", None, "ms", "of a table of 90x90x180 bins, median"),
-    "surface_cpu_ms": ("", None, "ms", "processor's time of the slower one, median"),
-    "surface_p99_ms": ("", None, "ms", "of the slower one, 99th percentile"),
-    "surface_draw_ms": ("", None, "ms", "drawing one frame of it after that, 1400x900 window, median"),
+    "surface_cook_torrance_ms": ("", None, "ms", "three Cook-Torrance lobes, median"),
+    "surface_table_ms": ("", None, "ms", "a table of 90x90x180 bins, median"),
+    "surface_cpu_ms": ("", None, "ms", "processor time of the slower one, median"),
+    "surface_p99_ms": ("", None, "ms", "the slower one, 99th percentile"),
+    "surface_draw_ms": ("", None, "ms", "drawing a frame after that, 1400x900 window, median"),
 }
-NOTES = {"surface_draw_ms": "on a software renderer the pixels are drawn by the same two cores"}
+NOTES = {"surface_draw_ms": "a software renderer draws on the same two cores"}
 
 
 def run(progress=None):

@@ -1,6 +1,6 @@
 """How exact prefiltered maps are: against a brute-force sum, under constant light, beside a sun, as looked up.
 
-``python tests/benchmarks/prefilter_accuracy.py FILE…`` prints the errors of the filter (docs/prefilter.md) for
+``python tests/benchmarks/prefilter_accuracy.py FILE…`` prints the errors of the filter (docs/method/prefilter.md) for
 environments, and without a file that of look-ups.
 """
 

@@ -1,4 +1,4 @@
-"""The comparisons that docs/fit.md quotes still run, and what the page says of them holds on a few paints."""
+"""The comparisons that docs/method/fit.md quotes still run, and what the page says of them holds on a few paints."""
 
 from __future__ import annotations
 

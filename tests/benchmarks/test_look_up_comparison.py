@@ -1,4 +1,4 @@
-"""The comparison that docs/shading.md quotes runs, and its order holds on one paint and one environment."""
+"""The comparison that docs/method/shading.md quotes runs, and its order holds on one paint and one environment."""
 
 from __future__ import annotations
 

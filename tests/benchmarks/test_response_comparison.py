@@ -1,4 +1,4 @@
-"""The comparison of recovered responses still runs, and what docs/acquisition.md says of it holds on a small case."""
+"""The comparison of recovered responses runs; the statements of docs/method/acquisition.md hold on a small case."""
 
 from __future__ import annotations
 

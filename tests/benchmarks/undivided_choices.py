@@ -1,4 +1,4 @@
-"""Compare choices of the undivided fit; prints what stands behind docs/measured_fits.md ("The samples and weights").
+"""Compare choices of the undivided fit (docs/method/measured_fits.md, "The samples and weights").
 
     python tests/benchmarks/undivided_choices.py [DATA]
 

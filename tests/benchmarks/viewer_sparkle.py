@@ -38,7 +38,7 @@ BOUNDS = {
         "<=",
         0.02,
         "",
-        "mean of the glints over the smooth light, less 1: largest, 4 to 10,000 flakes a footprint",
+        "mean of the glints over the smooth light, minus 1: largest, 4 to 10,000 flakes per footprint",
     ),
     "sparkle_bias_sparse": ("<=", 0.05, "", "the same, 0.25 to 4"),
     "sparkle_contrast_spread": (
@@ -47,8 +47,8 @@ BOUNDS = {
         "",
         "largest over smallest of contrast times root of count, 0.25 to 10,000",
     ),
-    "sparkle_correlation": (">=", 0.95, "", "of the glints in two frames 0.1 pixels apart"),
-    "sparkle_turn_correlation": ("", None, "", "the same, the light turned by 0.1 degrees"),
+    "sparkle_correlation": (">=", 0.95, "", "correlation of the glints in two frames 0.1 pixels apart"),
+    "sparkle_turn_correlation": ("", None, "", "the same, the light rotated by 0.1 degrees"),
 }
 
 ROUNDS = 30

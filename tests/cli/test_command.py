@@ -127,9 +127,9 @@ def test_fit_prints_weights_errors_and_time(command) -> None:
     assert facts["time_limited"] is False
 
 
-def test_fit_as_text_names_every_lobe(command) -> None:
-    facts = json.loads(command("fit", "blue", "--json").stdout)
-    done = command("fit", "blue")
+def test_fit_as_text_names_every_lobe(inside) -> None:
+    facts = json.loads(inside("fit", "blue", "--json").stdout)
+    done = inside("fit", "blue")
     assert done.returncode == 0, done.stderr
     for exponent in facts["exponents"]:
         assert f"{exponent:,.1f}" in done.stdout
@@ -191,30 +191,30 @@ def test_prefilter_fills_the_cache_once(command, shared_cache: Path, shared_data
     assert any(p.is_file() for p in shared_cache.rglob("*"))
 
 
-def test_bad_paints_are_refused_in_one_line(command, tmp_path: Path) -> None:
-    refused(command("fit", "no_such_paint"), "no_such_paint", "fine_silver")
+def test_bad_paints_are_refused_in_one_line(inside, tmp_path: Path) -> None:
+    refused(inside("fit", "no_such_paint"), "no_such_paint", "fine_silver")
     broken = tmp_path / "broken.brdfpaint"
     broken.write_text('{"format": "brdfpaint", "version": 1,')
-    refused(command("fit", broken), "broken.brdfpaint", "line 1")
-    done = command("fit", "blue", "--json")
+    refused(inside("fit", broken), "broken.brdfpaint", "line 1")
+    done = inside("fit", "blue", "--json")
     document = json.loads((Path(__file__).parents[2] / "resources" / "paints" / "blue.brdfpaint").read_text())
     assert done.returncode == 0
     document["measurements"][1]["lab"] = [25, "four", -38]
     broken.write_text(json.dumps(document))
-    refused(command("render", broken, "-o", "out.png"), "broken.brdfpaint", "measurements[1].lab[1]")
+    refused(inside("render", broken, "-o", "out.png"), "broken.brdfpaint", "measurements[1].lab[1]")
     document["measurements"][1]["lab"] = [25, 4, -38]
     document["gloss"]["gu_20"] = 199.0
     broken.write_text(json.dumps(document))
-    refused(command("fit", broken), "brdf-suite: broken.brdfpaint: ", "199")
-    refused(command("render", broken, "-o", "out.png"), "brdf-suite: broken.brdfpaint: ", "199")
+    refused(inside("fit", broken), "brdf-suite: broken.brdfpaint: ", "199")
+    refused(inside("render", broken, "-o", "out.png"), "brdf-suite: broken.brdfpaint: ", "199")
 
 
-def test_names_that_no_file_system_takes_are_refused_in_one_line(command) -> None:
+def test_names_that_no_file_system_takes_are_refused_in_one_line(inside) -> None:
     name = "x" * 300
-    refused(command("fit", name), "cannot be read")
-    refused(command("render", "blue", "-o", "out.png", "--mesh", name), "cannot be read")
-    refused(command("prefilter", name), "cannot be read")
-    refused(command("render", "blue", "-o", f"{name}/out.png"), "its folder cannot be used")
+    refused(inside("fit", name), "cannot be read")
+    refused(inside("render", "blue", "-o", "out.png", "--mesh", name), "cannot be read")
+    refused(inside("prefilter", name), "cannot be read")
+    refused(inside("render", "blue", "-o", f"{name}/out.png"), "its folder cannot be used")
 
 
 def test_a_reader_that_ends_early_gets_no_traceback() -> None:
@@ -275,32 +275,32 @@ def test_shipped_names_are_taken_in_any_letter_case(inside, tmp_path: Path) -> N
     assert (facts["environment"], facts["surface"]) == ("booth", "sphere")
 
 
-def test_missing_files_are_named_as_they_were_typed(command) -> None:
+def test_missing_files_are_named_as_they_were_typed(inside) -> None:
     for option, name in (
         ("--environment", "both"),
         ("--environment", "no/such.exr"),
         ("--mesh", "spere"),
         ("--mesh", "no.obj"),
     ):
-        done = command("render", "blue", "-o", "out.png", option, name)
+        done = inside("render", "blue", "-o", "out.png", option, name)
         refused(done, f"brdf-suite: {name}: there is no such file")
         assert ("nor a shipped" in done.stderr) == ("." not in name)  # shipped names are no help to a path
 
 
-def test_empty_names_are_refused_in_words(command) -> None:
-    refused(command("fit", ""), "name of the paint is empty", "fine_silver")
-    refused(command("render", "", "-o", "out.png"), "name of the paint is empty")
-    refused(command("render", "blue", "-o", "out.png", "--environment", ""), "environment is empty", "booth")
-    refused(command("render", "blue", "-o", "out.png", "--mesh", ""), "surface is empty", "speed_form")
-    refused(command("prefilter", ""), "environment is empty")
-    refused(command("open", ""), "paint is empty")
+def test_empty_names_are_refused_in_words(inside) -> None:
+    refused(inside("fit", ""), "name of the paint is empty", "fine_silver")
+    refused(inside("render", "", "-o", "out.png"), "name of the paint is empty")
+    refused(inside("render", "blue", "-o", "out.png", "--environment", ""), "environment is empty", "booth")
+    refused(inside("render", "blue", "-o", "out.png", "--mesh", ""), "surface is empty", "speed_form")
+    refused(inside("prefilter", ""), "environment is empty")
+    refused(inside("open", ""), "paint is empty")
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
-def test_pipes_and_folders_are_no_environment(command, tmp_path: Path) -> None:
+def test_pipes_and_folders_are_no_environment(inside, tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.exr")
     for name in ("pipe.exr", "."):
-        refused(command("render", "blue", "-o", "out.png", "--environment", name), "is not a plain file")
+        refused(inside("render", "blue", "-o", "out.png", "--environment", name), "is not a plain file")
 
 
 def test_a_fit_that_was_stopped_by_time_is_reported(monkeypatch, capsys, tmp_path: Path) -> None:
@@ -313,29 +313,29 @@ def test_a_fit_that_was_stopped_by_time_is_reported(monkeypatch, capsys, tmp_pat
     assert " ms, time-limited, maps " in capsys.readouterr().out
 
 
-def test_bad_environments_are_refused_in_one_line(command, shared_data: Path, tmp_path: Path) -> None:
+def test_bad_environments_are_refused_in_one_line(inside, shared_data: Path, tmp_path: Path) -> None:
     text = tmp_path / "text.hdr"
     text.write_text("this is not a picture\n" * 20)
-    refused(command("render", "blue", "-o", "out.png", "--environment", text), "text.hdr")
+    refused(inside("render", "blue", "-o", "out.png", "--environment", text), "text.hdr")
     cut = tmp_path / "cut.exr"
     cut.write_bytes((shared_data / "environments" / "sunset.exr").read_bytes()[:20_000])
-    refused(command("prefilter", cut), "cut.exr")
-    refused(command("prefilter", tmp_path / "missing.exr"), "missing.exr", "there is no such file")
-    refused(command("prefilter", "bouth"), "bouth", "nor a shipped environment", "booth")
+    refused(inside("prefilter", cut), "cut.exr")
+    refused(inside("prefilter", tmp_path / "missing.exr"), "missing.exr", "there is no such file")
+    refused(inside("prefilter", "bouth"), "bouth", "nor a shipped environment", "booth")
 
 
-def test_bad_meshes_are_refused_in_one_line(command, tmp_path: Path) -> None:
+def test_bad_meshes_are_refused_in_one_line(inside, tmp_path: Path) -> None:
     points = tmp_path / "points.obj"
     points.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n")
-    refused(command("render", "blue", "-o", "out.png", "--mesh", points), "points.obj", "triangles")
+    refused(inside("render", "blue", "-o", "out.png", "--mesh", points), "points.obj", "triangles")
     empty = tmp_path / "empty.glb"
     empty.write_bytes(b"")
-    refused(command("render", "blue", "-o", "out.png", "--mesh", empty), "empty.glb")
+    refused(inside("render", "blue", "-o", "out.png", "--mesh", empty), "empty.glb")
 
 
-def test_a_picture_that_cannot_be_written_says_so(command, tmp_path: Path) -> None:
-    refused(command("render", "blue", "-o", "no/such/folder/out.png"), "folder does not exist")
-    refused(command("render", "blue", "-o", "out.jpg"), "PNG")
+def test_a_picture_that_cannot_be_written_says_so(inside, tmp_path: Path) -> None:
+    refused(inside("render", "blue", "-o", "no/such/folder/out.png"), "folder does not exist")
+    refused(inside("render", "blue", "-o", "out.jpg"), "PNG")
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full, a disk that is always full")

@@ -42,16 +42,17 @@ def test_a_section_is_replaced_and_others_stay(tmp_path: Path) -> None:
 
 
 def test_the_page_is_made_of_the_kept_figures(checkout: Path) -> None:
-    assert page(checkout / "docs") == (checkout / "docs" / "measurements.md").read_text(encoding="utf-8")
+    method = checkout / "docs" / "method"
+    assert page(method) == (method / "measurements.md").read_text(encoding="utf-8")
 
 
 def test_bench_writes_its_own_section_and_the_documents_that_quote_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    docs = tmp_path / "docs"
-    docs.mkdir()
+    docs = tmp_path / "docs" / "method"
+    docs.mkdir(parents=True)
     renew_section(docs, section("other", 1.0))
-    for name in ("README.md", "CONTRIBUTING.md", "docs/page.md"):
+    for name in ("README.md", "CONTRIBUTING.md", "docs/method/page.md"):
         (tmp_path / name).write_text("It takes <!--figure demo.fast_ms-->?<!--/-->.\n", encoding="utf-8")
     monkeypatch.setattr(bench, "_CHECKOUT", tmp_path)
     monkeypatch.setattr(bench, "_DOCS", docs)

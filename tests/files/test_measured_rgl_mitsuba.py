@@ -238,7 +238,7 @@ def test_an_anisotropic_material_is_read_as_mitsuba_reads_it(tmp_path: Path) -> 
 
 
 def test_a_paint_written_is_the_paint_in_mitsuba(checkout: Path, tmp_path: Path) -> None:
-    """Linear interpolation is what limits this; the figures are those that docs/measurements.md states."""
+    """Linear interpolation is what limits this; the figures are those that docs/method/measurements.md states."""
     paint = build_paint(load_paint(checkout / "resources" / "paints" / "silver_metallic.brdfpaint"))
     path = tmp_path / "paint.bsdf"
     notes = write_measured(paint, path).notes

@@ -1,4 +1,4 @@
-"""Figures in the documents are those of docs/measurements.json, inserted at markers."""
+"""Figures in the documents are those of docs/method/measurements.json, inserted at markers."""
 
 from __future__ import annotations
 
@@ -42,10 +42,11 @@ def test_the_documents_hold_the_measured_figures(tool: ModuleType, checkout: Pat
 def test_a_renewed_measurement_reaches_every_document(
     tool: ModuleType, checkout: Path, tmp_path: Path
 ) -> None:
-    (tmp_path / "docs").mkdir()
-    for path in (*tool.documents(checkout), checkout / "docs" / "measurements.json"):
-        shutil.copy(path, tmp_path / path.relative_to(checkout))
-    kept_path = tmp_path / "docs" / "measurements.json"
+    for path in (*tool.documents(checkout), checkout / "docs" / "method" / "measurements.json"):
+        copy = tmp_path / path.relative_to(checkout)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(path, copy)
+    kept_path = tmp_path / "docs" / "method" / "measurements.json"
     kept = json.loads(kept_path.read_text(encoding="utf-8"))
     kept["fit"]["figures"]["drag_median_ms"]["value"] = 70.0
     kept_path.write_text(json.dumps(kept), encoding="utf-8")

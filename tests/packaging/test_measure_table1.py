@@ -14,7 +14,7 @@ def test_the_page_is_up_to_date(checkout: Path, tmp_path: Path) -> None:
     command = [sys.executable, str(checkout / "packaging" / "measure_table1.py"), str(tmp_path / "table1.md")]
     subprocess.run(command, check=True, timeout=240, capture_output=True)
     written = (tmp_path / "table1.md").read_text(encoding="utf-8")
-    assert written == (checkout / "docs" / "table1.md").read_text(encoding="utf-8")
+    assert written == (checkout / "docs" / "method" / "table1.md").read_text(encoding="utf-8")
     for name in PAINTS:
         # The colours, and both facet distributions.
         assert written.count(f"| {name} |") == 3
@@ -23,7 +23,7 @@ def test_the_page_is_up_to_date(checkout: Path, tmp_path: Path) -> None:
 def test_the_measurements_hold_the_table_of_the_eight_paints(checkout: Path) -> None:
     bench = runpy.run_path(str(checkout / "tests" / "benchmarks" / "bench_measure.py"))
     table = bench["appendix"]()
-    assert table.strip() in (checkout / "docs" / "measurements.md").read_text(encoding="utf-8")
+    assert table.strip() in (checkout / "docs" / "method" / "measurements.md").read_text(encoding="utf-8")
     for name in PAINTS:
         # One row of colours per angle, one of gloss, flop and travel.
         assert table.count(f"| {name} |") == 2

@@ -54,6 +54,7 @@ def build_editable(folder, config_settings=None, metadata_directory=None):
     return name
 """
 LOCK = "pigment==1.0\nmica==1.0\n"
+UV = Path(sys.executable).with_name("uv")
 
 
 def make_wheel(folder: Path, name: str, version: str = "1.0") -> None:
@@ -90,28 +91,32 @@ def install_system_libraries(for_tests):
 def install_optional_libraries():
     pass
 """
-# Stands in for ensurepip, which takes seconds to compile the same pip for each environment.
-COPY_PIP = """
-import shutil, sysconfig, venv
+# Stands in for ensurepip, which takes seconds to compile the same pip for each environment, and for the installation of
+# uv from a network, where this environment has it.
+COPY_TOOLS = """
+import os, shutil, sysconfig, venv
 
-def copy_pip(builder, context):
+def copy_tools(builder, context):
     packages = sysconfig.get_path("purelib", "venv", {{"base": context.env_dir}})
     shutil.copytree({pip!r}, packages, dirs_exist_ok=True)
+    if os.path.exists({uv!r}):
+        os.symlink({uv!r}, os.path.join(context.bin_path, "uv"))
 
-venv.EnvBuilder._setup_pip = copy_pip
+venv.EnvBuilder._setup_pip = copy_tools
 """
 
 
-def make_project(checkout: Path, folder: Path, pip: Path | None = None) -> Path:
+def make_project(checkout: Path, folder: Path, pip: Path | None = None, uv: Path | None = None) -> Path:
     """Copy the set-up into a small project, in a folder with a space and letters beyond ASCII.
 
-    Environments get a copy of the packages in ``pip``; ``None``: what Python installs.
+    Environments get a copy of the packages in ``pip`` (``None``: what Python installs) and ``uv`` where it is there.
     """
     root = folder / "Lack für Götz"
     (root / "packaging").mkdir(parents=True)
     for name in ("installer.py", "prepare.py", "report.py", "run.py"):
         shutil.copy(checkout / "packaging" / name, root / "packaging")
-    stand_ins = SYSTEM if pip is None else SYSTEM + COPY_PIP.format(pip=str(pip))
+    tools = {"pip": str(pip), "uv": str(uv or "")}
+    stand_ins = SYSTEM if pip is None else SYSTEM + COPY_TOOLS.format(**tools)
     (root / "packaging" / "system_libraries.py").write_text(stand_ins)
     write_project(root)
     return root
@@ -133,8 +138,8 @@ def pip(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def shared_project(checkout: Path, tmp_path_factory: pytest.TempPathFactory, pip: Path) -> Path:
-    """Share one project, since installing its package takes seconds."""
-    return make_project(checkout, tmp_path_factory.mktemp("prepared"), pip)
+    """Share one project, since installing its package takes seconds; where uv is there, it installs."""
+    return make_project(checkout, tmp_path_factory.mktemp("prepared"), pip, UV)
 
 
 @pytest.fixture
@@ -193,11 +198,10 @@ def test_first_run_installs_and_passes_the_arguments_on(project: Path) -> None:
 
 
 def test_uv_installs_where_it_is_there(project: Path, checkout: Path) -> None:
-    uv = Path(sys.executable).with_name("uv")
-    if not uv.exists():
+    if not UV.exists():
         pytest.skip("uv is not installed beside this Python")
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", project / ".venv"], check=True)
-    shutil.copy(uv, project / ".venv" / "bin")
+    shutil.copy(UV, project / ".venv" / "bin")
     # Only the first fill of this environment is looked at: an unknown one would be made again without uv.
     code = (
         "import sys; from pathlib import Path; sys.path.insert(0, sys.argv[1])\n"

@@ -67,7 +67,7 @@ def unmarked(text: str) -> list[str]:
 
 
 def test_no_document_states_a_measured_figure_by_hand(checkout: Path) -> None:
-    documents = [checkout / "README.md", checkout / "CONTRIBUTING.md", *(checkout / "docs").glob("*.md")]
+    documents = [checkout / "README.md", checkout / "CONTRIBUTING.md", *(checkout / "docs").rglob("*.md")]
     found = [
         (path.name, words)
         for path in documents

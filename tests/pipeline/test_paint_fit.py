@@ -26,7 +26,7 @@ def fitter() -> PaintFitter:
 def test_every_shipped_paint_is_fitted_closely(fitter: PaintFitter, name: str) -> None:
     fit = fitter.fit(load_shipped_paint(name))
     assert not fit.time_limited
-    # A round lobe cannot be as wide in the plane of incidence as it is narrow across (docs/fit.md): a matte coat,
+    # A round lobe cannot be wide in the plane of incidence and narrow across it (docs/method/fit.md): a matte coat,
     # a large part of the reading at 15°, is missed there.
     near = 2.0 if fit.reflectance.roughness > 0.04 else 0.5
     rows = [row for row in fit.angles if row.illumination_deg == 45.0]

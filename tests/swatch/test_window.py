@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 from brdf_color_swatch.assembly import ColorSwatch
+from brdf_color_swatch.link_part import LinkPart
 from brdf_color_swatch.map_part import MapPart
 from brdf_color_swatch.view_state import Scope
 from PySide6.QtCore import QCoreApplication, Qt
@@ -16,7 +17,11 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
 
 
-def test_the_return_that_ends_a_name_opens_nothing(swatch: ColorSwatch, select, qtbot) -> None:
+def test_the_return_that_ends_a_name_opens_nothing(swatch: ColorSwatch, select, qtbot, monkeypatch) -> None:
+    (link,) = (part for part in swatch.parts if isinstance(part, LinkPart))
+    monkeypatch.setattr(
+        link, "start_program", lambda program, arguments: (True, 1)
+    )  # no Designer is left running
     pane = swatch.window.panes[0]
     opened: list[str] = []
     pane.opened.connect(opened.append)

@@ -13,7 +13,10 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 from shiboken6 import isValid
 
+from brdf_suite.lighting.procedural import sky, studio
+from brdf_suite.pipeline import environments
 from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.realtime import environment_textures
 from brdf_suite.realtime.renderer import Renderer
 
 _FILE = Path(__file__).parent.parent / "qt_gl" / "xvfb.py"
@@ -54,12 +57,24 @@ def four_samples() -> None:
 
 @pytest.fixture(autouse=True)
 def one_sample(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Draw one sample a pixel, in a quarter of the time, where a test does not ask for ``four_samples``.
+    """Draw one sample a pixel, in a quarter of the time, and coarse lights, unless a test asks for ``four_samples``.
 
     The programs that tests start draw with four, and so do pictures that fill the window.
     """
     if not {"four_samples", "filled"} & set(request.fixturenames):
         monkeypatch.setattr(Renderer.render, "__defaults__", (0,))
+        coarse_lights(monkeypatch)
+
+
+def coarse_lights(patch: pytest.MonkeyPatch) -> None:
+    """Draw studios and skies with 128 rows, drafts with 64, and make no mip levels of the maps.
+
+    A frame of 200 pixels shows no more of a light than that, and filtering the whole of it takes seconds.
+    """
+    patch.setattr(studio, "__defaults__", (128, *studio.__defaults__[1:]))
+    patch.setattr(sky, "__defaults__", (128, *sky.__defaults__[1:]))
+    patch.setattr(environments, "DRAFT_ROWS", 64)
+    patch.setattr(environment_textures, "MIPMAPPED_FROM", 4096)
 
 
 def write_light(path: Path, up: float, front: float, back: float) -> Path:

@@ -90,7 +90,7 @@ def test_a_picture_is_settled_only_with_its_occlusion(start, lights, two_balls, 
 
     monkeypatch.setattr(surface_control, "baked_occlusion", held)
     view = View(environment=str(lights["dim"]), surface=str(two_balls), sparkle=Sparkle("off"))
-    viewer = start(view=view)
+    viewer = start(view=view, wait=False)  # waiting until it is idle would wait for the occlusion
     baked: list[bool] = []
     viewer.controller.settled.connect(lambda: baked.append(viewer.stage.surface.baked is not None))
     frame_time = viewer.window.status.cell("frame")

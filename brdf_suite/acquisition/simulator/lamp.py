@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.acquisition.simulator.optics import lengths
+
 Floats = NDArray[np.float64]
 
 # Of a narrow optic before a light-emitting diode: half of the intensity at about 17° off its axis.
@@ -32,7 +34,7 @@ class SimulatedLamp:
         The irradiance is over that at the origin.
         """
         away = self.place - points
-        distance = np.linalg.norm(away, axis=-1)
+        distance = lengths(away)
         directions = away / distance[:, None]
         nominal = float(self.place @ self.place)
         relative = nominal / (distance * distance)
@@ -44,7 +46,7 @@ class SimulatedLamp:
         """Return which rays (n, 3) meet the lamp's housing or its post before ``reach`` (n,)."""
         away = self.place - origin
         along = rays @ away
-        beside = np.linalg.norm(away - along[:, None] * rays, axis=-1)
+        beside = lengths(away - along[:, None] * rays)
         housing = (beside < HOUSING_RADIUS_M) & (along < reach) & (along > 0.0)
         level = np.hypot(rays[:, 0], rays[:, 2])
         # The post is met in the plan; its axis stands below the lamp.

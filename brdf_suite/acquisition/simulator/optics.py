@@ -37,7 +37,7 @@ class SimulatedCamera:
         """Return unit directions (n, 3) in the world through pixel coordinates (n,)."""
         u, v = undistort(self.lens, (x - self.lens.cx) / self.lens.fx, (y - self.lens.cy) / self.lens.fy)
         seen = np.stack([u, v, np.ones_like(u)], axis=-1)
-        seen /= np.linalg.norm(seen, axis=-1, keepdims=True)
+        seen /= lengths(seen)[:, None]
         return seen @ self.turn
 
     def project(self, points: Floats) -> Floats:
@@ -45,6 +45,12 @@ class SimulatedCamera:
         seen = (points - self.centre) @ self.turn.T
         u, v = distort(self.lens, seen[:, 0] / seen[:, 2], seen[:, 1] / seen[:, 2])
         return np.stack([self.lens.fx * u + self.lens.cx, self.lens.fy * v + self.lens.cy], axis=-1)
+
+
+def lengths(vectors: Floats) -> Floats:
+    """Return the lengths (n,) of vectors (n, 3); several times as fast as the general norm."""
+    found: Floats = np.sqrt(np.einsum("ij,ij->i", vectors, vectors))
+    return found
 
 
 def tilt_camera(height: float, distance: float, tilt: float) -> tuple[Floats, Floats]:
@@ -82,6 +88,6 @@ def first_hits(origin: Floats, rays: Floats, centre: Floats, radius: float) -> F
     to_centre = centre - origin
     along = rays @ to_centre
     # The distance of the ray to the centre, as a difference of vectors: that of squares would lose digits.
-    off = np.linalg.norm(to_centre - along[:, None] * rays, axis=-1)
+    off = lengths(to_centre - along[:, None] * rays)
     inside = radius * radius - off * off
     return np.where(inside > 0.0, along - np.sqrt(np.maximum(inside, 0.0)), np.nan)

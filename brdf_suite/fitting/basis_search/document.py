@@ -20,7 +20,7 @@ from brdf_suite.fitting.lobes.basis import STORED_FORMAT, STORED_VERSION, LobeBa
 
 STATE_FORMAT, STATE_VERSION = "lobe_basis_search", 1
 #: The default is the smallest count whose equation 4 is within this factor of the lowest that the search found: each
-#: lobe costs a map in the prefilter and a look-up for every pixel (docs/basis.md).
+#: lobe costs a map in the prefilter and a look-up for every pixel (docs/method/basis.md).
 NEAR_BEST = 1.02
 
 

@@ -114,7 +114,7 @@ def stored_bases(path: Path) -> tuple[dict[int, LobeBasis], int]:
 
 @cache
 def default_basis() -> LobeBasis:
-    """Return the suite's default exponents; docs/basis.md describes how they were found and chosen.
+    """Return the suite's default exponents; docs/method/basis.md describes how they were found and chosen.
 
     Raises
     ------

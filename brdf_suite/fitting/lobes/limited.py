@@ -1,7 +1,7 @@
 """Linear programs under a hard time limit, with the optimum delivered later.
 
 HiGHS alone overruns a limit of its own by milliseconds, because it looks at the clock between pieces of work
-that grow with the program. Two ways keep it, by the size of the program (docs/fit.md has the measurements):
+that grow with the program. Two ways keep it, by the size of the program (docs/method/fit.md has the measurements):
 
 - A small program is solved by the caller, in runs of so many iterations as half of what is left allows at the
   pace seen last. Handing it to a thread and back costs more than the fit. Where two targets had their optimum at

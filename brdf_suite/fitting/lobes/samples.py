@@ -26,7 +26,7 @@ THETA_FIT_RAD = np.pi / 4.0
 #: measured (15, 45, 110) count so much that an L1 fit passes through them wherever the lobes can; the dark
 #: flank counts four times the bright one, because the eye judges ratios. 75°, where six-angle instruments measure
 #: too, counts 10: that halves the error there and costs three-angle paints nothing. 25° does not: from a weight of
-#: 20 on, it is met at the cost of 45° (docs/fit.md).
+#: 20 on, it is met at the cost of 45° (docs/method/fit.md).
 BASE_GAMMAS_DEG = (-30.0, -15.0, 0.0, 8.0, 15.0, 20.0, 25.0, 35.0, 45.0, 60.0, 75.0, 92.0, 110.0, 130.0)
 BASE_WEIGHTS = (0.1, 0.3, 0.5, 0.5, 50.0, 1.0, 1.0, 1.0, 50.0, 4.0, 10.0, 4.0, 50.0, 0.3)
 

@@ -11,7 +11,7 @@ simplex was 15 % faster and stopped without an answer once in 600 unrelated targ
 the row duals. The parts and channels are blocks on the diagonal of one model, so that an edit is one call.
 
 Costs are handed over multiplied by :data:`COST_SCALE`: the solver's tolerance on x is absolute, and its
-smallest is too coarse for targets of size 1 (docs/fit.md).
+smallest is too coarse for targets of size 1 (docs/method/fit.md).
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ incidence of 45°, where paints are measured, single directions are added for th
 Scattered samples are rows as they are: nothing is interpolated. Each represents the solid angle of views that lie
 nearest to it among the samples of its incidence.
 
-The choices were made by measurement (docs/measured_fits.md).
+The choices were made by measurement (docs/method/measured_fits.md).
 """
 
 from __future__ import annotations

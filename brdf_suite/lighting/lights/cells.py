@@ -71,9 +71,18 @@ class Cells:
     def joined(self, step: int) -> Cells:
         """Return larger cells, of ``step`` columns and rows each; what is remaining makes smaller ones at the end."""
         rows, columns = (np.arange(0, size, step) for size in self.shape)
+        whole = step < 8 and not (self.shape[0] % step or self.shape[1] % step)
 
         def summed(values: Float64) -> Float64:
-            return np.asarray(np.add.reduceat(np.add.reduceat(values, rows, axis=0), columns, axis=1))
+            if not whole:
+                return np.asarray(np.add.reduceat(np.add.reduceat(values, rows, axis=0), columns, axis=1))
+            # The same sums in the same order, in a fraction of the time.
+            for axis in (0, 1):
+                first, *others = (
+                    values[(slice(None),) * axis + (slice(k, None, step),)] for k in range(step)
+                )
+                values = sum(others, start=first)
+            return values
 
         return Cells(
             summed(self.energy),

@@ -39,7 +39,7 @@ def directional_lights(
     ----------
     method
         ``median-cut`` (Debevec 2005), ``structured`` (Agarwal et al. 2003), or ``relaxed``: median cut, then the
-        relaxation of Kollig and Keller (2003), which errs least (docs/lights.md).
+        relaxation of Kollig and Keller (2003), which errs least (docs/method/lights.md).
 
     Raises
     ------

@@ -18,7 +18,7 @@ Float64 = NDArray[np.float64]
 Labels = NDArray[np.intp]
 
 _COLUMNS = 512  # larger maps are joined: strata of a degree need no finer edges
-_STEPS = 10  # error against steps: docs/lights.md
+_STEPS = 10  # error against steps: docs/method/lights.md
 _DARK = 1e-9  # weight of a black cell against the same area of mean light
 
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.geometry.components import connected_components
 from brdf_suite.lighting.lights.cells import Cells
 
 Float64 = NDArray[np.float64]
@@ -57,10 +58,20 @@ def structured_strata(cells: Cells, count: int) -> Labels:
         made += len(chosen)
     left = np.flatnonzero(labels < 0)
     if len(left):
-        from scipy.spatial import cKDTree
-
-        labels[left] = cKDTree(np.concatenate(centres)).query(towards[left], workers=-1)[1]
+        labels[left] = _nearest(np.concatenate(centres), towards[left])
     return labels.reshape(regions.shape)
+
+
+def _nearest(centres: Float64, towards: Float64) -> Labels:
+    """Return the index (n,) of the centre (k, 3) nearest to each direction (n, 3), the first of several."""
+    nearest = np.zeros(len(towards), dtype=np.intp)
+    least = np.full(len(towards), np.inf)
+    for index, centre in enumerate(centres):
+        distance = 1.0 - towards @ centre
+        closer = distance < least
+        nearest[closer] = index
+        least[closer] = distance[closer]
+    return nearest
 
 
 def farthest_points(towards: Float64, count: int, start: int) -> tuple[Labels, Labels]:
@@ -125,23 +136,25 @@ def _connected(mask: NDArray[np.bool_]) -> tuple[Labels, int]:
 
     Cells that share an edge or a corner are connected, over the map's seam too; at a pole all cells of the ring meet.
     """
-    from scipy.ndimage import label
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    found, number = label(mask, structure=np.ones((3, 3), dtype=bool))
-    left, right = found[:, 0], found[:, -1]
-    pairs = [(left, right), (left[1:], right[:-1]), (left[:-1], right[1:])]
-    for ring in (found[0], found[-1]):
-        seen = ring[ring > 0]
-        pairs.append((seen, np.full(len(seen), seen[0] if len(seen) else 0)))
-    joins = np.concatenate([np.stack(pair)[:, (pair[0] > 0) & (pair[1] > 0)] for pair in pairs], axis=1)
-    graph = coo_array(
-        (np.ones(joins.shape[1], dtype=np.int8), (joins[0], joins[1])), shape=(number + 1, number + 1)
-    )
-    whole, names = connected_components(graph, directed=False)
-    # Part 0, what is outside, comes first and is joined with nothing.
-    return (names[found] - 1).astype(np.intp), int(whole) - 1
+    # Runs of cells along a row are joined, which are far fewer than the cells.
+    rows = len(mask)
+    begins = mask & ~np.pad(mask[:, :-1], ((0, 0), (1, 0)))
+    runs = np.cumsum(begins).reshape(mask.shape) - 1
+    wide = np.pad(mask[1:], ((0, 0), (1, 1)), mode="wrap")
+    below = np.pad(runs[1:], ((0, 0), (1, 1)), mode="wrap")
+    joins = []
+    for shift in range(3):
+        meet = mask[:-1] & wide[:, shift : shift + mask.shape[1]]
+        pairs = np.stack([runs[:-1][meet], below[:, shift : shift + mask.shape[1]][meet]])
+        # Cells side by side mostly lie in the same two runs.
+        joins.append(pairs[:, np.append(True, np.any(np.diff(pairs), axis=0))[: pairs.shape[1]]])
+    seam = mask[:, 0] & mask[:, -1]
+    joins.append(np.stack([runs[seam, 0], runs[seam, -1]]))
+    for ring in (0, rows - 1):
+        seen = runs[ring][begins[ring]]
+        joins.append(np.stack([seen, np.full(len(seen), seen[0] if len(seen) else 0)]))
+    number, names = connected_components(int(begins.sum()), *np.concatenate(joins, axis=1))
+    return np.where(mask, names[runs] if number else -1, -1), number
 
 
 def _share_out(shares: Float64, room: Labels, count: int) -> Labels:

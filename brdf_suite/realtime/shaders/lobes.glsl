@@ -6,7 +6,7 @@
 //     Lo =  pi KD P_1(N)                                       equation 9: the diffuse map looked up at N
 //         + sum KDD_i 2 pi/(E_i+1) P_i(R) (N.R)                equation 7: the light direction is taken as R
 //         + sum KG_i  2 pi/(E_i+1) P_i(R)                      equation 8
-// or, with direction, exponent and amplitude of the look-ups from a table (docs/shading.md),
+// or, with direction, exponent and amplitude of the look-ups from a table (docs/method/shading.md),
 //         + sum KDD_i A_i(c) P_e(R + b_i(c) N),  e = e_i(c)    and so on.
 // Weights, amplitudes, exponents and Fresnel's gains depend on c alone: the ramp of a material has them over the root
 // of c, a row for each look-up (material_ramp.py). What differs between the modes are its numbers.

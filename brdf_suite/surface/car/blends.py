@@ -48,7 +48,12 @@ class SoftPolyline:
         result: Floats = self._value + self._slope * (t - self._start)
         for corner, change, width in self._corners:
             u = t - corner
-            result = result + (0.5 * change) * (u + np.sqrt(u * u + width * width))
+            bent = np.asarray(u * u)
+            bent += width * width
+            np.sqrt(bent, out=bent)
+            bent += u
+            bent *= 0.5 * change
+            result = result + bent
         return result
 
 

@@ -23,7 +23,7 @@ ENDING = ".brdfpaint"
 def test_the_fit_shows_the_colours_and_the_gloss_that_were_asked_for(fitter: LobeFitter, name: str) -> None:
     paint = build_paint(load_paint(resource("paints", name + ENDING)))
     fit = fitter.fit(paint)
-    # A satin coat shines as far as 15°, where a round lobe is not as wide as it (docs/fit.md).
+    # A satin coat shines as far as 15°, where a round lobe is not as wide as it (docs/method/fit.md).
     bound = 0.05 if paint.roughness < 0.03 else 3.5
     assert aspecular_delta_e(paint, fit.weights, (15.0, 45.0, 110.0)).max() <= bound
     assert aspecular_delta_e(paint, fit.weights, (25.0, 75.0)).max() <= 1.2

@@ -1,4 +1,4 @@
-"""What docs/measured_fits.md says of the choices holds on two of its reflectances, and its scripts still run."""
+"""What docs/method/measured_fits.md says of the choices holds on two of its reflectances, and its scripts still run."""
 
 from __future__ import annotations
 

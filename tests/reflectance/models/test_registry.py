@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.geometry.directions import illumination, spherical
 from brdf_suite.reflectance.albedo import white_furnace
-from brdf_suite.reflectance.checks import check_model
+from brdf_suite.reflectance.checks import CheckReport, check_model
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.registry import MODELS
@@ -20,9 +22,9 @@ SAMPLED = {name: entry.default for name, entry in MODELS.items() if hasattr(entr
 }
 
 
-@pytest.fixture(scope="module")
-def reports() -> dict:
-    return {name: check_model(entry) for name, entry in MODELS.items()}
+@cache
+def report(name: str) -> CheckReport:
+    return check_model(MODELS[name])
 
 
 def test_the_models_of_the_field_are_there() -> None:
@@ -46,14 +48,14 @@ def test_the_models_of_the_field_are_there() -> None:
 
 
 @pytest.mark.parametrize("name", MODELS)
-def test_each_keeps_what_it_claims(reports: dict, name: str) -> None:
-    for finding in reports[name].findings:
+def test_each_keeps_what_it_claims(name: str) -> None:
+    for finding in report(name).findings:
         assert finding.passed, finding
 
 
 @pytest.mark.parametrize("name", MODELS)
-def test_known_violators_are_listed_with_their_size(reports: dict, name: str) -> None:
-    found = {f.check: f.size for f in reports[name].findings if f.outcome == "known violator"}
+def test_known_violators_are_listed_with_their_size(name: str) -> None:
+    found = {f.check: f.size for f in report(name).findings if f.outcome == "known violator"}
     listed = MODELS[name].violations
     assert found.keys() == listed.keys()
     for check, size in listed.items():

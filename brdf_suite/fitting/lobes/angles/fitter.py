@@ -34,7 +34,7 @@ if TYPE_CHECKING:  # 3 ms with the logging that it loads, on the start-up path o
 FloatArray = NDArray[np.float64]
 
 #: Weight of the base's change between neighbouring incidences, and how many times as much the coat's counts: its
-#: shape hardly changes, so that calm costs it nothing. Chosen by measurement (docs/incidence.md).
+#: shape hardly changes, so that calm costs it nothing. Chosen by measurement (docs/method/incidence.md).
 SMOOTHNESS = 0.03
 COAT_FACTOR = 10.0
 TIME_LIMIT_S = 0.016

@@ -7,7 +7,7 @@ With x running evenly from 0 to 1 over the K texels of a 1-D texture, the cosine
 p = 1 places the fits evenly in the cosine, p > 1 more densely towards grazing, where Fresnel's factors turn
 fast. The power is adjusted until one texel falls on 45° exactly: there paints are measured, and there a
 multi-angle fit must be as true as a single one. Its inverse is one power in a shader,
-``x = ((N·L - c_0)/(1 - c_0))^(1/p)``. Measurements behind the defaults: docs/incidence.md.
+``x = ((N·L - c_0)/(1 - c_0))^(1/p)``. Measurements behind the defaults: docs/method/incidence.md.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ view, any reciprocal reflectance is even in γ. So their samples stand at θ + �
 seen at θ is narrower across the plane of incidence than in it by cosθ. Even azimuths would miss it at grazing, and
 the rings of the single fit would begin outside it: so the first ring lies at .001 cosθ, and the azimuths are denser
 towards the plane, φ = cosθ·sinh(s) with even s, each counted by dφ/ds. The energy of Beckmann coats then comes out
-within 1.5 % (docs/incidence.md).
+within 1.5 % (docs/method/incidence.md).
 """
 
 from __future__ import annotations

@@ -1,0 +1,67 @@
+"""Links and named files of the documents exist, the index lists every page, and where.md answers with files."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+CODE_BLOCK = re.compile(r"^```.*?^```", re.DOTALL | re.MULTILINE)
+LINK = re.compile(r"\]\((?![a-z]+:)([^)\s]+)\)")
+HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
+NAMED_FILE = re.compile(r"`((?:apps|brdf_suite|docs|packaging|resources|tests)/[\w./*-]+\.\w+)`")
+ANSWER = re.compile(r"^\| (Where .+\?) \| `([^`]+)` \|$", re.MULTILINE)
+
+
+def pages(checkout: Path) -> list[Path]:
+    top = [checkout / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")]
+    return [*top, *sorted((checkout / "docs").rglob("*.md"))]
+
+
+def anchors(page: Path) -> set[str]:
+    """Return the anchors of a page's headings, as GitHub makes them."""
+    text = CODE_BLOCK.sub("", page.read_text(encoding="utf-8"))
+    headings = (re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).lower() for heading in HEADING.findall(text))
+    return {re.sub(r"[^\w\- ]", "", heading).replace(" ", "-") for heading in headings}
+
+
+def broken_links(page: Path) -> list[str]:
+    found = []
+    for link in LINK.findall(CODE_BLOCK.sub("", page.read_text(encoding="utf-8"))):
+        path, _, anchor = link.partition("#")
+        target = page.parent / path if path else page
+        if not target.exists() or (anchor and anchor not in anchors(target)):
+            found.append(f"{page.name}: {link}")
+    return found
+
+
+def test_links_lead_to_pages_pictures_and_headings(checkout: Path) -> None:
+    assert [link for page in pages(checkout) for link in broken_links(page)] == []
+
+
+def test_a_broken_link_is_found(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text("# The page\n[a](page.md#the-page) [b](page.md#other) [c](none.md) [d](https://e.org)\n")
+    assert broken_links(page) == ["page.md: page.md#other", "page.md: none.md"]
+
+
+def test_the_index_lists_every_page_once(checkout: Path) -> None:
+    docs = checkout / "docs"
+    listed = LINK.findall((docs / "README.md").read_text(encoding="utf-8"))
+    there = {path.relative_to(docs).as_posix() for path in docs.rglob("*.md")} - {"README.md"}
+    assert sorted(link for link in listed if link.endswith(".md")) == sorted(there)
+
+
+def test_where_md_answers_25_questions_with_files(checkout: Path) -> None:
+    answers = ANSWER.findall((checkout / "docs" / "development" / "where.md").read_text(encoding="utf-8"))
+    assert len({question for question, _ in answers}) == len(answers) == 25
+    assert [path for _, path in answers if not (checkout / path).is_file()] == []
+
+
+def test_files_that_a_page_names_exist(checkout: Path) -> None:
+    missing = [
+        f"{page.name}: {path}"
+        for page in pages(checkout)
+        for path in NAMED_FILE.findall(page.read_text(encoding="utf-8"))
+        if not any(checkout.glob(path))
+    ]
+    assert missing == []
