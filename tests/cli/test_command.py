@@ -18,6 +18,7 @@ from PIL import Image
 from brdf_suite.cli.main import main
 from brdf_suite.cli.output import STAGE_END
 from brdf_suite.documents.paint import Paint
+from brdf_suite.files.images import write_exr
 from brdf_suite.pipeline.paint import PaintFit, fit_patiently
 
 ENVIRONMENTS = (
@@ -342,8 +343,10 @@ def test_a_picture_that_cannot_be_written_says_so(inside, tmp_path: Path) -> Non
 def test_a_full_cache_disk_is_no_failure(command, tmp_path: Path) -> None:
     blocked = tmp_path / "blocked"
     blocked.write_text("a file where the cache folder should be")
+    light = tmp_path / "light.exr"  # the maps of the default light are packaged and need no cache
+    write_exr(light, np.ones((8, 16, 3), np.float32))
     done = subprocess.run(
-        [sys.executable, "-m", "brdf_suite.cli.main", "prefilter", "booth", "--json"],
+        [sys.executable, "-m", "brdf_suite.cli.main", "prefilter", str(light), "--json"],
         env={**os.environ, "BRDF_SUITE_CACHE": str(blocked)},
         capture_output=True,
         text=True,
