@@ -1,0 +1,115 @@
+"""The figures and rules of the project's structure, on small checkouts and on this one."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tools import house
+
+UNWANTED = "t" + "old"
+
+CLEAN = {
+    "brdf_suite/__init__.py": "",
+    "brdf_suite/errors.py": "class SuiteError(Exception): ...\n",
+    "brdf_suite/pipeline/__init__.py": "",
+    "brdf_suite/pipeline/fit.py": "from brdf_suite.errors import SuiteError\n\nERROR = SuiteError()\n",
+    "brdf_suite/cli/main.py": "def run() -> None:\n    from brdf_suite.pipeline.fit import fit\n\n    fit()\n",
+    "brdf_suite/pipeline/compiled.py": "def make() -> None:\n    import numba\n\n    numba.njit()\n",
+    "apps/brdf_viewer/__main__.py": "import os\n\ncores = getattr(os, 'cpu_count')\n",
+    "tests/test_fit.py": "class TestFit:\n    def test(self):\n        self._fit = 1\n",
+    "docs/fit.md": "The fit is exact.\n",
+}
+
+
+def written(folder: Path, files: dict[str, str]) -> Path:
+    for name, text in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return folder
+
+
+def test_a_clean_checkout_breaks_no_rule(tmp_path: Path) -> None:
+    assert house.check(house.House(written(tmp_path, CLEAN)), {}) == []
+
+
+@pytest.mark.parametrize(
+    ("rule", "files", "place"),
+    [
+        (
+            "full folders",
+            {f"brdf_suite/pipeline/{letter}.py": "" for letter in "abcdefghijklmnopqrstuvwxyz"},
+            "brdf_suite/pipeline: holds 28 modules",
+        ),
+        ("full folders", {f"tests/test_{n}.py": "" for n in range(20)}, "tests: holds 21 modules"),
+        (
+            "families of names",
+            {f"apps/brdf_viewer/{name}.py": "" for name in ("map", "map_plane", "map_points", "map_space")},
+            "apps/brdf_viewer/map_*: map, map_plane, map_points, map_space",
+        ),
+        (
+            "import circles",
+            {
+                "brdf_suite/geometry/a.py": "from brdf_suite.geometry import b\n",
+                "brdf_suite/geometry/b.py": "if True:\n    from brdf_suite.geometry.a import c\n",
+            },
+            "brdf_suite.geometry.a: in a circle with brdf_suite.geometry.b",
+        ),
+        (
+            "imports inside functions",
+            {"brdf_suite/files/exr.py": "def read() -> None:\n    import json\n\n    json.loads('')\n"},
+            "brdf_suite/files/exr.py:2: import json",
+        ),
+        (
+            "class names in several rooms",
+            {
+                f"brdf_suite/{room}/rows.py": "".join(f"class Row{n}: ...\n" for n in range(21))
+                for room in ("files", "surface")
+            },
+            "Row20: defined in brdf_suite.files, brdf_suite.surface",
+        ),
+        (
+            "attributes by text",
+            {"apps/brdf_viewer/part.py": "def close(part):\n    getattr(part, 'close_part')()\n"},
+            "apps/brdf_viewer/part.py:2: asks for “close_part” by text",
+        ),
+        (
+            "private accesses in tests",
+            {"tests/test_more.py": "import fit\n\n" + "fit._state\n" * 61},
+            "tests/test_more.py:63: takes _state",
+        ),
+        ("unwanted words", {"docs/fit.md": f"The user is {UNWANTED}.\n"}, f"docs/fit.md:1: has “{UNWANTED}”"),
+    ],
+)
+def test_a_breach_is_named_with_its_place(
+    tmp_path: Path, rule: str, files: dict[str, str], place: str
+) -> None:
+    checkout = written(tmp_path, CLEAN | files)
+    head, *places = house.check(house.House(checkout), {})
+    assert head.startswith(f"{rule}: ")
+    assert any(line.strip().startswith(place) for line in places), places
+    amount = int(head.removeprefix(f"{rule}: ").partition(",")[0])
+    assert house.check(house.House(checkout), {rule: amount}) == []
+    assert house.check(house.House(checkout), {rule: amount - 1})
+
+
+def test_figures_of_a_small_checkout(tmp_path: Path) -> None:
+    long = '"""A table.\n\nThis file is long because the standard\'s table is.\n"""\n' + "\n" * 500
+    more = {"brdf_suite/pipeline/table.py": long, "apps/brdf_viewer/fit.py": "class SuiteError: ...\n"}
+    figures = house.measure(house.House(written(tmp_path, CLEAN | more)))
+    assert figures["largest_folder"] == "brdf_suite/pipeline"
+    assert figures["pipeline_modules"] == 3
+    assert figures["imports_inside_functions"] == 2
+    # cli, errors and pipeline; then compiled, fit and table.
+    assert figures["names_passed_largest"] == 6
+    assert figures["class_names_in_several_rooms"] == 1
+    assert figures["files_over_500_lines"] == {"brdf_suite/pipeline/table.py": "the standard's table is"}
+
+
+def test_this_checkout_keeps_the_rules(checkout: Path) -> None:
+    script = str(checkout / "tools" / "house.py")
+    done = subprocess.run([sys.executable, script, "--check"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout

@@ -1,0 +1,1 @@
+"""Programs for development; not in the wheel."""

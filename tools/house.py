@@ -1,0 +1,456 @@
+"""Measure the structure of the checkout, and check the rules that keep it: ``tools/house.py [--json | --check]``.
+
+``--json`` prints the figures, ``--check`` names every place that breaks a rule and ends with status 1. A rule that does
+not hold yet has a number in :data:`ALLOWED`: its breaches may become fewer, never more.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import json
+import re
+import sys
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+MODULES_IN_A_FOLDER = 20
+SIBLINGS_WITH_ONE_PREFIX = 3
+SHARED_CLASS_NAMES = 20
+PRIVATE_ACCESSES_IN_TESTS = 60
+LONG_FILE = 500
+
+# Breaches of each rule that there are today. Lower a number when breaches go; a rule without a number has none.
+ALLOWED: dict[str, int] = {
+    "full folders": 516,
+    "families of names": 97,
+    "import circles": 4,
+    "imports inside functions": 456,
+    "class names in several rooms": 65,
+    "attributes by text": 17,
+    "private accesses in tests": 326,
+    "unwanted words": 1720,
+}
+
+OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsuba", "numba", "rawpy"}
+
+# Modules that may import inside functions, with the reason.
+LATE_IMPORTS: dict[str, str] = {}
+
+# Words that are not used in docstrings, interface texts and documents. This file has to name them.
+UNWANTED_WORDS = re.compile(
+    r"\b(told|tell|tells|telling|whoever|nobody|somebody|had back|gone on with)\b", re.IGNORECASE
+)
+TELLING_WORDS = re.compile(r"\b(told|tell|tells|telling)\b", re.IGNORECASE)
+REASON_FOR_LENGTH = re.compile(r"\blong because\b\s+(.+?)(?:\.\s|\.?$)", re.IGNORECASE | re.DOTALL)
+
+
+Import = ast.Import | ast.ImportFrom
+
+
+@dataclass(frozen=True)
+class Breach:
+    """A place that breaks a rule, and by how many units it does."""
+
+    place: str
+    reason: str
+    amount: int = 1
+
+
+@dataclass(frozen=True)
+class Module:
+    """One Python file of the checkout."""
+
+    file: str  # relative to the checkout, with slashes
+    name: str  # dotted, as it is imported; a package's ``__init__`` has the package's name
+    text: str
+
+    @cached_property
+    def tree(self) -> ast.Module:
+        """The parsed text."""
+        return ast.parse(self.text, self.file)
+
+    @cached_property
+    def imports(self) -> list[tuple[Import, bool]]:
+        """The import statements in the order of their lines, each with whether it stands inside a function."""
+        found: list[tuple[Import, bool]] = []
+        blocks: list[tuple[ast.AST, bool]] = [(self.tree, False)]
+        while blocks:
+            block, late = blocks.pop()
+            late |= isinstance(block, ast.FunctionDef | ast.AsyncFunctionDef)
+            for part in ("body", "orelse", "finalbody", "handlers", "cases"):
+                inner = getattr(block, part, [])
+                for node in inner if isinstance(inner, list) else []:
+                    if isinstance(node, ast.Import | ast.ImportFrom):
+                        found.append((node, late))
+                    else:
+                        blocks.append((node, late))
+        return sorted(found, key=lambda item: item[0].lineno)
+
+    @property
+    def late_imports(self) -> list[Import]:
+        """The import statements inside functions."""
+        return [statement for statement, late in self.imports if late]
+
+    @property
+    def lines(self) -> int:
+        """Number of lines."""
+        return self.text.count("\n")
+
+    @property
+    def folder(self) -> str:
+        """The folder that holds the file, relative to the checkout."""
+        return self.file.rpartition("/")[0]
+
+    @property
+    def stem(self) -> str:
+        """The file's name without its ending."""
+        return Path(self.file).stem
+
+    @property
+    def is_package(self) -> bool:
+        """Whether it is the ``__init__`` of a package."""
+        return self.stem == "__init__"
+
+    @property
+    def room(self) -> str:
+        """The top folder that it belongs to: a program, a room of the core, or a file beside the rooms."""
+        return ".".join(self.name.split(".")[: 2 if self.name.startswith("brdf_suite") else 1])
+
+
+class House:
+    """The Python files and documents of a checkout."""
+
+    def __init__(self, checkout: Path) -> None:
+        self.checkout = checkout
+        self.core = self._read("brdf_suite", checkout)
+        self.apps = self._read("apps", checkout / "apps")
+        self.tests = self._read("tests", checkout)
+        self.tools = self._read("packaging", checkout) + self._read("tools", checkout)
+        self.product = self.core + self.apps
+
+    def _read(self, top: str, start: Path) -> list[Module]:
+        modules = []
+        for path in sorted((self.checkout / top).rglob("*.py")):
+            name = ".".join(path.relative_to(start).with_suffix("").parts).removesuffix(".__init__")
+            file = path.relative_to(self.checkout).as_posix()
+            modules.append(Module(file, name, path.read_text(encoding="utf-8")))
+        return modules
+
+    @cached_property
+    def documents(self) -> dict[str, str]:
+        """The texts of the Markdown files by their paths."""
+        paths = [*self.checkout.glob("*.md"), *(self.checkout / "docs").rglob("*.md")]
+        return {
+            path.relative_to(self.checkout).as_posix(): path.read_text(encoding="utf-8")
+            for path in sorted(paths)
+        }
+
+    @cached_property
+    def imports(self) -> dict[str, set[str]]:
+        """Which modules of the product each module of it imports, at its top, for types or inside functions."""
+        known = {module.name for module in self.product}
+        return {
+            module.name: {
+                imported
+                for statement, _ in module.imports
+                for imported in names_imported(statement, known)
+                if imported != module.name
+            }
+            for module in self.product
+        }
+
+
+def names_imported(statement: Import, known: set[str]) -> Iterator[str]:
+    """The known modules that a statement imports; ``from package import module`` counts as the module."""
+    if isinstance(statement, ast.Import):
+        yield from (alias.name for alias in statement.names if alias.name in known)
+        return
+    base = statement.module or ""
+    for alias in statement.names:
+        if f"{base}.{alias.name}" in known:
+            yield f"{base}.{alias.name}"
+        elif base in known:
+            yield base
+
+
+def find_circles(graph: dict[str, set[str]]) -> list[list[str]]:
+    """Sets of two or more nodes that reach each other (Tarjan 1972, without recursion), each sorted."""
+    number: dict[str, int] = {}
+    lowest: dict[str, int] = {}
+    stack: list[str] = []
+    on_stack: set[str] = set()
+    circles = []
+    for root in sorted(graph):
+        work = [] if root in number else [(root, iter(sorted(graph[root])))]
+        while work:
+            node, successors = work[-1]
+            if node not in number:
+                number[node] = lowest[node] = len(number)
+                stack.append(node)
+                on_stack.add(node)
+            for successor in successors:
+                if successor not in number:
+                    work.append((successor, iter(sorted(graph.get(successor, ())))))
+                    break
+                if successor in on_stack:
+                    lowest[node] = min(lowest[node], number[successor])
+            else:
+                work.pop()
+                if work:
+                    lowest[work[-1][0]] = min(lowest[work[-1][0]], lowest[node])
+                if lowest[node] == number[node]:
+                    component = stack[stack.index(node) :]
+                    del stack[stack.index(node) :]
+                    on_stack.difference_update(component)
+                    if len(component) > 1:
+                        circles.append(sorted(component))
+    return circles
+
+
+def count_modules(modules: list[Module]) -> Counter[str]:
+    """Modules by folder; the ``__init__`` of a package and the ``__main__`` of a program are none."""
+    return Counter(module.folder for module in modules if module.stem not in ("__init__", "__main__"))
+
+
+def count_names_passed(modules: list[Module]) -> dict[str, int]:
+    """For each module, the sum over the folders on its path of the modules and sub-folders in them."""
+    entries: dict[str, set[str]] = defaultdict(set)
+    for module in modules:
+        parts = module.file.split("/")
+        for depth in range(1, len(parts)):
+            if parts[depth] != "__init__.py":
+                entries["/".join(parts[:depth])].add(parts[depth])
+    passed = {}
+    for module in modules:
+        if not module.is_package:
+            parts = module.file.split("/")
+            passed[module.file] = sum(len(entries["/".join(parts[:depth])]) for depth in range(1, len(parts)))
+    return passed
+
+
+def find_class_names(modules: list[Module]) -> dict[str, list[Module]]:
+    """The modules that define a public class at their top, by its name, in the order of the names."""
+    found: dict[str, list[Module]] = defaultdict(list)
+    for module in modules:
+        for node in module.tree.body:
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                found[node.name].append(module)
+    return dict(sorted(found.items()))
+
+
+def find_shared_class_names(modules: list[Module]) -> dict[str, list[str]]:
+    """Names of public classes that are defined in more than one room, with the rooms."""
+    rooms = {name: {module.room for module in found} for name, found in find_class_names(modules).items()}
+    return {name: sorted(found) for name, found in rooms.items() if len(found) > 1}
+
+
+def find_private_accesses(modules: list[Module]) -> list[Breach]:
+    """Attributes with one leading underscore that tests take of anything but themselves."""
+    return [
+        Breach(f"{module.file}:{node.lineno}", f"takes {node.attr}")
+        for module in modules
+        for node in ast.walk(module.tree)
+        if isinstance(node, ast.Attribute)
+        and re.match(r"_(?!_)", node.attr)
+        and not (isinstance(node.value, ast.Name) and node.value.id in ("self", "cls"))
+    ]
+
+
+def find_long_files(modules: list[Module]) -> dict[str, str]:
+    """Files over 500 lines with the reason that their docstring gives: "long because …"."""
+    found = {}
+    for module in modules:
+        if module.lines > LONG_FILE:
+            reason = REASON_FOR_LENGTH.search(ast.get_docstring(module.tree) or "")
+            found[module.file] = " ".join(reason[1].split()) if reason else "no reason given"
+    return found
+
+
+def find_words(texts: dict[str, str], pattern: re.Pattern[str]) -> list[Breach]:
+    """Every place in texts, by their files, where a word of the pattern stands."""
+    return [
+        Breach(f"{file}:{number}", f"has “{word[0]}”")
+        for file, text in texts.items()
+        for number, line in enumerate(text.splitlines(), 1)
+        for word in pattern.finditer(line)
+    ]
+
+
+def check_folders(house: House) -> list[Breach]:
+    """A folder holds at most 20 modules."""
+    counts = count_modules(house.product + house.tests + house.tools)
+    return [
+        Breach(folder, f"holds {count} modules, at most {MODULES_IN_A_FOLDER}", count - MODULES_IN_A_FOLDER)
+        for folder, count in sorted(counts.items())
+        if count > MODULES_IN_A_FOLDER
+    ]
+
+
+def check_prefixes(house: House) -> list[Breach]:
+    """At most three modules of a folder begin with the same word."""
+    families: dict[tuple[str, str], list[str]] = defaultdict(list)
+    for module in house.product:
+        if not module.stem.startswith("_"):
+            families[module.folder, module.stem.split("_")[0]].append(module.stem)
+    return [
+        Breach(f"{folder}/{prefix}_*", ", ".join(names), len(names) - SIBLINGS_WITH_ONE_PREFIX)
+        for (folder, prefix), names in sorted(families.items())
+        if len(names) > SIBLINGS_WITH_ONE_PREFIX
+    ]
+
+
+def check_circles(house: House) -> list[Breach]:
+    """No modules import each other in a circle."""
+    return [
+        Breach(circle[0], "in a circle with " + ", ".join(circle[1:]))
+        for circle in find_circles(house.imports)
+    ]
+
+
+def check_late_imports(house: House) -> list[Breach]:
+    """Imports stand inside functions only in the command, in packages' ``__init__`` and for optional packages."""
+    return [
+        Breach(f"{module.file}:{statement.lineno}", ast.unparse(statement))
+        for module in house.product
+        if not module.is_package and module.room != "brdf_suite.cli" and module.file not in LATE_IMPORTS
+        for statement in module.late_imports
+        if not packages_imported(statement) <= OPTIONAL_PACKAGES
+    ]
+
+
+def packages_imported(statement: Import) -> set[str]:
+    """The top packages that a statement imports from."""
+    names = (
+        [statement.module or ""]
+        if isinstance(statement, ast.ImportFrom)
+        else [a.name for a in statement.names]
+    )
+    return {name.split(".")[0] for name in names}
+
+
+def check_class_names(house: House) -> list[Breach]:
+    """At most 20 names of public classes are defined in more than one room."""
+    found = [
+        Breach(name, "defined in " + ", ".join(rooms))
+        for name, rooms in find_shared_class_names(house.product).items()
+    ]
+    return found if len(found) > SHARED_CLASS_NAMES else []
+
+
+def check_attributes_by_name(house: House) -> list[Breach]:
+    """Parts of the programs do not ask each other for attributes by text."""
+    found = []
+    for module in house.apps:
+        imported = {
+            (alias.asname or alias.name).split(".")[0]
+            for statement, _ in module.imports
+            if isinstance(statement, ast.Import)
+            for alias in statement.names
+        }
+        for node in ast.walk(module.tree):
+            match node:
+                case ast.Call(
+                    func=ast.Name(id="getattr" | "hasattr"), args=[asked, ast.Constant(value=str(name)), *_]
+                ):
+                    if not (isinstance(asked, ast.Name) and asked.id in imported):
+                        found.append(Breach(f"{module.file}:{node.lineno}", f"asks for “{name}” by text"))
+    return found
+
+
+def check_private_accesses(house: House) -> list[Breach]:
+    """Tests use what is public, with at most 60 exceptions."""
+    found = find_private_accesses(house.tests)
+    return found if len(found) > PRIVATE_ACCESSES_IN_TESTS else []
+
+
+def check_words(house: House) -> list[Breach]:
+    """Texts are plain English."""
+    modules = house.product + house.tests + house.tools
+    texts = {module.file: module.text for module in modules if module.name != "tools.house"}
+    return find_words(texts | house.documents, UNWANTED_WORDS)
+
+
+RULES: dict[str, Callable[[House], list[Breach]]] = {
+    "full folders": check_folders,
+    "families of names": check_prefixes,
+    "import circles": check_circles,
+    "imports inside functions": check_late_imports,
+    "class names in several rooms": check_class_names,
+    "attributes by text": check_attributes_by_name,
+    "private accesses in tests": check_private_accesses,
+    "unwanted words": check_words,
+}
+
+
+def measure(house: House) -> dict[str, object]:
+    """The structural figures, as they are printed."""
+    folder, modules = max(count_modules(house.product).items(), key=lambda item: item[1])
+    passed = count_names_passed(house.product)
+    longest = max(passed, key=lambda file: passed[file])
+    texts = {module.file: module.text for module in house.product}
+    pipeline = [module for module in house.core if module.room == "brdf_suite.pipeline"]
+    return {
+        "largest_folder": folder,
+        "largest_folder_modules": modules,
+        "pipeline_modules": sum(not module.is_package for module in pipeline),
+        "pipeline_lines": sum(module.lines for module in pipeline),
+        "product_modules": len(house.product),
+        "product_lines": sum(module.lines for module in house.product),
+        "imports_inside_functions": sum(len(module.late_imports) for module in house.product),
+        "import_circles": len(find_circles(house.imports)),
+        "names_passed_mean": round(sum(passed.values()) / len(passed), 1),
+        "names_passed_largest": passed[longest],
+        "names_passed_largest_to": longest,
+        "class_names_in_several_rooms": len(find_shared_class_names(house.product)),
+        "class_names_in_several_modules": sum(
+            len(found) > 1 for found in find_class_names(house.product).values()
+        ),
+        "private_accesses_in_tests": len(find_private_accesses(house.tests)),
+        "told_tell_tells_telling": len(find_words(texts | house.documents, TELLING_WORDS)),
+        "files_over_500_lines": find_long_files(house.product),
+    }
+
+
+def check(house: House, allowed: dict[str, int]) -> list[str]:
+    """Lines that name what breaks a rule more often than is allowed; none where every rule is kept."""
+    lines = []
+    for rule, find in RULES.items():
+        breaches = find(house)
+        amount, limit = sum(breach.amount for breach in breaches), allowed.get(rule, 0)
+        if amount > limit:
+            lines.append(f"{rule}: {amount}, allowed {limit}. {find.__doc__}")
+            lines += [f"  {breach.place}: {breach.reason}" for breach in breaches]
+        elif amount < limit:
+            print(f"{rule}: {amount}, allowed {limit}; lower the number in ALLOWED")
+    return lines
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Print the figures, or check the rules."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0] if __doc__ else None)
+    parser.add_argument("--json", action="store_true", help="print the figures as JSON")
+    parser.add_argument(
+        "--check", action="store_true", help="name what breaks a rule; status 1 where anything does"
+    )
+    parser.add_argument("--checkout", type=Path, default=Path(__file__).resolve().parents[1], metavar="DIR")
+    options = parser.parse_args(arguments)
+    house = House(options.checkout.resolve())
+    if options.check:
+        complaints = check(house, ALLOWED)
+        print(*complaints, sep="\n") if complaints else print("Every rule is kept.")
+        return 1 if complaints else 0
+    figures = measure(house)
+    if options.json:
+        print(json.dumps(figures, indent=1, ensure_ascii=False))
+    else:
+        for name, value in figures.items():
+            print(f"{name.replace('_', ' ')}: {value}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
