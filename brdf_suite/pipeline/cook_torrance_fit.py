@@ -13,7 +13,7 @@ import numpy as np
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.cook_torrance.fit import fit_checked
-from brdf_suite.fitting.cook_torrance.result import LobeFit
+from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.cook_torrance_plot import FitPlot, fit_plot
@@ -40,7 +40,7 @@ class FileFit:
 
     name: str
     reflectance: Reflectance
-    fit: LobeFit
+    fit: CookTorranceFit
     paint: CookTorrancePaint | None
     errors: FitErrors
     errors_within: FitErrors
@@ -127,7 +127,7 @@ def fit_reflectance_lobes(
     return FileFit(name, reflectance, fit, paint, errors, within, time.perf_counter() - start)
 
 
-def _energy(fit: LobeFit) -> tuple[str, ...]:
+def _energy(fit: CookTorranceFit) -> tuple[str, ...]:
     albedo = directional_albedo(fit, spherical(np.radians(_JUDGED_DEG), np.pi), 32).max(axis=1)
     over = np.flatnonzero(albedo > _MOST_ALBEDO)
     if not over.size:
@@ -138,7 +138,7 @@ def _energy(fit: LobeFit) -> tuple[str, ...]:
     )
 
 
-def _source(name: str, fit: LobeFit, errors: FitErrors) -> str:
+def _source(name: str, fit: CookTorranceFit, errors: FitErrors) -> str:
     lobes = fit.model.lobes - len(fit.dropped)
     return (
         f"{lobes} Cook-Torrance {'lobe' if lobes == 1 else 'lobes'} fitted to {name}: mean |ln(fit/measured)| "

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brdf_suite.fitting.cook_torrance.result import LobeFit
+from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 from brdf_suite.fitting.cook_torrance.samples import half_and_difference
 from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates
 from brdf_suite.reflectance.protocol import Reflectance
@@ -34,7 +34,7 @@ class FitPlot:
     parts: Floats
 
 
-def fit_plot(reflectance: Reflectance, fit: LobeFit) -> FitPlot:
+def fit_plot(reflectance: Reflectance, fit: CookTorranceFit) -> FitPlot:
     """Return the curves; of a table at the measured bins nearest to φd = 90°, of samples the medians of those near."""
     if isinstance(reflectance, ScatteredSamples):
         return _of_samples(reflectance, fit)
@@ -47,7 +47,7 @@ def fit_plot(reflectance: Reflectance, fit: LobeFit) -> FitPlot:
     return _curves(theta_h, theta_d, wi, wo, measured, fit)
 
 
-def _of_table(table: IsotropicTable, fit: LobeFit) -> FitPlot:
+def _of_table(table: IsotropicTable, fit: CookTorranceFit) -> FitPlot:
     theta_h, all_d, all_p = table.grid.centres()
     known = table.measured_mask()
     # A rig's steps leave rows of θd without a reading; the fullest of those near is taken.
@@ -68,7 +68,7 @@ def _of_table(table: IsotropicTable, fit: LobeFit) -> FitPlot:
 
 
 def _curves(
-    theta_h: Floats, theta_d: Floats, wi: Floats, wo: Floats, measured: Floats, fit: LobeFit
+    theta_h: Floats, theta_d: Floats, wi: Floats, wo: Floats, measured: Floats, fit: CookTorranceFit
 ) -> FitPlot:
     parts = fit.parts(wi, wo)
     above = ((wi[..., 2] > 0.0) & (wo[..., 2] > 0.0))[..., None]
@@ -81,7 +81,7 @@ def _curves(
     )
 
 
-def _of_samples(samples: ScatteredSamples, fit: LobeFit) -> FitPlot:
+def _of_samples(samples: ScatteredSamples, fit: CookTorranceFit) -> FitPlot:
     theta_h, theta_d = half_and_difference(samples.wi, samples.wo)
     edges = 0.5 * np.pi * (np.arange(_POINTS // 2 + 1) / (_POINTS // 2)) ** 2
     middle = 0.5 * np.pi * ((np.arange(_POINTS // 2) + 0.5) / (_POINTS // 2)) ** 2

@@ -18,7 +18,7 @@ from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.documents.paint import Flakes, Lab, OrangePeel, Paint
 from brdf_suite.errors import FittingError, UnreachableError
 from brdf_suite.fitting.lobes.basis import LobeBasis
-from brdf_suite.fitting.lobes.fitter import LobeFit, LobeFitter
+from brdf_suite.fitting.lobes.fitter import LayersFit, LobeFitter
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.reflectance.build import build_paint
@@ -52,7 +52,7 @@ class PaintFit:
 
     paint: Paint
     reflectance: PaintReflectance
-    fit: LobeFit
+    fit: LayersFit
     angles: tuple[AngleResult, ...]
     notices: tuple[str, ...]
     seconds: float
@@ -115,7 +115,7 @@ class PaintFit:
         """The largest ΔE00 between paint and fit over the measured angles."""
         return max(row.delta_e_2000 for row in self.angles)
 
-    def with_fit(self, fit: LobeFit) -> PaintFit:
+    def with_fit(self, fit: LayersFit) -> PaintFit:
         """Return the same paint with other lobes fitted to it: those that came after the time limit."""
         seconds = self.seconds + fit.seconds - self.fit.seconds
         return replace(self, fit=fit, angles=_results(self.paint, fit.weights), seconds=seconds)

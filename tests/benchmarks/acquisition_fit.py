@@ -23,7 +23,7 @@ from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.measured import read_measured
 from brdf_suite.files.measured.brdftable import write_brdftable
-from brdf_suite.fitting.cook_torrance import LobeFit, Settings, fit_checked
+from brdf_suite.fitting.cook_torrance import CookTorranceFit, Settings, fit_checked
 from brdf_suite.fitting.cook_torrance.samples import Floor
 from brdf_suite.fitting.lobes.undivided import fit_undivided
 from brdf_suite.geometry.directions import Floats
@@ -98,7 +98,7 @@ class Recovered(NamedTuple):
     brdf_mean: float
 
 
-def recovered(truth: CookTorrancePaint, fit: LobeFit, table: IsotropicTable) -> Recovered:
+def recovered(truth: CookTorrancePaint, fit: CookTorranceFit, table: IsotropicTable) -> Recovered:
     """Compare a fit with the paint that its table was made of; each true lobe with the fitted one of the nearest m."""
     errors = {f"kd {name}": _relative(fit.kd[c], truth.kd[c]) for c, name in enumerate("rgb")}
     reflectances = {}

@@ -21,7 +21,7 @@ import numpy.typing as npt
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
-from brdf_suite.fitting.cook_torrance.result import LobeFit
+from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 from brdf_suite.fitting.cook_torrance.samples import LobeSamples, checked_samples
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.fitting.cook_torrance.shapes import inverse_index_of
@@ -64,7 +64,7 @@ def fit_lobes(
     *,
     kept: KeptStarts | None = None,
     progress: Progress | None = None,
-) -> LobeFit:
+) -> CookTorranceFit:
     """Fit lobes to samples of a reflectance: equations 1 to 3 of Günther et al. 2005.
 
     Parameters
@@ -107,7 +107,7 @@ def fit_checked(
     *,
     kept: KeptStarts | None = None,
     progress: Progress | None = None,
-) -> LobeFit:
+) -> CookTorranceFit:
     """Fit lobes to samples that are checked already; otherwise as :func:`fit_lobes`."""
     model = LobeModel(settings.model, settings.lobes)
     if model.coat and settings.lobes < 2:
@@ -135,7 +135,7 @@ def fit_checked(
     report(progress, 0.97, "uncertainties")
     cost = final_cost(whole, best, settings.loss)
     errors = standard_errors(whole, best, cost)
-    return LobeFit(model, best, settings, errors, whole, dropped)
+    return CookTorranceFit(model, best, settings, errors, whole, dropped)
 
 
 def key_of(samples: LobeSamples, settings: Settings) -> str:

@@ -27,7 +27,7 @@ _POORLY_TOLD = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class LobeFit:
+class CookTorranceFit:
     """Lobes fitted to samples; a reflectance itself, reciprocal and never negative.
 
     ``dropped`` are the lobes that the samples did not ask for: their weight is 0.

@@ -9,7 +9,7 @@ import pytest
 
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.errors import Cancelled, FittingError, ValueRangeError
-from brdf_suite.fitting.cook_torrance import LobeFit, Settings, fit_lobes
+from brdf_suite.fitting.cook_torrance import CookTorranceFit, Settings, fit_lobes
 from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
@@ -35,11 +35,11 @@ def noisy(paint: CookTorrancePaint, pairs: tuple[Floats, Floats], noise: float) 
 
 
 @pytest.fixture(scope="module")
-def polaris(pairs: tuple[Floats, Floats]) -> LobeFit:
+def polaris(pairs: tuple[Floats, Floats]) -> CookTorranceFit:
     return fit_lobes(*pairs, noisy(TABLE_1["table1_polaris_silver"], pairs, 0.02), settings=QUICK)
 
 
-def test_the_parameters_of_a_metallic_paint_come_back_from_noisy_samples(polaris: LobeFit) -> None:
+def test_the_parameters_of_a_metallic_paint_come_back_from_noisy_samples(polaris: CookTorranceFit) -> None:
     truth = TABLE_1["table1_polaris_silver"]
     assert polaris.kd == pytest.approx(truth.kd, rel=0.02)
     assert polaris.m == pytest.approx([lobe.m for lobe in truth.lobes], rel=0.02)
@@ -48,7 +48,7 @@ def test_the_parameters_of_a_metallic_paint_come_back_from_noisy_samples(polaris
     assert list(polaris.m) == sorted(polaris.m, reverse=True)
 
 
-def test_errors_are_within_a_few_of_those_told(polaris: LobeFit) -> None:
+def test_errors_are_within_a_few_of_those_told(polaris: CookTorranceFit) -> None:
     truth, errors = TABLE_1["table1_polaris_silver"], polaris.standard_errors
     away = np.abs(polaris.m - [lobe.m for lobe in truth.lobes]) / errors.m
     assert np.all(away < 5.0)
@@ -59,7 +59,7 @@ def test_errors_are_within_a_few_of_those_told(polaris: LobeFit) -> None:
 
 
 def test_the_paint_reflects_as_the_fit_and_its_parts_sum_to_it(
-    polaris: LobeFit, pairs: tuple[Floats, Floats]
+    polaris: CookTorranceFit, pairs: tuple[Floats, Floats]
 ) -> None:
     values = polaris.eval(*pairs)
     assert np.allclose(CookTorrance(polaris.paint("fitted")).eval(*pairs), values, rtol=1e-9)
@@ -70,7 +70,7 @@ def test_the_paint_reflects_as_the_fit_and_its_parts_sum_to_it(
     assert not polaris.eval(pairs[0], below).any()
 
 
-def test_the_energy_is_that_of_equation_2(polaris: LobeFit, pairs: tuple[Floats, Floats]) -> None:
+def test_the_energy_is_that_of_equation_2(polaris: CookTorranceFit, pairs: tuple[Floats, Floats]) -> None:
     values = noisy(TABLE_1["table1_polaris_silver"], pairs, 0.02)
     wanted = np.abs(np.log(polaris.eval(*pairs) / values)).sum()
     assert polaris.energy == pytest.approx(wanted)
