@@ -18,15 +18,15 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from brdf_suite.fitting.lobes.basis import LobeBasis
+from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.pipeline.seen_weights import SeenQueue, SeenWeights
 from brdf_suite.realtime.look_up_table import RAMP_COSINES
-from brdf_suite.realtime.values import WeightsOverAngle
+from brdf_suite.realtime.values import MaterialWeights, OverAngle, WeightsOverAngle
 from brdf_suite.reflectance.several_lights import SeveralLights
 
 if TYPE_CHECKING:
     from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleWeights
-    from brdf_suite.pipeline.any_fit import AnyFit
-    from brdf_suite.pipeline.paint import PaintFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.reflectance.protocol import Layered
 
 _Key = tuple[tuple[float, ...], bool]
@@ -52,17 +52,17 @@ class PaintAngles:
         self._fitters: dict[_Key, AngleFitter] = {}
         self._begun: set[_Key] = set()
         self._lock = threading.Lock()
-        self._seen: WeakKeyDictionary[PaintFit | AnyFit, SeenWeights] = WeakKeyDictionary()
+        self._seen: WeakKeyDictionary[LobeFit, SeenWeights] = WeakKeyDictionary()
         self._queue = None if changed is None else SeenQueue(self.tell)
 
-    def of(self, fit: PaintFit | AnyFit) -> FitOverAngle | None:
+    def of(self, fit: LobeFit) -> FitOverAngle | None:
         """Return what the renderer asks for the weights of ``fit``; None where nothing divides it into layers."""
         from brdf_suite.reflectance.layers import layered  # with models that no start needs
 
         layers = layered(fit.reflectance)
         return None if layers is None else FitOverAngle(self, layers, tuple(fit.weights.exponents.tolist()))
 
-    def by_view(self, fit: PaintFit | AnyFit) -> SeenWeights | None:
+    def by_view(self, fit: LobeFit) -> SeenWeights | None:
         """Return what the renderer asks for weights at every angle of the view; None where Fresnel's gains serve.
 
         They serve designed paints read under one light. With several lights the colour depends on the light's angle
@@ -180,3 +180,23 @@ def at_ramp(weights: AngleWeights) -> WeightsOverAngle:
         return np.asarray((1.0 - part) * table[lower] + part * table[lower + 1])
 
     return WeightsOverAngle(mixed(weights.kd), mixed(weights.kdd), mixed(weights.kg))
+
+
+def material_weights(
+    weights: LobeWeights, over_angle: OverAngle | None = None, by_view: OverAngle | None = None
+) -> MaterialWeights:
+    """Return fitted weights as the renderer takes them.
+
+    ``over_angle`` is asked for those at several incidences, ``by_view`` for those at every angle of the view.
+    """
+    return MaterialWeights(
+        exponents=tuple(weights.exponents.tolist()),
+        kd=weights.kd,
+        kdd=weights.kdd,
+        kg=weights.kg,
+        theta_fit_rad=weights.theta_fit_rad,
+        ior=weights.ior,
+        coat="dielectric" if weights.base_under_coat else "facets",
+        over_angle=over_angle,
+        by_view=by_view,
+    )

@@ -9,12 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
-from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.factored_maps import maps_of
-from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit
-from brdf_suite.pipeline.paint_angles import PaintAngles
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, LobeFit
+from brdf_suite.pipeline.paint_angles import PaintAngles, material_weights
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.pipeline.surface_images import SurfaceImages, peel_tile
 from brdf_suite.realtime.camera import Bounds
@@ -29,15 +28,13 @@ from brdf_suite.realtime.values import (
     CubeFaces,
     EnvironmentMaps,
     GroundField,
-    MaterialWeights,
     MeshPart,
-    OverAngle,
 )
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh, GroundLight
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 Size = tuple[int, int]
 PAINT_MATERIAL = "paint"
@@ -73,7 +70,7 @@ class SceneRenderer:
         """The renderer below, for camera matrices and picking."""
         return self._renderer
 
-    def set_paint_fit(self, fit: PaintFit | AnyFit, material: str = PAINT_MATERIAL) -> None:
+    def set_paint_fit(self, fit: LobeFit, material: str = PAINT_MATERIAL) -> None:
         """Show this paint or measured reflectance from the next frame on; no allocation, no file, no texture.
 
         ``material`` is the one that is given it: the surface's paint, or the one that it is compared with. Its fit at
@@ -85,15 +82,15 @@ class SceneRenderer:
         self._renderer.factors.set(material, self._factored(fit))
         self._renderer.relief.set_own_peel(material, fit.orange_peel)
 
-    def _factored(self, fit: PaintFit | AnyFit) -> FactoredMaps | None:
+    def _factored(self, fit: LobeFit) -> FactoredMaps | None:
         """The maps by which a factored paint's lamps are shaded, made once: an edit of other paints costs nothing."""
-        if isinstance(fit, PaintFit):
+        if fit.material.paint is not None:
             return None
         if self._maps is None or self._maps[0] is not fit.reflectance:
             self._maps = (fit.reflectance, maps_of(fit.reflectance))
         return self._maps[1]
 
-    def swatch(self, fit: PaintFit | AnyFit) -> Swatch:
+    def swatch(self, fit: LobeFit) -> Swatch:
         """Return this paint as a captured form takes it (:meth:`Renderer.capture`), with the same weights."""
         weights = material_weights(fit.weights, self._angles.of(fit), self._angles.by_view(fit))
         return Swatch(weights, fit.flakes)
@@ -194,26 +191,6 @@ def gl_renderer_name() -> str:
         return str(context.info["GL_RENDERER"])
     finally:
         release_context(context)
-
-
-def material_weights(
-    weights: LobeWeights, over_angle: OverAngle | None = None, by_view: OverAngle | None = None
-) -> MaterialWeights:
-    """Return fitted weights as the renderer takes them.
-
-    ``over_angle`` is asked for those at several incidences, ``by_view`` for those at every angle of the view.
-    """
-    return MaterialWeights(
-        exponents=tuple(weights.exponents.tolist()),
-        kd=weights.kd,
-        kdd=weights.kdd,
-        kg=weights.kg,
-        theta_fit_rad=weights.theta_fit_rad,
-        ior=weights.ior,
-        coat="dielectric" if weights.base_under_coat else "facets",
-        over_angle=over_angle,
-        by_view=by_view,
-    )
 
 
 def _distant(prepared: PreparedEnvironment) -> DistantLights:

@@ -26,10 +26,11 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.fitting.lobes.angles import AngleFitter
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.pipeline.paint_angles import at_ramp
 from brdf_suite.pipeline.picture import OffscreenScene, material_weights
-from brdf_suite.pipeline.scene import environment_names, load_environment, load_shipped_paint, paint_names
+from brdf_suite.pipeline.scene import environment_names, load_environment
 from brdf_suite.realtime import material_ramp
 from brdf_suite.realtime.look_up_table import RAMP_COSINES, LookUp, constant_light, look_up_table
 from brdf_suite.realtime.tone_curves import display_light

@@ -18,7 +18,8 @@ from PIL import Image
 from brdf_suite.cli.main import main
 from brdf_suite.cli.output import STAGE_END
 from brdf_suite.documents.paint import Paint
-from brdf_suite.pipeline.paint import PaintFit, fit_patiently
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import material_of
 
 ENVIRONMENTS = (
     "autoshop_01_1k.hdr",
@@ -304,8 +305,8 @@ def test_pipes_and_folders_are_no_environment(command, tmp_path: Path) -> None:
 
 
 def test_a_fit_that_was_stopped_by_time_is_told(monkeypatch, capsys, tmp_path: Path) -> None:
-    def stopped(paint: Paint, name: str, basis: object) -> PaintFit:
-        found = fit_patiently(paint, name)
+    def stopped(paint: Paint, name: str, basis: object) -> LobeFit:
+        found = fit_material(material_of(paint, name))
         return replace(found, fit=replace(found.fit, time_limited=True))
 
     monkeypatch.setattr("brdf_suite.pipeline.any_fit.fit_patiently", stopped)

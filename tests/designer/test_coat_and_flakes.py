@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox
 
 from brdf_suite.appearance.flop import flop_index
 from brdf_suite.documents.paint import OrangePeel
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.reflectance.build import build_paint
 
 

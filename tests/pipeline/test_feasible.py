@@ -22,8 +22,8 @@ from brdf_suite.pipeline.feasible import (
     nearest_reachable,
 )
 from brdf_suite.pipeline.feasible_colours import nearest_in_cone
-from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.reflectance.build import build_paint
 
 BLUE = ((62.0, -4.0, -45.0), (25.0, 4.0, -38.0), (9.0, 8.0, -28.0))

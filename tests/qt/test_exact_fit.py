@@ -12,8 +12,8 @@ from brdf_qt.fit_error import FINAL_TIP, LIMITED_TIP, fit_tips, large_error_tip
 from PySide6.QtCore import QThread
 
 from brdf_suite.errors import FittingError
-from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint
 
 
 @pytest.fixture

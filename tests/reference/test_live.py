@@ -13,7 +13,7 @@ from brdf_suite.documents.view_settings import Lamp, LightColour, PartMaterial, 
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.images import write_exr
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.material import load_shipped_paint
 
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (24, 20)

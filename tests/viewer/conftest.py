@@ -13,7 +13,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 from shiboken6 import isValid
 
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.realtime.renderer import Renderer
 
 _FILE = Path(__file__).parent.parent / "qt_gl" / "xvfb.py"

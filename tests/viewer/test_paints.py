@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
-from brdf_suite.pipeline.scene import paint_names
+from brdf_suite.pipeline.material import paint_names
 
 COLOURS = {"white": (95.0, 0.0, 1.0), "sky": (60.0, -10.0, -30.0), "brick": (40.0, 40.0, 30.0)}
 

@@ -23,7 +23,14 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.migrations import VERSIONS
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.cxf import NAMESPACE, SETTING, SOURCE, TAGS, VERSION, is_cxf, read_cxf
-from brdf_suite.files.exports.format import ExportFormat, Imported, PathLike, Spectra, Subject, readings_loss
+from brdf_suite.files.exports.format import (
+    ExportFormat,
+    ExportItem,
+    Imported,
+    PathLike,
+    Spectra,
+    readings_loss,
+)
 from brdf_suite.files.paint_fields import setting_text, settings_of
 from brdf_suite.progress import Progress
 
@@ -33,19 +40,19 @@ _LEAST, _MOST = -0.1, 3.0
 _NO_XML = re.compile("[^\t\n -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-def losses(subject: Subject) -> tuple[str, ...]:
+def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what CxF3 cannot hold of a paint."""
-    told = list(readings_loss(subject))
-    kept = [name for name in settings_of(subject.paint) if "." in name]
+    told = list(readings_loss(item))
+    kept = [name for name in settings_of(item.paint) if "." in name]
     parts = " and ".join(dict.fromkeys(name.partition(".")[0].replace("_", " ") for name in kept))
     what = f"The {parts}, the rule between angles" if parts else "The rule between angles"
     told.append(
         f"{what} and the near-specular factor go in as tags of this suite; other programs pass over them."
     )
-    if any(_NO_XML.search(text) for text in (subject.name, subject.paint.notes, subject.paint.source)):
+    if any(_NO_XML.search(text) for text in (item.name, item.paint.notes, item.paint.source)):
         told.append("Characters that XML does not know are written as �.")
-    if subject.spectra is not None:
-        told += _spectral_losses(subject.spectra)
+    if item.spectra is not None:
+        told += _spectral_losses(item.spectra)
     return tuple(told)
 
 
@@ -63,11 +70,11 @@ def _spectral_losses(spectra: Spectra) -> list[str]:
     return told
 
 
-def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
+def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write paints as one CxF3 file; raise :class:`FileError` where the disk refuses."""
     now = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
     specifications: dict[str, str] = {}
-    objects = [object_of(subject, f"paint{i + 1}", now, specifications) for i, subject in enumerate(subjects)]
+    objects = [object_of(item, f"paint{i + 1}", now, specifications) for i, item in enumerate(items)]
     text = (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
         f'<cc:CxF xmlns:cc="{NAMESPACE}">\n'
@@ -89,15 +96,15 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
 
 
 def object_of(
-    subject: Subject,
+    item: ExportItem,
     identity: str,
     now: str,
     specifications: dict[str, str],
     further_tags: Mapping[str, str] = MappingProxyType({}),
 ) -> str:
     """Return the Object of a paint; what its values are measured by is added to ``specifications`` by its Id."""
-    paint, values = subject.paint, []
-    spectra = None if subject.spectra is None else _even(subject.spectra)
+    paint, values = item.paint, []
+    spectra = None if item.spectra is None else _even(item.spectra)
     for index, reading in enumerate(paint.measurements):
         geometry = Geometry(reading.illumination_deg, reading.aspecular_deg)
         row = None if spectra is None else spectra.values[index]
@@ -122,7 +129,7 @@ def object_of(
         f"        <cc:CreationDate>{now}</cc:CreationDate>\n"
         + (f"        <cc:Comment>{escape(cleaned(paint.notes))}</cc:Comment>\n" if paint.notes else "")
         + f"        <cc:ColorValues>\n{''.join(values)}        </cc:ColorValues>\n"
-        + tag_collection({**_tags(subject), **further_tags})
+        + tag_collection({**_tags(item), **further_tags})
         + "        <cc:PhysicalAttributes>\n"
         + f'          <cc:Gloss Method="20° GU">{paint.gloss.gu_20!r}</cc:Gloss>\n'
         + (
@@ -134,11 +141,11 @@ def object_of(
     )
 
 
-def _tags(subject: Subject) -> dict[str, str]:
+def _tags(item: ExportItem) -> dict[str, str]:
     tags = {VERSION: str(VERSIONS["brdfpaint"])}
-    if subject.paint.source:
-        tags[SOURCE] = subject.paint.source
-    tags.update({SETTING + name: setting_text(value) for name, value in settings_of(subject.paint).items()})
+    if item.paint.source:
+        tags[SOURCE] = item.paint.source
+    tags.update({SETTING + name: setting_text(value) for name, value in settings_of(item.paint).items()})
     return tags
 
 
