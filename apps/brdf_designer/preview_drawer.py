@@ -82,8 +82,11 @@ class PreviewDrawer:
             self._renderer.set_environment(scene.light)
             self._scene, self._fit = scene, None
         if fit is not self._fit:
+            # This only begins to search on a thread: the view never asks for a fit at several incidences.
+            self._angle_fits.angles.prepare(fit, view)
             self._renderer.set_paint_fit(fit)
             self._fit = fit
+        self._renderer.prepare(view)
         if self.draft:
             self._renderer.renderer.render(view, framebuffer, size, samples=1)
         else:

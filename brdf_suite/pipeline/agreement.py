@@ -225,8 +225,8 @@ def _drawn(
                 fit = fits[form][paint]
                 if fit is None:
                     continue
-                scene.set_paint_fit(fit)
                 view = replace(truth.view, **FORMS[form].view)
+                scene.set_paint_fit(fit, view=view)
                 linear = scene.renderer.linear_image(view, order.size)
                 drawn[paint][form] = _shown(np.asarray(linear[..., :3], np.float64), view)
     return {paint: {form: of[form] for form in order.forms if form in of} for paint, of in drawn.items()}

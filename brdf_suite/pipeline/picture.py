@@ -13,7 +13,7 @@ from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.factored_maps import maps_of
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, LobeFit
-from brdf_suite.pipeline.paint_angles import PaintAngles, material_weights
+from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.pipeline.surface_images import SurfaceImages, peel_tile
 from brdf_suite.realtime.camera import Bounds
@@ -28,6 +28,7 @@ from brdf_suite.realtime.values import (
     CubeFaces,
     EnvironmentMaps,
     GroundField,
+    MaterialWeights,
     MeshPart,
 )
 from brdf_suite.surface.mesh import Mesh
@@ -50,8 +51,10 @@ class SceneRenderer:
     """
 
     def __init__(self, context: Context, angles: PaintAngles | None = None) -> None:
-        self._renderer = Renderer(context)
-        self._renderer.relief.make_peel = peel_tile
+        self._renderer = Renderer(context, make_peel=peel_tile)
+        self._view = View()
+        self._fits: dict[str, LobeFit] = {}
+        self._weights: dict[str, MaterialWeights] = {}
         self._maps: tuple[object, FactoredMaps | None] | None = None
         self._angles = angles or PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S)
 
@@ -70,17 +73,37 @@ class SceneRenderer:
         """The renderer below, for camera matrices and picking."""
         return self._renderer
 
-    def set_paint_fit(self, fit: LobeFit, material: str = PAINT_MATERIAL) -> None:
+    def set_paint_fit(self, fit: LobeFit, material: str = PAINT_MATERIAL, view: View | None = None) -> None:
         """Show this paint or measured reflectance from the next frame on; no allocation, no file, no texture.
 
-        ``material`` is the one that is given it: the surface's paint, or the one that it is compared with. Its fit at
-        several incidences is made when a view first asks for it.
+        ``material`` is the one that is given it: the surface's paint, or the one that it is compared with. Its weights
+        over the angle are those for ``view``, by default the one that was prepared last, see :meth:`prepare`.
         """
-        weights = material_weights(fit.weights, self._angles.of(fit), self._angles.by_view(fit))
-        self._renderer.set_material(material, weights)
+        self._view = view or self._view
+        self._fits[material] = fit
+        if self._angles.waits:
+            self._angles.prepare(fit, self._view)
+        self._take_weights(material)
         self._renderer.set_flakes(material, fit.flakes)
         self._renderer.factors.set(material, self._factored(fit))
         self._renderer.relief.set_own_peel(material, fit.orange_peel)
+
+    def prepare(self, view: View) -> None:
+        """Take what the modes of ``view`` need of weights over the angle; call it before a frame in other modes.
+
+        Without a window that waits for nothing they are fitted here; in one, those are taken that are there by now.
+        """
+        self._view = view
+        for material, fit in self._fits.items():
+            if self._angles.waits:
+                self._angles.prepare(fit, view)
+            self._take_weights(material)
+
+    def _take_weights(self, material: str) -> None:
+        weights = self._angles.weights(self._fits[material])
+        if weights is not self._weights.get(material):
+            self._weights[material] = weights
+            self._renderer.set_material(material, weights)
 
     def _factored(self, fit: LobeFit) -> FactoredMaps | None:
         """The maps by which a factored paint's lamps are shaded, made once: an edit of other paints costs nothing."""
@@ -92,8 +115,9 @@ class SceneRenderer:
 
     def swatch(self, fit: LobeFit) -> Swatch:
         """Return this paint as a captured form takes it (:meth:`Renderer.capture`), with the same weights."""
-        weights = material_weights(fit.weights, self._angles.of(fit), self._angles.by_view(fit))
-        return Swatch(weights, fit.flakes)
+        if self._angles.waits:
+            self._angles.prepare(fit, self._view)
+        return Swatch(self._angles.weights(fit), fit.flakes)
 
     def set_environment(self, prepared: PreparedEnvironment) -> None:
         """Show this environment; its maps must have been made for the exponents of the paint's fit."""
@@ -124,10 +148,12 @@ class SceneRenderer:
 
     def draw(self, view: View, framebuffer: Any, size: Size) -> None:
         """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels."""
+        self.prepare(view)
         self._renderer.render(view, framebuffer, size)
 
     def image(self, view: View, size: Size) -> NDArray[np.uint8]:
         """Return a picture ``(height, width, 3)`` uint8 sRGB, top row first."""
+        self.prepare(view)
         return self._renderer.render_image(metered(self._renderer, view, size), size)
 
     def release(self) -> None:

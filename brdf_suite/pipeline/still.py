@@ -91,6 +91,7 @@ def loaded_scene(
             prepared = with_smaller_maps(prepared, largest_face)
         maps_s = perf_counter() - start
         scene.set_environment(prepared)
+        scene.prepare(view)
         scene.set_surface_images(load_surface_images(ImageRequest.of(view)))
         mesh, baked = bake_or_explain(mesh, view.surface_look, part(progress, 0.6, 1.0))
         scene.set_surface(mesh, baked)

@@ -207,7 +207,8 @@ def _maps() -> EnvironmentMaps:
 
 def _weights(paint: Paint) -> MaterialWeights:
     fitted = fit_material(material_of(paint, paint.name))
-    return material_weights(fitted.weights, PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S).of(fitted))
+    over_angle = PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S).of(fitted)
+    return material_weights(fitted.weights, None if over_angle is None else over_angle.weights())
 
 
 def _every_lobe() -> MaterialWeights:

@@ -49,13 +49,6 @@ RADIUS = 0.13
 T_FIT = 1.0 - float(fresnel_dielectric(np.cos(np.pi / 4), 1.5))
 
 
-class Given:
-    """The weights over the incidence of a material, as :class:`values.OverAngle` gives them."""
-
-    def __init__(self, table):
-        self.weights = lambda: table
-
-
 class Points(NamedTuple):
     """Pixels of the sphere (n, 2), and there the normal and mirror direction (n, 3) and N·V (n,)."""
 
@@ -203,7 +196,7 @@ def forms(scene, weights, over_angle, light, points, gamma):
     plain = replace(bare, coat="none")
     passed = ((1.0 - fresnel_dielectric(points.cosine, weights.ior)) / T_FIT)[:, None]
     table = at_ramp(over_angle)
-    several = replace(bare, over_angle=Given(replace(table, kg=np.zeros_like(table.kg))))
+    several = replace(bare, over_angle=replace(table, kg=np.zeros_like(table.kg)))
 
     def drawn(material, **modes):
         scene.renderer.set_material("paint", material)

@@ -97,7 +97,7 @@ def test_every_subject_is_fitted_and_the_bar_tells_of_it(opened, program) -> Non
     opened("blue", "table1_white", "lambertian")
     blue, white, matt = program.desk.subjects
     assert blue.fit.worst_delta_e < 0.5
-    assert {s.fit.source.kind for s in (blue, white)} == {"designed", "cook_torrance"}
+    assert {s.fit.kind for s in (blue, white)} == {"designed", "cook_torrance"}
     np.testing.assert_allclose(matt.fit.weights.kd, np.array([0.8, 0.5, 0.2]) / np.pi, rtol=0.05)
     program.desk.set_front(blue.key)
     assert "fit" in program.window.status.cell("fit").text()

@@ -53,6 +53,7 @@ def test_asked_once_and_only_by_its_mode(fitter, monkeypatch):
             scene.set_paint_fit(fit)
             for mode in ("off", "raised", "multi_angle", "raised", "multi_angle"):
                 shown = View(view.camera, fresnel=mode)
+                scene.prepare(shown)
                 pictures[mode] = scene.renderer.linear_image(shown, (16, 16), 1)[8, 8, :3]
             assert len(asked) == 1 + fits.index(fit)
         apart = {name: float(pictures[name].mean()) for name in ("off", "raised", "multi_angle")}
