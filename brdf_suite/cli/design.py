@@ -119,13 +119,11 @@ def run_between(options: argparse.Namespace) -> int:
 
 def _design(name_or_path: str) -> Paint:
     """Return the designed paint of a name or file; of anything else the design that is started from its readings."""
-    from brdf_suite.pipeline.material import load_document, load_material
-    from brdf_suite.pipeline.measured_start import measured_start
+    from brdf_suite.documents.paint import Paint
+    from brdf_suite.pipeline.measured_start import load_paint_or_start, load_start
 
-    document = load_document(name_or_path)
-    if isinstance(document, Paint):
-        return document
-    return measured_start(load_material(name_or_path)).paint
+    found = load_paint_or_start(name_or_path)
+    return found if isinstance(found, Paint) else load_start(name_or_path).paint
 
 
 def _check_output(path: Path | None) -> None:

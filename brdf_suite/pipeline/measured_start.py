@@ -18,8 +18,9 @@ from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.appearance.flat_colours import within_paint
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry, GeometrySet
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Interpolation, Lab, Measurement, Paint
+from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import SuiteError, UnreachableError
-from brdf_suite.pipeline.material import Material, load_material
+from brdf_suite.pipeline.material import Material, load_document, load_material
 from brdf_suite.progress import Progress, part, report
 from brdf_suite.reflectance.misses import told_misses
 from brdf_suite.reflectance.protocol import Reflectance
@@ -112,6 +113,15 @@ def load_start(
     report(progress, 0.0, f"reading {Path(name_or_path).name}")
     item = load_material(name_or_path)
     return measured_start(item, geometry_set, part(progress, 0.5, 1.0))
+
+
+def load_paint_or_start(name_or_path: str | os.PathLike[str], progress: Progress | None = None) -> AnyPaint:
+    """Return the document of a paint of any kind; of measured data and models the design that is started from them.
+
+    Errors as :func:`load_start`, but for paints that cannot be built.
+    """
+    document = load_document(name_or_path)
+    return load_start(name_or_path, progress=progress).paint if document is None else document
 
 
 def measured_start(
