@@ -35,7 +35,7 @@ class Messages(Protocol):
 
 
 class Fitter(Protocol):
-    """What turns a paint into weights: :class:`brdf_suite.pipeline.paint.PaintFitter`."""
+    """What turns a paint into weights: :class:`brdf_suite.pipeline.lobe_fit.PaintFitter`."""
 
     def fit(self, paint: Paint) -> LobeFit:
         """Return the fit, or raise :class:`UnreachableError`."""

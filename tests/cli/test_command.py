@@ -17,9 +17,8 @@ from PIL import Image
 
 from brdf_suite.cli.main import main
 from brdf_suite.cli.output import STAGE_END
-from brdf_suite.documents.paint import Paint
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
-from brdf_suite.pipeline.material import material_of
+from brdf_suite.pipeline.material import Material
 
 ENVIRONMENTS = (
     "autoshop_01_1k.hdr",
@@ -305,11 +304,11 @@ def test_pipes_and_folders_are_no_environment(command, tmp_path: Path) -> None:
 
 
 def test_a_fit_that_was_stopped_by_time_is_told(monkeypatch, capsys, tmp_path: Path) -> None:
-    def stopped(paint: Paint, name: str, basis: object) -> LobeFit:
-        found = fit_material(material_of(paint, name))
-        return replace(found, fit=replace(found.fit, time_limited=True))
+    def stopped(material: Material) -> LobeFit:
+        found = fit_material(material)
+        return replace(found, weights=replace(found.weights, time_limited=True))
 
-    monkeypatch.setattr("brdf_suite.pipeline.any_fit.fit_patiently", stopped)
+    monkeypatch.setattr("brdf_suite.pipeline.still.fit_material", stopped)
     assert main(["render", "blue", "-o", str(tmp_path / "out.png"), "--size", "64x48"]) == 0
     assert " ms, time-limited, maps " in capsys.readouterr().out
 

@@ -21,7 +21,7 @@ from brdf_suite.reflectance.models.lambertian import Lambertian
 SLOW = {
     "brdf_suite.pipeline.measuring",
     "brdf_suite.pipeline.scene",
-    "brdf_suite.pipeline.any_fit",
+    "brdf_suite.fitting.lobes.undivided",
     "trimesh",
     "moderngl",
     "colour",

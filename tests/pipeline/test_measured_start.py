@@ -28,7 +28,7 @@ class Diffuser:
 def test_a_design_measured_comes_back(angles: str) -> None:
     """The paint's own readings, gloss and look return: 0.01 of rounding, and nothing at angles not used."""
     paint = load_shipped_paint("blue")
-    item = Material("blue", build_paint(paint), source="blue")
+    item = Material("blue", build_paint(paint), origin="blue")
     start = measured_start(item, geometry_set(angles))
     for angle in (15.0, 45.0, 110.0):
         assert start.paint.lab_at(angle) == pytest.approx(paint.lab_at(angle), abs=0.006)
