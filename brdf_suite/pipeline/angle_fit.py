@@ -112,7 +112,10 @@ def fit_at_angles(
         layers = layered(reflectance)
         if layers is None:
             raise FittingError(
-                "it has no coat and base to be fitted at several angles; leave out the number of angles."
+                "nothing divides measured data into coat and base, so they cannot be fitted at several angles; leave "
+                "out the number of angles."
+                if material.facts
+                else "it has no coat and base to be fitted at several angles; leave out the number of angles."
             )
         facets = not layers.base_under_coat
         fitter = AngleFitter(grid=grid, facets=facets, time_limit_s=time_limit_s)

@@ -24,8 +24,8 @@ from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.lighting.prefilter import face_size
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, fit_material
 from brdf_suite.pipeline.material import default_paint, load_material, material_of
-from brdf_suite.pipeline.paint_angles import PaintAngles
-from brdf_suite.pipeline.picture import gl_renderer_name, material_weights
+from brdf_suite.pipeline.paint_angles import PaintAngles, material_weights
+from brdf_suite.pipeline.picture import gl_renderer_name
 from brdf_suite.pipeline.shading_maps import map_exponents
 from brdf_suite.pipeline.still import loaded_scene
 from brdf_suite.progress import part, report

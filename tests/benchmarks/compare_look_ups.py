@@ -28,8 +28,8 @@ from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import load_shipped_paint, paint_names
-from brdf_suite.pipeline.paint_angles import at_ramp
-from brdf_suite.pipeline.picture import OffscreenScene, material_weights
+from brdf_suite.pipeline.paint_angles import at_ramp, material_weights
+from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import environment_names, load_environment
 from brdf_suite.realtime import material_ramp
 from brdf_suite.realtime.look_up_table import RAMP_COSINES, LookUp, constant_light, look_up_table

@@ -15,7 +15,7 @@ from brdf_suite.documents.view_settings import Relief, Sparkle, TwoTone
 from brdf_suite.files.images import write_exr, write_png
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.lobe_fit import fit_material
-from brdf_suite.pipeline.material import load_material, load_shipped_paint
+from brdf_suite.pipeline.material import load_material, load_shipped_paint, material_of
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.flakes.countable import countable_part
 from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio
@@ -356,7 +356,7 @@ def test_orange_peel_of_the_paint_or_of_the_view_moves_reflections(variant, tmp_
     live = LiveReference()
 
     def traced(worn, shown):
-        live.show(worn, shown, (48, 40))
+        live.show(material_of(worn), shown, (48, 40))
         for _ in range(5):
             estimate = live.step()
         return estimate.radiance[..., 1]
