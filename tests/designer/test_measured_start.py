@@ -122,3 +122,10 @@ def test_what_is_neither_is_told_as_ever(desk, control, qtbot, tmp_path) -> None
     qtbot.waitUntil(lambda: "broken.bsdf" in desk.window.messages.shown()["open"].where)
     assert desk.desk.paint is before
     assert desk.window.progress.jobs == ()
+
+
+def test_every_kind_of_material_is_opened(desk, materials, qtbot) -> None:
+    for asked in materials.values():
+        before = desk.store.value
+        desk.open(asked)
+        qtbot.waitUntil(lambda before=before: desk.store.value is not before)

@@ -286,3 +286,9 @@ def test_reading_that_lasts_is_shown_and_can_be_cancelled(program, qtbot, monkey
     qtbot.waitUntil(ended.is_set)
     assert program.window.messages.shown() == {}
     assert program.desk.subjects == ()
+
+
+def test_every_kind_of_material_is_opened(materials) -> None:
+    light = illumination(45.0)
+    for asked in materials.values():
+        assert np.isfinite(open_source(asked).subjects[0].reflectance.eval(light, light)).all(), asked

@@ -128,3 +128,11 @@ def test_every_measured_format_is_opened() -> None:
     from brdf_suite.files.measured.registry import FORMATS
 
     assert {ending for known in FORMATS for ending in known.endings} <= set(ENDINGS["paint"])
+
+
+def test_every_kind_of_material_is_opened(viewer, materials, qtbot) -> None:
+    for kind, asked in materials.items():
+        before = viewer.stage.fit
+        viewer.controller.paint.open(asked)
+        qtbot.waitUntil(lambda before=before: viewer.stage.fit is not before)
+        assert "paint" not in viewer.messages(), kind
