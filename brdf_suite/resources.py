@@ -6,9 +6,10 @@ its top. Both are found, and nothing else in the suite knows the difference.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, SuiteError
 
 _PACKAGE = Path(__file__).resolve().parent
 _CANDIDATES = (_PACKAGE / "_resources", _PACKAGE.parent / "resources")
@@ -45,3 +46,37 @@ def resource_names(kind: str, ending: str) -> list[str]:
     """Return the names, without ``ending`` and sorted, of the packaged files of a kind."""
     folder = resource_root() / kind
     return sorted(p.name.removesuffix(ending) for p in folder.glob(f"*{ending}"))
+
+
+def packaged_name(text: str, names: Sequence[str]) -> str | None:
+    """Return which of the packaged ``names`` is ``text``, in any letter case; a file of just that name goes first.
+
+    A name in its own letter case is never a file. Raises :class:`FileError` where the file system refuses to look.
+    """
+    if text in names:
+        return text
+    name = {name.casefold(): name for name in names}.get(text.casefold())
+    return None if name is None or exists(text) else name
+
+
+def check_exists(asked: str, kind: str, names: Sequence[str]) -> None:
+    """Raise an error about what the user typed where it is no file; ``names`` are the packaged ones of ``kind``."""
+    if not asked:
+        raise SuiteError(
+            f"The name of the {kind} is empty; give a file or a shipped one ({', '.join(names)})."
+        )
+    if not exists(asked):
+        if Path(asked).suffix or Path(asked).is_absolute():
+            # A file was meant: the names of what is shipped are no help.
+            raise FileError(asked, "there is no such file")
+        raise FileError(
+            asked, f"there is no such file, nor a shipped {kind} of that name ({', '.join(names)})"
+        )
+
+
+def exists(asked: str) -> bool:
+    """Return whether there is such a file or folder; :class:`FileError` where the file system refuses to look."""
+    try:
+        return Path(asked).exists()
+    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
+        raise FileError(asked, f"cannot be read: {error.strerror or error}") from error

@@ -24,7 +24,7 @@ from PIL import Image
 
 from brdf_suite.files.measured.brdftable import read_brdftable
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.pipeline.measuring import load_measurable
+from brdf_suite.pipeline.material import load_material
 
 IMAGES = Path(__file__).resolve().parent.parent / "docs" / "images"
 TILE = (480, 320)
@@ -79,7 +79,7 @@ def draw(folder: Path, paint: str, size: str) -> None:
 
 def print_differences(paint: str, table: Path, fitted: Path) -> None:
     """Print how far table and fit are from the paint at the trade's angles, light at 45°."""
-    truth = load_measurable(paint).reflectance
+    truth = load_material(paint).reflectance
     angles = np.array([-15.0, 15.0, 25.0, 45.0, 75.0, 110.0])
     wi, wo = illumination(45.0), aspecular_view(45.0, angles)
     wanted = truth.eval(wi, wo)
@@ -87,7 +87,7 @@ def print_differences(paint: str, table: Path, fitted: Path) -> None:
         name: np.abs(reflectance.eval(wi, wo) / wanted - 1.0).max(axis=1).round(4).tolist()
         for name, reflectance in (
             ("table", read_brdftable(table)),
-            ("lobes", load_measurable(str(fitted)).reflectance),
+            ("lobes", load_material(str(fitted)).reflectance),
         )
     }
     print(json.dumps({"aspecular_deg": angles.tolist(), "largest_relative_error": found}))

@@ -27,12 +27,12 @@ from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.agreement_errors import errors_of
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.exposure import ev_of
-from brdf_suite.pipeline.measuring import load_measurable
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import Material, load_material, load_shipped_paint
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.raytraced import Quality, RaytracedSession
 from brdf_suite.pipeline.reference_scene import build_reference
-from brdf_suite.pipeline.scene import find_environment, load_environment, load_shipped_paint, load_surface
+from brdf_suite.pipeline.scene import find_environment, load_environment, load_surface
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.realtime.tone_curves import display_light
 from brdf_suite.reflectance.models.coated_phong import CoatedPhong
@@ -186,7 +186,7 @@ def models(folder: Path, measured: Path) -> None:
     """Figure 7: Phong, a Phong with clearcoat, the table, and Cook-Torrance, path-traced in one light."""
     from brdf_suite.reference.passes import trace
 
-    table = load_measurable(measured).reflectance
+    table = load_material(measured).reflectance
     flat, flat_start, third = [0.0] * 3, [0.02, 0.02, 0.01], [0.05] * 3
     one = [1.0] * 3
     found: dict[str, Reflectance] = {
@@ -215,7 +215,7 @@ def models(folder: Path, measured: Path) -> None:
     mesh = load_shaped(view.surface, view.surface_look)
     light, scenes = {}, {}
     for name, reflectance in found.items():
-        scene = build_reference(name, reflectance, view, size, surroundings, mesh)
+        scene = build_reference(Material(name, reflectance), view, size, surroundings, mesh)
         scenes[name] = (scene, trace(scene.traced, samples=512, samples_per_pass=128))
         light[name] = scenes[name][1].radiance
         print(f"{name}: traced, {', '.join(scene.notices) or 'as it is'}", flush=True)

@@ -24,10 +24,10 @@ from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, LightColour, Sparkle, SurfaceLook
 from brdf_suite.files.png import write_png
-from brdf_suite.pipeline.any_fit import fit_reflectance
 from brdf_suite.pipeline.direct_lamps import half_angles_deg, lamp_radiance
 from brdf_suite.pipeline.factoring import factor_any
-from brdf_suite.pipeline.measuring import load_measurable
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import Material, load_material
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_environment
 from brdf_suite.pipeline.surface import load_shaped
@@ -79,8 +79,8 @@ def view_of(shared: Path) -> View:
 
 def pictures(path: Path, view: View, size: tuple[int, int]) -> tuple[list[list[Floats]], dict[str, float]]:
     """Return two rows of radiance pictures, measured and factored, FINER times as fine, and what they differ by."""
-    item = load_measurable(path)
-    fit = fit_reflectance(item.name, factor_any(path).value)
+    item = load_material(path)
+    fit = fit_material(Material(item.name, factor_any(path).value))
     fine = (size[0] * FINER, size[1] * FINER)
     rows: list[list[Floats]] = [[], []]
     away: list[NDArray[np.bool_]] = []

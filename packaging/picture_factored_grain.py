@@ -23,7 +23,8 @@ from brdf_suite.documents.view_settings import Lamp, LightColour, Relief, Sparkl
 from brdf_suite.files.png import write_png
 from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.samples import sample_reflectance
-from brdf_suite.pipeline.any_fit import fit_reflectance
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_environment, load_surface
 from brdf_suite.realtime.camera import compose
@@ -90,7 +91,7 @@ def lamps() -> tuple[Lamp, ...]:
 def grain() -> Codes:
     """Return the four pictures of metals."""
     steel, brass = (
-        fit_reflectance(n, metal(c))
+        fit_material(Material(n, metal(c)))
         for n, c in (("steel", (0.56, 0.57, 0.58)), ("brass", (0.85, 0.62, 0.25)))
     )
     turns, slopes, mask = spots()
@@ -135,7 +136,7 @@ def ball() -> tuple[Codes, list[float]]:
     with OffscreenScene((1, 1)) as scene:
         scene.set_environment(load_environment("overcast"))
         scene.set_surface(load_surface("speed_form"))
-        scene.set_paint_fit(fit_reflectance("blue", gloss()))
+        scene.set_paint_fit(fit_material(Material("blue", gloss())))
         apart = []
         for lens in (400.0, 50.0):
             seen = replace(view, camera=replace(view.camera, focal_length_mm=lens))

@@ -16,9 +16,10 @@ from PIL import Image, ImageDraw
 
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, Sparkle
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.pipeline.picture import SceneRenderer
-from brdf_suite.pipeline.scene import load_environment, load_shipped_paint, load_surface
+from brdf_suite.pipeline.scene import load_environment, load_surface
 from brdf_suite.realtime.context import create_context
 
 SIZE = (330, 200)

@@ -25,7 +25,7 @@ from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.pipeline.factor_pictures import factor_pictures
 from brdf_suite.pipeline.factoring import FactoringOptions, factor_any, factor_reflectance
-from brdf_suite.pipeline.measuring import load_measurable
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -69,7 +69,7 @@ def gather(shared: Path) -> list[Material]:
         if isinstance(name, Path) and not name.is_file():
             print(f"{name} is not there; left out")
             continue
-        item, fit = load_measurable(name), factor_any(name)
+        item, fit = load_material(name), factor_any(name)
         title = name.stem if isinstance(name, Path) else item.name
         found.append(Material(title.replace("_", " ").lower(), item.reflectance, fit.value))
     return found
@@ -227,7 +227,7 @@ def measured(shared: Path) -> None:
         return
     figure, axes = plt.subplots(1, len(files), figsize=(5.2 * len(files), 3.8), squeeze=False)
     for axis, path in zip(axes[0], files, strict=True):
-        samples = sample_reflectance(load_measurable(path).reflectance)
+        samples = sample_reflectance(load_material(path).reflectance)
         alone, apart = factor_any(path, FactoringOptions(peak="off")).value, factor_any(path).value
         h = warps.half_vector(samples.wi, samples.wo)
         theta_h = np.degrees(np.arccos(np.clip(h[:, 2], -1.0, 1.0)))

@@ -25,9 +25,11 @@ from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.fitting.lobes.raised import RaisedWeights
 from brdf_suite.fitting.lobes.undivided import fit_undivided
+from brdf_suite.fitting.metrics import HeldOut
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.pipeline.any_fit import AnyFit, fit_any
-from brdf_suite.pipeline.fit_errors import HeldOut, held_out_errors
+from brdf_suite.pipeline.fit_errors import held_out_errors
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.still import render_to_file
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
@@ -76,7 +78,7 @@ IN_PLANE_DEG = 4.0
 TILE = (400, 225)
 
 
-def slices(axes: Axes, found: AnyFit, title: str) -> None:
+def slices(axes: Axes, found: LobeFit, title: str) -> None:
     """Draw f_r·cosθi over γ at a few incidences: the data as dots or a pale line, the lobes as a thin dark one."""
     lobes = RaisedWeights(found.weights)
     near = np.geomspace(0.05, 8.0, 60)
@@ -123,7 +125,7 @@ def measured_in_plane(samples: ScatteredSamples, angle: float) -> tuple[np.ndarr
     return angle - view, samples.values[mine]
 
 
-def draw_slices(path: Path, fits: dict[str, AnyFit], columns: int) -> None:
+def draw_slices(path: Path, fits: dict[str, LobeFit], columns: int) -> None:
     """Draw one panel for each fit."""
     rows = -(-len(fits) // columns)
     figure, grid = plt.subplots(rows, columns, figsize=(3.4 * columns, 2.5 * rows), squeeze=False)
@@ -157,7 +159,7 @@ def draw_pictures(path: Path, sources: Sequence[str | Path], columns: int) -> No
     sheet.save(path, optimize=True)
 
 
-def errors_table(fits: dict[str, AnyFit]) -> list[str]:
+def errors_table(fits: dict[str, LobeFit]) -> list[str]:
     """Return a row for each fit: its error at the samples and where it did not look."""
     lines = [
         "| | L1, worst channel | RMS, 1/sr | relative | cube-root | log | > 5° off: cube-root | log |",
@@ -181,7 +183,7 @@ def figures(held_out: HeldOut | None) -> str:
     )
 
 
-def angles_table(fits: dict[str, AnyFit]) -> list[str]:
+def angles_table(fits: dict[str, LobeFit]) -> list[str]:
     """Return ΔE00 at each judged geometry, a row for each fit; in italics where the fit did not look."""
     lines = ["| | ΔE00 at light/aspecular angle |", "|---|---|"]
     for title, found in fits.items():
@@ -193,7 +195,7 @@ def angles_table(fits: dict[str, AnyFit]) -> list[str]:
     return lines
 
 
-def both_ways_table(fits: dict[str, AnyFit]) -> list[str]:
+def both_ways_table(fits: dict[str, LobeFit]) -> list[str]:
     """Return each Cook-Torrance paint as two layers and undivided, on the same held-out directions."""
     lines = [
         "| | layers: relative RMS | cube-root | undivided: relative RMS | cube-root |",
@@ -217,9 +219,13 @@ def main() -> None:
     )
     parser.add_argument("data", nargs="?", type=Path, default=Path("../shared/data/brdf"))
     data = parser.parse_args().data
-    measured = {title: fit_any(data / name) for name, title in FILES.items()}
-    paints = {paint.name: fit_any(name) for name, paint in TABLE_1.items()}
-    everything = {**measured, "One sample (BiRD)": fit_any(data / ONE_SAMPLE), **paints}
+    measured = {title: fit_material(load_material(data / name), errors=True) for name, title in FILES.items()}
+    paints = {paint.name: fit_material(load_material(name), errors=True) for name, paint in TABLE_1.items()}
+    everything = {
+        **measured,
+        "One sample (BiRD)": fit_material(load_material(data / ONE_SAMPLE), errors=True),
+        **paints,
+    }
     tables = (errors_table(everything), angles_table({**measured, **paints}), both_ways_table(paints))
     PAGE.write_text(TEXT.format(*("\n".join(lines) for lines in tables)), encoding="utf-8")
     draw_slices(IMAGES / "measured_slices.png", measured, 3)

@@ -13,7 +13,8 @@ import numpy as np
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Sparkle, SurfaceLook
 from brdf_suite.files.images import write_png
-from brdf_suite.pipeline.any_fit import fit_any
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.still import loaded_scene
 
 IMAGES = Path(__file__).resolve().parent.parent / "docs" / "images"
@@ -29,7 +30,7 @@ VIEW = View(
 
 def row(views: list[View], paint: str, path: Path) -> None:
     """Draw views of one surface and light beside each other."""
-    fit = fit_any(paint, errors=False)
+    fit = fit_material(load_material(paint))
     with loaded_scene(views[0]) as loaded:
         loaded.scene.set_paint_fit(fit)
         pictures = [loaded.scene.image(loaded.composed(view, SIZE), SIZE) for view in views]

@@ -14,7 +14,8 @@ from PIL import Image, ImageDraw
 
 from brdf_suite.appearance.colorimetry import srgb_encode
 from brdf_suite.documents.view import TONE_CURVES, View
-from brdf_suite.pipeline.any_fit import fit_any
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.sheet_text import font_for
 from brdf_suite.pipeline.still import loaded_scene
 from brdf_suite.realtime.display import Display
@@ -49,7 +50,7 @@ def pictures() -> Image.Image:
     draw = ImageDraw.Draw(sheet)
     with loaded_scene(view) as loaded:
         for row, paint in enumerate(("blue", "red")):
-            loaded.scene.set_paint_fit(fit_any(paint, errors=False))
+            loaded.scene.set_paint_fit(fit_material(load_material(paint)))
             for number, kind in enumerate(TONE_CURVES):
                 shown = replace(loaded.composed(view, SIZE), tone_curve=kind, clipping_marks=kind == "linear")
                 # Without dither, which no packing makes smaller.

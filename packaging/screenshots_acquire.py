@@ -32,7 +32,7 @@ def simulate_session(folder: Path) -> None:
     """Write the session; nothing where there is one."""
     from brdf_suite.acquisition.session import SESSION_FILE
     from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
-    from brdf_suite.pipeline.measuring import load_measurable
+    from brdf_suite.pipeline.material import load_material
 
     if (folder / SESSION_FILE).exists():
         return
@@ -45,7 +45,7 @@ def simulate_session(folder: Path) -> None:
         arm=True,
         board=False,
     )
-    simulate(load_measurable(PAINT).reflectance, folder, settings, NAME)
+    simulate(load_material(PAINT).reflectance, folder, settings, NAME)
 
 
 def drive(options: argparse.Namespace) -> int:

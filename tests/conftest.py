@@ -197,3 +197,12 @@ def _chi_square(
         assert seen < 25.0, "directions were drawn where the density is next to nothing"
     statistic = float(np.sum((counted - wanted) ** 2 / wanted))
     return float(gammaincc(0.5 * (len(wanted) - 1), 0.5 * statistic))
+
+
+@pytest.fixture(scope="session")
+def materials(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """A name or file of every kind of material, by kind: see ``materials.py``."""
+    spec = importlib.util.spec_from_file_location("materials", Path(__file__).with_name("materials.py"))
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.make_materials(tmp_path_factory.mktemp("materials"))

@@ -26,8 +26,8 @@ def test_the_edit_path_rooms_import_neither_qt_nor_anything_heavy(room: str) -> 
 
 def test_a_paint_is_fitted_without_qt_opengl_or_readers() -> None:
     loaded = modules_after(
-        "from brdf_suite.pipeline.paint import PaintFitter\n"
-        "from brdf_suite.pipeline.scene import default_paint\n"
+        "from brdf_suite.pipeline.lobe_fit import PaintFitter\n"
+        "from brdf_suite.pipeline.material import default_paint\n"
         "PaintFitter().fit(default_paint())"
     )
     assert not loaded & (QT | HEAVY)

@@ -10,12 +10,22 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QMenu
 
 from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.entry_edits import add_entries
 from brdf_color_swatch.view_state import Scope
 from brdf_color_swatch.window import SwatchWindow
-from brdf_suite.documents.palette import Entry, Palette
-from brdf_suite.documents.store import PAINT_ENDING, load_paint
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.palette import Entry, Palette, new_id
+from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
 from brdf_suite.errors import SuiteError
-from brdf_suite.resources import resource, resource_names
+from brdf_suite.pipeline.material import (
+    ENTRY_MARK,
+    file_kind,
+    is_file,
+    load_document,
+    load_shipped_paint,
+    paint_names,
+)
+from brdf_suite.progress import Progress
 
 
 def new_palette() -> Palette:
@@ -25,10 +35,7 @@ def new_palette() -> Palette:
 
 def shipped_palette() -> Palette:
     """Return the paints that come with the suite as a palette."""
-    entries = [
-        Entry(load_paint(resource("paints", name + PAINT_ENDING)), id=name)
-        for name in resource_names("paints", PAINT_ENDING)
-    ]
+    entries = [Entry(load_shipped_paint(name), id=name) for name in paint_names()]
     return Palette(tr("Shipped Paints"), tuple(entries))
 
 
@@ -72,10 +79,10 @@ class FilePart:
         self._desk.show_scope(Scope(key))
 
     def open(self, path: Path | None) -> None:
-        """Open a file of any palette format, or ask for one; a paint goes into the palette in front."""
+        """Open a file of any palette format, or ask for one; any other material goes into the palette in front."""
         desk = self._desk
-        if path is not None and path.suffix.lower() == PAINT_ENDING:
-            self._add_paint(path)
+        if path is not None and _names_material(path):
+            self._add_material(str(path))
             return
         key = desk.library.ask_open(path)
         if key is not None:
@@ -127,19 +134,27 @@ class FilePart:
             focused.clearFocus()
             focused.setFocus()
 
-    def _add_paint(self, path: Path) -> None:
-        from brdf_color_swatch.entry_edits import add_entries
-        from brdf_suite.documents.palette import new_id
-        from brdf_suite.documents.store import load_any_paint
+    def _add_material(self, name: str) -> None:
+        try:
+            document = load_document(name)
+        except SuiteError as error:
+            self._not_added(error)
+            return
+        if document is not None:
+            self._add_paint(document)
+            return
+        # Measured data and models have no document: the virtual instruments read a paint from them.
+        self._desk.library.tasks.submit(
+            f"add {name}", _read_paint, name, done=self._add_paint, failed=self._not_added
+        )
 
+    def _add_paint(self, paint: AnyPaint) -> None:
         if self._desk.palette is None:
             self.new()
-        try:
-            entry = Entry(load_any_paint(path), id=new_id())
-        except SuiteError as error:
-            self._desk.library.fails(error, "open", tr("The palette is as it was."))
-            return
-        add_entries(self._desk, tr("Add a paint"), [entry])
+        add_entries(self._desk, tr("Add a paint"), [Entry(paint, id=new_id())])
+
+    def _not_added(self, error: Exception) -> None:
+        self._desk.library.fails(error, "open", tr("The palette is as it was."))
 
     def _clear_recent(self) -> None:
         from brdf_qt.settings import settings
@@ -190,3 +205,19 @@ class FilePart:
             if action is not None:
                 action.setEnabled(there)
         self._close.setEnabled(item is not None)
+
+
+def _names_material(path: Path) -> bool:
+    """Whether a material is asked for, and not a palette; files that cannot be read count as palettes."""
+    if not is_file(str(path)):
+        return not path.suffix or ENTRY_MARK in path.name or path.suffix.lower() == PAINT_ENDING
+    try:
+        return file_kind(path) != "palette"
+    except SuiteError:
+        return False
+
+
+def _read_paint(name: str, progress: Progress) -> Paint:
+    from brdf_suite.pipeline.measured_start import load_start  # much to import, and few palettes need it
+
+    return load_start(name, progress=progress).paint

@@ -34,9 +34,9 @@ from brdf_suite.documents.store import (
     save_paint,
 )
 from brdf_suite.errors import SuiteError
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import is_file, load_document, load_shipped_paint, paint_names
 from brdf_suite.processes import child_command
-from brdf_suite.resources import resource, resource_names
 
 FIRST_PAINT = "blue"
 
@@ -44,11 +44,6 @@ FIRST_PAINT = "blue"
 def new_paint() -> Paint:
     """Return what New opens: a solid mid grey under a glossy coat."""
     return solid_paint("Untitled", (50.0, 0.0, 0.0))
-
-
-def shipped_paint(name: str) -> Paint:
-    """Return the packaged paint ``name``."""
-    return load_paint(resource("paints", name + PAINT_ENDING))
 
 
 def paint_format() -> DocumentFormat[Paint]:
@@ -65,37 +60,12 @@ def paint_format() -> DocumentFormat[Paint]:
     )
 
 
-def is_table_1_name(name: str) -> bool:
-    """Whether it names a measured paint of Table 1, and no file."""
-    # Deferred: only a name that is no shipped one comes here.
-    from brdf_suite.reflectance.models.table_1 import TABLE_1
-
-    return name in TABLE_1 and not Path(name).exists()
-
-
-def is_known(name_or_path: str, tell: Callable[[SuiteError], None]) -> bool:
-    """Whether there is such a file; where there is none, ``tell`` hears of it, with the names that there are."""
-    from brdf_suite.pipeline.scene import find_any_paint
-
-    try:
-        there = Path(name_or_path).exists()
-    except OSError:
-        there = False
-    if there:
-        return True
-    try:
-        find_any_paint(name_or_path)
-    except SuiteError as error:
-        tell(error)
-    return False
-
-
 class Designer:
     """The program's parts, joined; ``window`` is not yet shown."""
 
     def __init__(self, dialogs: Callable[[DesignerWindow], Dialogs] = QtDialogs) -> None:
-        names = resource_names("paints", PAINT_ENDING)
-        first = shipped_paint(FIRST_PAINT) if FIRST_PAINT in names else new_paint()
+        names = paint_names()
+        first = load_shipped_paint(FIRST_PAINT) if FIRST_PAINT in names else new_paint()
         self.window = DesignerWindow(names)
         self.documents = Documents(
             first, paint_format(), dialogs(self.window), self._autosave_failed, self.window
@@ -138,14 +108,23 @@ class Designer:
         self.recovery_offer.show()
 
     def open(self, name_or_path: str) -> None:
-        """Open a file, or a shipped paint by its name; one of Table 1 is measured, and a design started from it."""
+        """Open a paint by name or file; from any other material, named or in a file, a design is started."""
         # As the command has it: a shipped name is that paint, also where a file is called the same.
-        if name_or_path in resource_names("paints", PAINT_ENDING):
-            self.controller.open_shipped(lambda: shipped_paint(name_or_path))
-        elif is_table_1_name(name_or_path):
-            next(part for part in self.sections if isinstance(part, MeasuredControl)).open(name_or_path)
-        elif is_known(name_or_path, self._tell_unknown):
+        if name_or_path in paint_names():
+            self.controller.open_shipped(lambda: load_shipped_paint(name_or_path))
+            return
+        if is_file(name_or_path):
             self.documents.open(Path(name_or_path))
+            return
+        try:
+            document = load_document(name_or_path)
+        except SuiteError as error:
+            self._tell_unknown(error)
+            return
+        if isinstance(document, Paint):
+            self.desk.open_paint(document)
+        else:
+            next(part for part in self.sections if isinstance(part, MeasuredControl)).open(name_or_path)
 
     def close(self) -> None:
         """Leave the link; unsaved work of a program that has to end is kept for the next start. Called once or more."""
@@ -169,7 +148,7 @@ class Designer:
         window.gesture_finished.connect(controller.end_gesture)
         window.new_asked.connect(documents.new)
         window.open_asked.connect(documents.open)
-        window.shipped_asked.connect(lambda name: controller.open_shipped(lambda: shipped_paint(name)))
+        window.shipped_asked.connect(lambda name: controller.open_shipped(lambda: load_shipped_paint(name)))
         window.save_asked.connect(lambda: self.files.save())
         window.save_as_asked.connect(lambda: self.files.save_as())
         window.undo_asked.connect(controller.undo)

@@ -15,7 +15,7 @@ from brdf_designer.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.pipeline.feasible import Feasible, judged, nearest_feasible
-from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit, PaintFitter
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, LobeFit, PaintFitter
 from brdf_suite.progress import Progress
 
 KEY = "nearest"
@@ -62,7 +62,7 @@ class NearestOffer(QObject):
         if found is not None and found.asked == self._desk.paint:
             self._desk.edit(found.paint, step_name(found.paint, ("nearest",)))
 
-    def _judge(self, fit: PaintFit) -> None:
+    def _judge(self, fit: LobeFit) -> None:
         if missed(fit):
             self._desk.at_idle(KEY, self._search)
 
@@ -111,7 +111,7 @@ class NearestOffer(QObject):
         return [angle_text(fit.paint, index) for index in by_angle(fit.paint) if index in found]
 
 
-def missed(fit: PaintFit) -> list[int]:
+def missed(fit: LobeFit) -> list[int]:
     """Return the readings whose colour the lobes miss by so much that another paint is worth an offer.
 
     Lobes are the same on both sides of the mirror direction, and a coat lets a little less out beyond it: what a
@@ -120,8 +120,8 @@ def missed(fit: PaintFit) -> list[int]:
     return [
         index
         for index in judged(fit)
-        if fit.angles[index].delta_e_2000
-        > (LARGE_DELTA_E if fit.angles[index].aspecular_deg >= 0.0 else _LARGE_BEYOND)
+        if fit.readings[index].delta_e_2000
+        > (LARGE_DELTA_E if fit.readings[index].aspecular_deg >= 0.0 else _LARGE_BEYOND)
     ]
 
 

@@ -23,7 +23,7 @@ from brdf_designer.desk_state import (
 from brdf_designer.fields import Key, TooRoughError, edited, step_name
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
-from brdf_suite.pipeline.paint import PaintFit
+from brdf_suite.pipeline.lobe_fit import LobeFit
 
 _TYPED: tuple[Key, ...] = (("name",), ("source",), ("notes",))
 
@@ -79,7 +79,7 @@ class Controller(QObject):
         self._later.setSingleShot(True)
         self._later.setInterval(0)
         self._later.timeout.connect(self._show_curves)
-        self._uncurved: PaintFit | None = None
+        self._uncurved: LobeFit | None = None
         desk.document_switched.connect(self._switch)
         desk.paint_changed.connect(self._show_paint)
         desk.fit_changed.connect(self._show_fit)
@@ -184,7 +184,7 @@ class Controller(QObject):
         self._view.dismiss_message("save")
         self._view.show_colours(colours_of(paint))
 
-    def _show_fit(self, fit: PaintFit) -> None:
+    def _show_fit(self, fit: LobeFit) -> None:
         self._view.dismiss_message("fit")
         self._view.show_fit(fit_state_of(fit))
         self._uncurved = fit

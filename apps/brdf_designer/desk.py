@@ -21,7 +21,7 @@ from brdf_designer.tabs import Documents, OpenDocument
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_to_json
 from brdf_suite.errors import SuiteError
-from brdf_suite.pipeline.paint import PaintFit
+from brdf_suite.pipeline.lobe_fit import LobeFit
 
 
 class Messages(Protocol):
@@ -35,9 +35,9 @@ class Messages(Protocol):
 
 
 class Fitter(Protocol):
-    """What turns a paint into weights: :class:`brdf_suite.pipeline.paint.PaintFitter`."""
+    """What turns a paint into weights: :class:`brdf_suite.pipeline.lobe_fit.PaintFitter`."""
 
-    def fit(self, paint: Paint) -> PaintFit:
+    def fit(self, paint: Paint) -> LobeFit:
         """Return the fit, or raise :class:`UnreachableError`."""
 
 
@@ -48,7 +48,7 @@ class Desk(QObject):
     -------
     paint_changed(Paint)
         The paint is another: by an edit, undo, redo, or because another document is in front.
-    fit_changed(PaintFit)
+    fit_changed(LobeFit)
         Reflectance and weights of it; once more where the exact fit follows a time-limited one.
     refused(SuiteError)
         No reflectance or fit can be had of the paint; ``fit`` is ``None``.
@@ -83,7 +83,7 @@ class Desk(QObject):
         self.documents = documents
         self._fitter, self._publish, self._messages = fitter, publish, messages
         self._idle = IdleWork(self)
-        self._fit: PaintFit | None = None
+        self._fit: LobeFit | None = None
         self._gesture: str | None = None
         self._told_history: tuple[str, str, bool, bool] | None = None
         self._reachable = documents.front.store.value
@@ -116,7 +116,7 @@ class Desk(QObject):
         return self.documents.front.original
 
     @property
-    def fit(self) -> PaintFit | None:
+    def fit(self) -> LobeFit | None:
         """The newest fit of it; ``None`` while no such paint can be."""
         return self._fit
 
@@ -224,7 +224,7 @@ class Desk(QObject):
             self.fit_changed.emit(fit)
             self._publishing.start()
 
-    def _take_exact(self, fit: PaintFit) -> None:
+    def _take_exact(self, fit: LobeFit) -> None:
         # The other programs fit the paint themselves.
         self._fit = fit
         self.fit_changed.emit(fit)

@@ -17,7 +17,7 @@ from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.appearance.flop import FlopIndex, flop_index
 from brdf_suite.documents.paint import Lab, Paint
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.pipeline.paint import PaintFit
+from brdf_suite.pipeline.lobe_fit import LobeFit
 
 FLOP_ANGLES_DEG = (15.0, 45.0, 110.0)
 _CURVE_STEP_DEG = 1.0
@@ -122,11 +122,11 @@ def colours_of(paint: Paint) -> Colours:
     return Colours(paint, angles, _flop(paint))
 
 
-def fit_state_of(fit: PaintFit) -> FitState:
+def fit_state_of(fit: LobeFit) -> FitState:
     """Return what the reflectance and its lobes give."""
     return FitState(
         given=_given(fit),
-        delta_e=tuple(row.delta_e_2000 for row in fit.angles),
+        delta_e=tuple(row.delta_e_2000 for row in fit.readings),
         worst_delta_e=fit.worst_delta_e,
         milliseconds=1e3 * fit.seconds,
         time_limited=fit.time_limited,
@@ -137,11 +137,11 @@ def fit_state_of(fit: PaintFit) -> FitState:
     )
 
 
-def _given(fit: PaintFit) -> tuple[GivenColour, ...]:
-    codes, inside = lab_to_codes([row.fitted for row in fit.angles])
+def _given(fit: LobeFit) -> tuple[GivenColour, ...]:
+    codes, inside = lab_to_codes([row.lab_fitted for row in fit.readings])
     return tuple(
-        GivenColour(row.fitted, (red, green, blue), shown)
-        for row, (red, green, blue), shown in zip(fit.angles, codes.tolist(), inside.tolist(), strict=True)
+        GivenColour(row.lab_fitted, (red, green, blue), shown)
+        for row, (red, green, blue), shown in zip(fit.readings, codes.tolist(), inside.tolist(), strict=True)
     )
 
 
@@ -163,7 +163,7 @@ def _directions(
     return len(before), gamma, illumination(light_deg), aspecular_view(light_deg, gamma)
 
 
-def curves_of(fit: PaintFit) -> Curves:
+def curves_of(fit: LobeFit) -> Curves:
     """Return what the model and its lobes give over the aspecular angle: half a millisecond, so not of a state."""
     readings = fit.paint.measurements
     # The light that most readings have is the one whose curve the rule was found for.

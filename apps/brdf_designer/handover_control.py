@@ -167,12 +167,12 @@ class HandoverControl(QObject):
 
 
 def _find_out(request: tuple[Paint, str], _progress: Progress) -> _Told:
-    from brdf_suite.pipeline.handover import format_named, subject_of_paint
+    from brdf_suite.pipeline.handover import format_named, item_of_paint
 
     paint, name = request
     known = format_named(name)
     try:
-        return _Told(known.holds, known.losses(subject_of_paint(paint)))
+        return _Told(known.holds, known.losses(item_of_paint(paint)))
     except UnreachableError as error:
         return _Told(known.holds, (), str(error))
 

@@ -18,7 +18,7 @@ from brdf_designer.thumbnails import thumbnails_of
 from brdf_designer.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
-from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
+from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.pipeline.standard import Standard
 from brdf_suite.pipeline.variations_mix import mixed, second_end
 from brdf_suite.progress import Progress

@@ -17,9 +17,11 @@ from brdf_designer.measured_endings import patterns
 from brdf_designer.measured_section import ANGLE_SETS, MeasuredSection
 from brdf_designer.standard_control import StandardControl
 from brdf_designer.window import DesignerWindow
+from brdf_suite.appearance.flat_colours import to_paint
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.store import PAINT_ENDING
-from brdf_suite.errors import SuiteError
+from brdf_suite.documents.store import PAINT_ENDING, load_any_paint
+from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.pipeline.material import file_kind, load_palette_file
 from brdf_suite.pipeline.measured_start import START_SET, MeasuredStart
 from brdf_suite.progress import Progress
 
@@ -186,7 +188,7 @@ def _handed_over(path: Path) -> ImportedPaints | None:
     """Read the paints of a file that was handed over (CxF3, CSV, JSON), known by its content; None for any other."""
     if path.suffix.lower() == PAINT_ENDING:
         return None
-    from brdf_suite.files.exports import FORMATS
+    from brdf_suite.files.exports import FORMATS, ImportedPaints
 
     try:
         with path.open("rb") as stream:
@@ -196,21 +198,22 @@ def _handed_over(path: Path) -> ImportedPaints | None:
     for known in FORMATS:
         if known.sniff is not None and known.read is not None and known.sniff(head):
             return known.read(path)
-    return None
+    try:
+        if file_kind(path) != "palette":
+            return None
+    except FileError:  # opening it as a paint says what is wrong
+        return None
+    read = load_palette_file(path)
+    return ImportedPaints(tuple(to_paint(entry.content) for entry in read.palette), read.notes)
 
 
 def _is_measurement(path: Path) -> bool:
-    """Whether a file is a paint of another kind, or measured; false for whatever else, which opening tells of."""
-    from brdf_suite.documents.store import load_any_paint
-    from brdf_suite.files.measured import sniff
-
+    """Whether a file is a paint of another kind, or measured; false for all else, which opening reports."""
     try:
-        if path.suffix.lower() == PAINT_ENDING:
-            return not isinstance(load_any_paint(path), Paint)
-        sniff(path)
+        kind = file_kind(path)
+        return kind == "measured" or (kind == "paint" and not isinstance(load_any_paint(path), Paint))
     except SuiteError:
         return False
-    return True
 
 
 def _kept_set() -> str:

@@ -24,7 +24,7 @@ from brdf_suite.documents.view import Camera, View
 if TYPE_CHECKING:
     from brdf_qt.gl_surface import GlSurface
 
-    from brdf_suite.pipeline.paint import PaintFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.progress import Progress
     from brdf_suite.realtime.camera import Bounds
     from brdf_suite.realtime.context import Context
@@ -75,7 +75,7 @@ class PreviewControl(QObject):
             self.panel.surface.release()
 
     @property
-    def drawn(self) -> PaintFit | None:
+    def drawn(self) -> LobeFit | None:
         """The fit of the last frame; ``None`` before there is one."""
         return None if self._drawer is None else self._drawer.drawn
 
@@ -147,7 +147,7 @@ class PreviewControl(QObject):
 
     # The paint.
 
-    def _take(self, fit: PaintFit) -> None:
+    def _take(self, fit: LobeFit) -> None:
         self._contents.fit = fit
         self._draw_later()
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from brdf_qt.angle_fits import AngleFits
 
     from brdf_designer.preview_scene import PreviewScene
-    from brdf_suite.pipeline.paint import PaintFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.pipeline.picture import SceneRenderer
     from brdf_suite.realtime.camera import Bounds
     from brdf_suite.realtime.context import Context
@@ -24,7 +24,7 @@ class PreviewContents:
 
     def __init__(self) -> None:
         self.scene: PreviewScene | None = None
-        self.fit: PaintFit | None = None
+        self.fit: LobeFit | None = None
 
 
 class PreviewDrawer:
@@ -47,7 +47,7 @@ class PreviewDrawer:
         self._angle_fits: AngleFits | None = None
         self._renderer: SceneRenderer | None = None
         self._scene: PreviewScene | None = None
-        self._fit: PaintFit | None = None
+        self._fit: LobeFit | None = None
         self.draft = False
         self.prepared = False
         """Whether all that an edit may ask for is uploaded and compiled, or will be with the next frame."""
@@ -58,7 +58,7 @@ class PreviewDrawer:
         return None if self._renderer is None else self._renderer.bounds
 
     @property
-    def drawn(self) -> PaintFit | None:
+    def drawn(self) -> LobeFit | None:
         """The fit of the last frame."""
         return self._fit
 
@@ -85,8 +85,11 @@ class PreviewDrawer:
             self._renderer.set_environment(scene.light)
             self._scene, self._fit = scene, None
         if fit is not self._fit:
+            # This only begins to search on a thread: the view never asks for a fit at several incidences.
+            self._angle_fits.angles.prepare(fit, view)
             self._renderer.set_paint_fit(fit)
             self._fit = fit
+        self._renderer.prepare(view)
         if self.draft:
             self._renderer.renderer.render(view, framebuffer, size, samples=1)
         else:

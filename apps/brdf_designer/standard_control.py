@@ -26,7 +26,7 @@ from brdf_designer.window import DesignerWindow
 from brdf_suite.appearance.tolerance import Tolerances
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
-from brdf_suite.pipeline.scene import paint_names
+from brdf_suite.pipeline.material import paint_names
 from brdf_suite.pipeline.standard import BatchReport, Standard, judge_batch, paint_like, standard_of
 
 KEY = "standard"

@@ -19,7 +19,7 @@ from brdf_designer.preview_scene import LIGHT_WIDTH
 from brdf_designer.thumbnail_scene import SIZE, ThumbnailScene
 from brdf_suite.documents.store import paint_from_json
 from brdf_suite.errors import GraphicsError, SuiteError
-from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFitter
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter
 from brdf_suite.pipeline.still import LoadedScene, loaded_scene
 
 _NICER = 5

@@ -15,7 +15,7 @@ from brdf_designer.thumbnails import ThumbnailScene, thumbnails_of
 from brdf_designer.variations_section import ENVIRONMENTS, SURFACES, NeighbourState, VariationsSection
 from brdf_designer.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
-from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFitter
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter
 from brdf_suite.pipeline.variations import (
     LEAST_STEP,
     MOST_STEP,

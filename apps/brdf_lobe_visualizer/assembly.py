@@ -91,7 +91,7 @@ class LobeVisualizer:
             return
         self._started = True
         # Deferred to the painted window: what finds a paint knows environments too, and they are much to import.
-        from brdf_suite.pipeline.scene import default_paint_name
+        from brdf_suite.pipeline.material import default_paint_name
 
         self.sources.open_many(asked)
         if not asked and not self.desk.subjects:

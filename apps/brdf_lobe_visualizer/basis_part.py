@@ -22,7 +22,7 @@ from brdf_lobe_visualizer.basis_paints import FolderPaints, PaintsIn
 from brdf_lobe_visualizer.basis_plots import BasisPlots
 from brdf_lobe_visualizer.basis_run import MOST_LOBES, BasisRun
 from brdf_lobe_visualizer.desk import Desk
-from brdf_lobe_visualizer.subjects import Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import FileError, SuiteError
@@ -283,7 +283,9 @@ class Basis(QObject):
             lambda error: self._own_failed(wanted, error),
         )
 
-    def _own_arrived(self, subject: Subject, wanted: tuple[Any, Any], errors: ErrorsOverCount) -> None:
+    def _own_arrived(
+        self, subject: PlottedMaterial, wanted: tuple[Any, Any], errors: ErrorsOverCount
+    ) -> None:
         self._working = False
         self._own_of = wanted
         front = self._desk.front

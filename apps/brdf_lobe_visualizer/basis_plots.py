@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QWidget
 from brdf_lobe_visualizer.basis_run import MOST_LOBES
 from brdf_lobe_visualizer.crosshair import Readout, Row
 from brdf_lobe_visualizer.slice_lines import Line
-from brdf_lobe_visualizer.subjects import DASHES, Srgb, Subject
+from brdf_lobe_visualizer.subjects import DASHES, PlottedMaterial, Srgb
 
 if TYPE_CHECKING:  # much to import for a start
     from brdf_suite.fitting.basis_search.stored import StoredSearch
@@ -31,7 +31,7 @@ class BasisPlots(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.search: StoredSearch | None = None
-        self.own: tuple[Subject, ErrorsOverCount] | None = None
+        self.own: tuple[PlottedMaterial, ErrorsOverCount] | None = None
         self.exponents: Any = None
         self.errors: Any = None
         self._box = QHBoxLayout(self)
@@ -86,7 +86,7 @@ class BasisPlots(QWidget):
         self.search = search
         self._draw()
 
-    def show_own(self, subject: Subject | None, errors: ErrorsOverCount | None) -> None:
+    def show_own(self, subject: PlottedMaterial | None, errors: ErrorsOverCount | None) -> None:
         """Draw the errors of one reflectance; None: they are not there."""
         self.own = None if subject is None or errors is None else (subject, errors)
         self._draw()

@@ -15,7 +15,7 @@ from brdf_qt.tasks import TaskRunner
 from PySide6.QtCore import QObject, Signal
 
 from brdf_lobe_visualizer.options import INCIDENCE_DEG, MOST_THETA_DEG, Options, Part
-from brdf_lobe_visualizer.subjects import Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 from brdf_suite.geometry.directions import Floats, spherical
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class Desk(QObject):
         super().__init__(parent)
         self._messages = messages
         self.tasks = TaskRunner(self)
-        self._subjects: tuple[Subject, ...] = ()
+        self._subjects: tuple[PlottedMaterial, ...] = ()
         self._front = ""
         self._compared = ""
         self._hidden: frozenset[str] = frozenset()
@@ -70,32 +70,32 @@ class Desk(QObject):
     # The subjects.
 
     @property
-    def subjects(self) -> tuple[Subject, ...]:
+    def subjects(self) -> tuple[PlottedMaterial, ...]:
         """All of them, in the order of the legend; there may be none."""
         return self._subjects
 
     @property
-    def visible(self) -> tuple[Subject, ...]:
+    def visible(self) -> tuple[PlottedMaterial, ...]:
         """Those that are shown: where any is solo those, else all that are not hidden."""
         if self._solo:
             return tuple(s for s in self._subjects if s.key in self._solo)
         return tuple(s for s in self._subjects if s.key not in self._hidden)
 
     @property
-    def front(self) -> Subject | None:
+    def front(self) -> PlottedMaterial | None:
         """The one that is selected; None only where there is none."""
         return self._of(self._front)
 
     @property
-    def compared(self) -> Subject | None:
+    def compared(self) -> PlottedMaterial | None:
         """The one that differences are taken against: the reference; None where none was chosen."""
         return self._of(self._compared)
 
-    def subject(self, key: str) -> Subject | None:
+    def subject(self, key: str) -> PlottedMaterial | None:
         """Return the subject of that key, None where there is none."""
         return self._of(key)
 
-    def set_subjects(self, subjects: Sequence[Subject]) -> None:
+    def set_subjects(self, subjects: Sequence[PlottedMaterial]) -> None:
         """Put these in the place of all; what was said of keys that stay (front, hidden, solo) stays."""
         before_front, before = self._front, (self._hidden, self._solo, self._compared)
         self._subjects = tuple(subjects)
@@ -112,7 +112,7 @@ class Desk(QObject):
         if (self._hidden, self._solo, self._compared) != before:
             self.visibility_changed.emit()
 
-    def add(self, subject: Subject) -> None:
+    def add(self, subject: PlottedMaterial) -> None:
         """Put a subject at the end, or in the place of the one with its key."""
         if self._of(subject.key) is None:
             self.set_subjects((*self._subjects, subject))
@@ -236,7 +236,7 @@ class Desk(QObject):
         off = self._options.lobes_off
         self.set_options(lobes_off=off - {(part, index)} if on else off | {(part, index)})
 
-    def weights_of(self, subject: Subject) -> LobeWeights | None:
+    def weights_of(self, subject: PlottedMaterial) -> LobeWeights | None:
         """Return the weights of a subject's fit with the lobes that are switched off at 0; None without a fit."""
         if subject.fit is None or not self._options.lobes_off:
             return None if subject.fit is None else subject.fit.weights
@@ -258,7 +258,7 @@ class Desk(QObject):
         """Take a message away."""
         self._messages.dismiss_message(key)
 
-    def _of(self, key: str) -> Subject | None:
+    def _of(self, key: str) -> PlottedMaterial | None:
         return next((s for s in self._subjects if s.key == key), None)
 
     def _set_seen(self, hidden: frozenset[str], solo: frozenset[str]) -> None:

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
-
 from brdf_qt.message_bar import message_of
 from brdf_qt.tasks import TaskRunner
 from brdf_qt.translation import tr
@@ -12,23 +9,12 @@ from PySide6.QtCore import QObject
 
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.late_progress import LateProgress
-from brdf_lobe_visualizer.subjects import Subject, SubjectFit
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
-from brdf_suite.documents.paint import Paint
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import Reflectance
-
-if TYPE_CHECKING:
-    from brdf_suite.documents.store import AnyPaint
-    from brdf_suite.pipeline.any_fit import AnyFit
-    from brdf_suite.pipeline.paint import PaintFit
-
-
-@dataclass(frozen=True, eq=False)
-class _Wanted:
-    title: str
-    reflectance: Reflectance
-    paint: AnyPaint | None
 
 
 class Fits(QObject):
@@ -76,14 +62,13 @@ class Fits(QObject):
         self.tasks.cancel(key)
         self._progress.end(f"fit {key}")
 
-    def _fit(self, subject: Subject) -> None:
+    def _fit(self, subject: PlottedMaterial) -> None:
         key, reflectance = subject.key, subject.reflectance
-        wanted = _Wanted(subject.title, reflectance, subject.paint)
         job = f"fit {key}"
         text = tr("Fitting lobes to {name}").format(name=subject.title)
         moved = self._progress.begin(job, text, lambda: self._cancel(key))
 
-        def done(fit: SubjectFit) -> None:
+        def done(fit: LobeFit) -> None:
             self._progress.end(job)
             self._window.dismiss_message(job)
             now = self._desk.subject(key)
@@ -95,38 +80,8 @@ class Fits(QObject):
             todo = tr("It is shown without a fit.")
             self._window.show_message(message_of(error, job, todo=todo))
 
-        self.tasks.submit(key, _fitted, wanted, done, failed, moved)
+        self.tasks.submit(key, _fitted, subject.material, done, failed, moved)
 
 
-def _fitted(wanted: _Wanted, progress: Progress) -> SubjectFit:
-    # Deferred: the fit of measured data is much to import, and nothing of it is needed for the first picture.
-    from brdf_suite.pipeline.any_fit import fit_document, fit_reflectance
-
-    if isinstance(wanted.paint, Paint):
-        return fit_of_any(fit_document(wanted.paint))
-    return fit_of_any(fit_reflectance(wanted.title, wanted.reflectance, progress=progress))
-
-
-def fit_of_any(found: AnyFit) -> SubjectFit:
-    """Return what the desk keeps of a fit of anything."""
-    return SubjectFit(
-        found.weights,
-        found.fit_seconds,
-        time_limited=found.time_limited,
-        worst_delta_e=found.worst_delta_e,
-        notices=found.notices,
-        source=found,
-    )
-
-
-def fit_of_paint(found: PaintFit) -> SubjectFit:
-    """Return what the desk keeps of a fit of a paint."""
-    return SubjectFit(
-        found.weights,
-        found.fit_seconds,
-        time_limited=found.time_limited,
-        exact_follows=found.exact_follows,
-        worst_delta_e=found.worst_delta_e,
-        notices=found.notices,
-        source=found,
-    )
+def _fitted(material: Material, progress: Progress) -> LobeFit:
+    return fit_material(material, progress=progress)

@@ -13,7 +13,7 @@ from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.legend import Legend, LegendRow
 from brdf_lobe_visualizer.legend_errors import LegendErrors
 from brdf_lobe_visualizer.legend_line import colour_of, line_icon
-from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, Srgb, Subject
+from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, PlottedMaterial, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
 
 LONGEST_TITLE = 200
@@ -128,7 +128,7 @@ class LegendControl(QObject):
         self._reference.setChecked(front is not None and front is self._desk.compared)
         self._blink.setEnabled(self._desk.compared not in (None, front))
 
-    def _row(self, subject: Subject) -> LegendRow:
+    def _row(self, subject: PlottedMaterial) -> LegendRow:
         desk = self._desk
         found = self.errors.error(subject.key)
         error, told = "", []
@@ -147,7 +147,7 @@ class LegendControl(QObject):
                 told.append(tr("Mean ΔE00 at 15°, 45°, 110°: {value}").format(value=f"{found.delta_e:.2f}"))
         if subject.fit is not None and subject.fit.worst_delta_e is not None:
             told.append(tr("Fit: worst ΔE00 {value}").format(value=f"{subject.fit.worst_delta_e:.2f}"))
-        tip = "\n".join([subject.title, subject.origin, *subject.notes, *told])
+        tip = "\n".join([subject.title, subject.material.origin, *subject.notes, *told])
         return LegendRow(
             subject.key,
             subject.title,

@@ -12,13 +12,13 @@ from brdf_qt.translation import mark, tr
 from PySide6.QtCore import QObject, Signal
 
 from brdf_lobe_visualizer.desk import Desk
-from brdf_lobe_visualizer.fits import Fits, fit_of_paint
+from brdf_lobe_visualizer.fits import Fits
 from brdf_lobe_visualizer.sources_control import Sources
-from brdf_lobe_visualizer.subjects import Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_from_json
-from brdf_suite.pipeline.paint import PaintFit, PaintFitter
+from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter
 from brdf_suite.progress import Progress
 
 KEY = "designer"
@@ -83,7 +83,7 @@ class FollowedPaint(QObject):
             self._fitter = PaintFitter()
         self._tasks.submit(KEY, _fitted, (self._fitter, paint), self._fresh, self._refused)
 
-    def _fresh(self, fit: PaintFit) -> None:
+    def _fresh(self, fit: LobeFit) -> None:
         self._window.dismiss_message(_TOLD)
         self._exact.watch(fit)
         self._show(fit)
@@ -94,19 +94,16 @@ class FollowedPaint(QObject):
         if paint is not None:
             self._fit(paint)
 
-    def _show(self, fit: PaintFit) -> None:
+    def _show(self, fit: LobeFit) -> None:
         if not self.action.isChecked():
             return
         before = self._desk.subject(KEY)
-        notes = tuple(fit.reflectance.notices)
-        shown = Subject(
+        shown = PlottedMaterial(
             KEY,
-            tr("Designer: {name}").format(name=fit.paint.name),
-            fit.reflectance,
-            paint=fit.paint,
-            fit=fit_of_paint(fit),
-            notes=notes,
-            origin=tr("Designer"),
+            tr("Designer: {name}").format(name=fit.name),
+            replace(fit.material, origin=tr("Designer")),
+            fit=fit,
+            notes=fit.material.notices,
         )
         if before is None:
             colour, dash = self._sources.next_line()
@@ -140,6 +137,6 @@ class FollowedPaint(QObject):
         self._shown = there
 
 
-def _fitted(wanted: tuple[PaintFitter, Paint], _progress: Progress) -> PaintFit:
+def _fitted(wanted: tuple[PaintFitter, Paint], _progress: Progress) -> LobeFit:
     fitter, paint = wanted
     return fitter.fit(paint)

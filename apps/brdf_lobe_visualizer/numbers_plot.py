@@ -13,7 +13,7 @@ from PySide6.QtGui import QHideEvent, QPalette, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.slice_pens import colour_of, dashed, grey_pen
-from brdf_lobe_visualizer.subjects import Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 from brdf_suite.geometry.directions import Floats
 
 
@@ -21,7 +21,7 @@ from brdf_suite.geometry.directions import Floats
 class AlbedoLine:
     """A subject's line: ``albedo`` (k,) at ``incidence_deg`` (k,); pale where it is of what it was before."""
 
-    subject: Subject
+    subject: PlottedMaterial
     incidence_deg: Floats
     albedo: Floats
     stale: bool

@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.late_progress import LateProgress
-from brdf_lobe_visualizer.subjects import Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
 from brdf_suite.progress import Progress
@@ -125,7 +125,7 @@ class FiguresWork(QObject):
                     self._submit(subject, wanted)
         self.changed.emit()
 
-    def _wanted_of(self, subject: Subject) -> _Wanted:
+    def _wanted_of(self, subject: PlottedMaterial) -> _Wanted:
         reference = self._desk.compared
         other = None if reference is None or reference.key == subject.key else reference
         # Switching a lobe makes new weights; those of a whole fit are always the same object.
@@ -141,7 +141,7 @@ class FiguresWork(QObject):
             self.angles,
         )
 
-    def _submit(self, subject: Subject, wanted: _Wanted) -> None:
+    def _submit(self, subject: PlottedMaterial, wanted: _Wanted) -> None:
         key, job = subject.key, f"figures {subject.key}"
         text = tr("Working out the figures of {name}").format(name=subject.title)
         moved = self._progress.begin(job, text, lambda: self._cancel(key))

@@ -15,7 +15,7 @@ from brdf_qt.message_bar import message_of
 
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import Cosine, Options
-from brdf_lobe_visualizer.subjects import Dash, Srgb, Subject
+from brdf_lobe_visualizer.subjects import Dash, PlottedMaterial, Srgb
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.slices import Bools, Slice
 from brdf_suite.pipeline.slices_samples import SlicePoints, points_near
@@ -102,7 +102,7 @@ class SliceLines:
         ]
 
     def _values(
-        self, subject: Subject, cuts: tuple[Slice, ...], options: Options
+        self, subject: PlottedMaterial, cuts: tuple[Slice, ...], options: Options
     ) -> tuple[list[Floats], list[Floats] | None]:
         target = self._evaluated(subject, "target", subject.reflectance, cuts, options.cosine)
         weights = self._desk.weights_of(subject) if options.shown != "target" else None
@@ -114,7 +114,7 @@ class SliceLines:
 
     def _evaluated(
         self,
-        subject: Subject,
+        subject: PlottedMaterial,
         which: str,
         reflectance: Any,
         cuts: tuple[Slice, ...],
@@ -137,7 +137,7 @@ class SliceLines:
         self,
         number: int,
         cut: Slice,
-        subjects: Sequence[Subject],
+        subjects: Sequence[PlottedMaterial],
         values: dict[str, tuple[list[Floats], list[Floats] | None]],
         against: Floats | None,
         options: Options,
@@ -155,7 +155,11 @@ class SliceLines:
             filled = None if subject.measured is None else ~subject.measured(cut.wi, cut.wo)
 
             def line(
-                kind: Kind, value: Floats, s: Subject = subject, f: bool = is_front, h: Bools | None = filled
+                kind: Kind,
+                value: Floats,
+                s: PlottedMaterial = subject,
+                f: bool = is_front,
+                h: Bools | None = filled,
             ) -> Line:
                 return Line(s.key, s.title, kind, s.colour, s.dash, f, value, None if kind == "fit" else h)
 

@@ -15,9 +15,10 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.late_progress import LateProgress
-from brdf_lobe_visualizer.sources import ENTRY_MARK, Opened, open_source
-from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, Dash, Srgb, Subject
+from brdf_lobe_visualizer.sources import Opened, open_source
+from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, Dash, PlottedMaterial, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.pipeline.material import ENTRY_MARK
 from brdf_suite.progress import Progress
 
 RECENT_KEY = "recent/files"
@@ -98,7 +99,7 @@ class Sources(QObject):
         for place, one in enumerate(names):
             self.open(one, select=len(names) == 1 or (nothing and place == 0))
 
-    def add(self, subject: Subject, turn: int | None = None) -> str:
+    def add(self, subject: PlottedMaterial, turn: int | None = None) -> str:
         """Put a subject on the desk, with a key and a line of its own; return the key.
 
         It comes last, or, with the ``turn`` in which it was asked for, before those that were asked for later: a large

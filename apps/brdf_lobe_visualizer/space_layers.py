@@ -19,7 +19,7 @@ from brdf_lobe_visualizer.space_samples import sample_points
 from brdf_lobe_visualizer.space_scene import CUT, Bar, FrameOptions, Layer, Panel, Scene, Style
 from brdf_lobe_visualizer.space_values import Found, SpaceValues, with_cosine
 from brdf_lobe_visualizer.space_words import lobe_title, lobe_weight
-from brdf_lobe_visualizer.subjects import Srgb, Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial, Srgb
 from brdf_suite.pipeline.lobe_surface import (
     Colouring,
     LobeSurface,
@@ -63,7 +63,7 @@ class _Plan:
     caption: str = ""
     note: str = ""
     colour: Srgb | None = None
-    samples: Subject | None = None
+    samples: PlottedMaterial | None = None
 
 
 class SceneMaker:
@@ -139,12 +139,12 @@ class SceneMaker:
             return [self._overlay((subject,), options) for subject in visible]
         return [self._overlay(self._ordered(), options)]
 
-    def _ordered(self) -> tuple[Subject, ...]:
+    def _ordered(self) -> tuple[PlottedMaterial, ...]:
         """The visible subjects, the front one first."""
         front = self._desk.front
         return tuple(sorted(self._desk.visible, key=lambda s: s is not front))
 
-    def _overlay(self, subjects: tuple[Subject, ...], options: SpaceOptions) -> _Plan:
+    def _overlay(self, subjects: tuple[PlottedMaterial, ...], options: SpaceOptions) -> _Plan:
         """Targets, fits or both over one another: the first solid, the others like glass, fits over their targets."""
         shown = self._desk.options.shown
         sheets: list[_Sheet] = []
@@ -180,19 +180,19 @@ class SceneMaker:
             title, tuple(sheets), _WORDS[shown](), "\n".join(dict.fromkeys(notes)), first.colour, first
         )
 
-    def _target_plan(self, subject: Subject) -> _Plan:
+    def _target_plan(self, subject: PlottedMaterial) -> _Plan:
         target = self._values.target(subject)
         sheets = () if target is None else (_sheet(target, "solid", subject),)
         notes = [note for sheet in sheets for note in _notes(sheet)] or ([] if sheets else [_coming()])
         return _Plan(subject.title, sheets, tr("Target"), "\n".join(notes), subject.colour, subject)
 
-    def _lobes_on(self, subject: Subject) -> tuple[FitLobe, ...]:
+    def _lobes_on(self, subject: PlottedMaterial) -> tuple[FitLobe, ...]:
         if subject.fit is None:
             return ()
         off = self._desk.options.lobes_off
         return tuple(lobe for lobe in fit_lobes(subject.fit.weights) if lobe.key not in off)
 
-    def _fit_plans(self, subject: Subject, options: SpaceOptions) -> list[_Plan]:
+    def _fit_plans(self, subject: PlottedMaterial, options: SpaceOptions) -> list[_Plan]:
         """A fit as it is wanted: whole, its parts, its lobes stacked, or each alone."""
         lobes = self._lobes_on(subject)
         whole = self._values.fit(subject, lobes)
@@ -242,7 +242,7 @@ class SceneMaker:
 
     def _part(
         self,
-        subject: Subject,
+        subject: PlottedMaterial,
         lobes: tuple[FitLobe, ...],
         style: Style,
         part: FitPart | None = None,
@@ -275,7 +275,9 @@ class SceneMaker:
             plans.append(_Plan(reference.title, (), "", note, reference.colour))
         return plans
 
-    def _difference(self, subject: Subject, found: Found | None, base: Found | None, words: str) -> _Plan:
+    def _difference(
+        self, subject: PlottedMaterial, found: Found | None, base: Found | None, words: str
+    ) -> _Plan:
         if found is None or base is None or found.grid is not base.grid:
             return _Plan(subject.title, (), words, _coming(), subject.colour)
         difference = Found(found.grid, found.values - base.values)
@@ -350,7 +352,7 @@ _WORDS: dict[str, Callable[[], str]] = {
 
 
 def _sheet(
-    found: Found, style: Style, subject: Subject, line: Srgb | None = None, *, ink: bool = False
+    found: Found, style: Style, subject: PlottedMaterial, line: Srgb | None = None, *, ink: bool = False
 ) -> _Sheet:
     opacity = {"solid": 1.0, "glass": 0.45, "lines": 0.9}[style]
     return _Sheet(found, style, opacity, line, subject.colour, ink=ink)
@@ -360,7 +362,7 @@ def _coming() -> str:
     return tr("The values are being worked out.")
 
 
-def _no_fit(subject: Subject) -> str:
+def _no_fit(subject: PlottedMaterial) -> str:
     return tr("{title} has no fit.").format(title=subject.title)
 
 

@@ -9,14 +9,14 @@ from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import cosine_factor
 from brdf_lobe_visualizer.space_options import SpaceOptions
 from brdf_lobe_visualizer.space_scene import CUT, Points
-from brdf_lobe_visualizer.subjects import SamplePoints, Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial, SamplePoints
 from brdf_suite.geometry.directions import Floats, angle_between
 from brdf_suite.pipeline.lobe_surface_colour import light_codes, scalar_of
 from brdf_suite.pipeline.lobe_surface_scale import RadiusScale
 
 
 def sample_points(
-    subject: Subject, desk: Desk, scale: RadiusScale, options: SpaceOptions
+    subject: PlottedMaterial, desk: Desk, scale: RadiusScale, options: SpaceOptions
 ) -> tuple[Points | None, str]:
     """Return the points of a subject's samples near the desk's incidence, and what is to be told where there are none.
 

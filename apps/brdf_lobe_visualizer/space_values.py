@@ -16,7 +16,7 @@ from brdf_qt.message_bar import message_of
 
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import Cosine, cosine_factor
-from brdf_lobe_visualizer.subjects import Measured, Subject
+from brdf_lobe_visualizer.subjects import Measured, PlottedMaterial
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.pipeline.lobe_surface_grid import LobeGrid, lobe_grid
 from brdf_suite.pipeline.lobe_surface_parts import FitLobe, FitOnGrid
@@ -77,7 +77,7 @@ class SpaceValues:
             self._grid = lobe_grid(light)
         return self._grid
 
-    def target(self, subject: Subject) -> Found | None:
+    def target(self, subject: PlottedMaterial) -> Found | None:
         """Return a subject's values; None where none have come yet, or it cannot be evaluated."""
         grid = self.grid()
         kept = self._kept.get(subject.key)
@@ -102,7 +102,7 @@ class SpaceValues:
             return kept.before
         return Found(kept.grid, kept.values, kept.grid is not grid)
 
-    def fit(self, subject: Subject, lobes: tuple[FitLobe, ...]) -> Found | None:
+    def fit(self, subject: PlottedMaterial, lobes: tuple[FitLobe, ...]) -> Found | None:
         """Return the values of some lobes of a subject's fit; None without a fit."""
         if subject.fit is None:
             return None

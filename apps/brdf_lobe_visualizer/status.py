@@ -48,13 +48,13 @@ class Status(QObject):
             for cell in (self._subject, self._fit, self._notes):
                 cell.set("")
             return
-        self._subject.set(front.title, front.origin)
+        self._subject.set(front.title, front.material.origin)
         self._notes.set("" if not front.notes else front.notes[-1], "\n".join(front.notes))
         fit = front.fit
         if fit is None:
             self._fit.set(tr("no fit yet"), state="stale")
             return
-        parts = [tr("fit {ms} ms").format(ms=f"{1e3 * fit.seconds:.3g}")]
+        parts = [tr("fit {ms} ms").format(ms=f"{1e3 * fit.fit_seconds:.3g}")]
         if fit.worst_delta_e is not None:
             parts.append(tr("worst ΔE00 {value}").format(value=f"{fit.worst_delta_e:.2f}"))
         if fit.time_limited:

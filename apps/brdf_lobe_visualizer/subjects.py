@@ -1,20 +1,20 @@
-"""What is looked at: a reflectance with its name, its line, and what is known of it."""
+"""What is plotted: a material with its line, its fit, and what is known of its values."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.geometry.directions import Floats
+from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
-    from brdf_suite.documents.store import AnyPaint
-    from brdf_suite.fitting.lobes.weights import LobeWeights
+    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 Dash = Literal["solid", "dash", "dot", "dash dot", "long dash"]
 DASHES: tuple[Dash, ...] = ("solid", "dash", "dot", "dash dot", "long dash")
@@ -41,58 +41,41 @@ class SamplePoints:
 
 
 @dataclass(frozen=True, eq=False)
-class SubjectFit:
-    """The lobes fitted to a subject.
-
-    ``weights`` has ``exponents`` (m,), ``kd`` (3,), ``kdd`` and ``kg`` (m, 3), ``eval(wi, wo)`` and
-    ``reflected(wi, wo)``. ``worst_delta_e`` is over the measured angles, None where there are none. ``source`` is the
-    :class:`~brdf_suite.pipeline.paint.PaintFit` or :class:`~brdf_suite.pipeline.any_fit.AnyFit` that it is from.
-    """
-
-    weights: LobeWeights
-    seconds: float
-    time_limited: bool = False
-    exact_follows: bool = False
-    worst_delta_e: float | None = None
-    notices: tuple[str, ...] = ()
-    source: Any = None
-
-
-@dataclass(frozen=True, eq=False)
-class Subject:
-    """One reflectance on the desk. Compare ``reflectance`` and ``fit`` by identity to see what has changed.
+class PlottedMaterial:
+    """A material with its line in plots and legend. Compare ``reflectance`` and ``fit`` by identity to see changes.
 
     Attributes
     ----------
     key
-        Its own, as long as the program runs; also when its reflectance changes.
+        Its own, as long as the program runs; also when its material changes.
+    title
+        Its name in legend and plots, which the user may change.
     colour, dash
-        Its line in plots and legend: sRGB, 0 to 1, and a dash.
-    reflectance
-        ``eval(wi, wo) -> (..., 3)`` in 1/sr, linear Rec. 2020, without the cosine.
+        Its line: sRGB, 0 to 1, and a dash.
     fit
         None until the fit is there, and where none can be had.
     samples
         Where the data are scattered samples.
     measured
-        Where a table has holes: tells them from what was measured; None where there are none.
+        Where a table has holes: separates them from what was measured; None where there are none.
     isotropic
-        Whether the azimuth of the incidence matters not.
+        Whether the azimuth of the incidence does not matter.
     notes
-        What a user should know of it, each a sentence.
-    origin
-        The file, or the name, that it was opened by.
+        What a user should know of it, each a sentence: the material's notices and what its values show.
     """
 
     key: str
     title: str
-    reflectance: Reflectance
+    material: Material
     colour: Srgb = LINE_COLOURS[0]
     dash: Dash = "solid"
-    paint: AnyPaint | None = None
-    fit: SubjectFit | None = None
+    fit: LobeFit | None = None
     samples: SamplePoints | None = None
     measured: Measured | None = None
     isotropic: bool = True
     notes: tuple[str, ...] = ()
-    origin: str = ""
+
+    @property
+    def reflectance(self) -> Reflectance:
+        """f_r in 1/sr, linear Rec. 2020, without the cosine."""
+        return self.material.reflectance

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 from brdf_suite.documents.store import load_view
 from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS, View
 from brdf_suite.errors import SuiteError
-from brdf_suite.pipeline.scene import default_paint_name, environment_names, name_in_view, surface_names
+from brdf_suite.pipeline.material import default_paint_name
+from brdf_suite.pipeline.scene import environment_names, name_in_view, surface_names
 from brdf_viewer.traced.request import QUALITIES, RENDERERS
 
 _SETTLE_MS = 200

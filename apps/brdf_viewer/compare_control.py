@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
-from brdf_suite.pipeline.scene import paint_names
+from brdf_suite.pipeline.material import is_file, paint_names
 from brdf_suite.progress import Progress
 from brdf_suite.realtime.comparison import ComparedPicture, divider_px
 from brdf_viewer.divider_gesture import DividerGesture
@@ -28,7 +28,7 @@ from brdf_viewer.traced.words import SHORT_TITLES
 from brdf_viewer.window import ViewerWindow
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 KIND = "compare"
 _OFFER = "no second paint"
@@ -92,7 +92,7 @@ class CompareControl(QObject):
 
     def choose(self, key: str) -> None:
         """Take a shipped paint or a file as B; where nothing is compared yet, side by side."""
-        if key not in self._names and key != OWN_KEY:
+        if key not in self._names and is_file(key):
             key = str(Path(key).absolute())
         mode = self._stage.view.compare.mode
         self._change(paint=key or None, mode="side" if mode == "off" else mode)
@@ -172,7 +172,7 @@ class CompareControl(QObject):
             progress=lambda fraction, what: self._window.set_busy(KIND, fraction, f"B: {what}"),
         )
 
-    def _loaded(self, key: str, value: AnyFit | ComparedPicture) -> None:
+    def _loaded(self, key: str, value: LobeFit | ComparedPicture) -> None:
         self._ended()
         if key not in self._names:
             self._recent.add(key)
@@ -305,14 +305,14 @@ def labels_of(mode: str, names: tuple[str, str], shows_second: bool, divider: fl
     return ()
 
 
-def name_of(key: str, value: AnyFit | ComparedPicture | RealTimePicture, first: str = "") -> str:
+def name_of(key: str, value: LobeFit | ComparedPicture | RealTimePicture, first: str = "") -> str:
     """Return what B is called; ``first`` is what A is."""
     if isinstance(value, RealTimePicture):
         return f"{first}, {tr(SHORT_TITLES['realtime']).lower()}"
     return title_of(key, {}) if isinstance(value, ComparedPicture) else value.name
 
 
-def second_facts(value: AnyFit | ComparedPicture | RealTimePicture) -> list[str]:
+def second_facts(value: LobeFit | ComparedPicture | RealTimePicture) -> list[str]:
     """Return what there is to say of B."""
     if isinstance(value, RealTimePicture):
         return [tr("B is this paint in real time: what differs is the renderer's doing")]
@@ -331,7 +331,7 @@ def _title(key: str) -> str:
     )
 
 
-def _load(key: str, progress: Progress) -> AnyFit | ComparedPicture:
+def _load(key: str, progress: Progress) -> LobeFit | ComparedPicture:
     # Not at the start: it loads what reads measured files and pictures.
     from brdf_suite.pipeline.compared import load_compared
 

@@ -15,7 +15,7 @@ from PySide6.QtGui import QGuiApplication
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.processes import child_command
 from brdf_suite.realtime.context import Context
 from brdf_viewer.camera_control import CameraControl
@@ -230,7 +230,7 @@ class ViewerController(QObject):
     @property
     def _awaits_parts(self) -> bool:
         """Whether a part of the picture is still on its way: a paint to compare with or its fits, occlusion."""
-        return self.compare.loading is not None or self.paint.measuring is not None or self.surface.baking
+        return self.compare.loading is not None or self.paint.loading is not None or self.surface.baking
 
     def _settle(self) -> None:
         """A frame's time is shown: the picture has settled, unless a part of it is still on its way."""

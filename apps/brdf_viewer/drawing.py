@@ -10,6 +10,7 @@ from brdf_qt.angle_fits import AngleFits
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.exposure import automatic_ev, exposed
+from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.pipeline.picture import PAINT_MATERIAL, SECOND_MATERIAL, SceneRenderer
 from brdf_suite.pipeline.surface_images import SurfaceImages
 from brdf_suite.realtime.comparison import ComparedPicture, ComparisonRenderer
@@ -70,6 +71,9 @@ class StageDrawer:
         self._traced: TracedLight | None = None
         self._traced_picture: TracedPicture | None = None
         self._with_own: ComparisonRenderer | None = None
+        stage.contents_changed.connect(self._prepare)
+        stage.view_changed.connect(self._prepare)
+        self._prepare()
 
     @property
     def counters(self) -> Counters:
@@ -107,6 +111,7 @@ class StageDrawer:
             self._renderer.set_paint_fit(fit)
             self._fit = fit
         uploads += [self._bring_second(), self._bring_images(), self._bring_traced()]
+        self._renderer.prepare(view)
         if view.exposure_mode == "automatic" and self._stage.metered_ev is None:
             self.meter(view, size)
         shown = exposed(view, self._stage.metered_ev)
@@ -140,7 +145,17 @@ class StageDrawer:
 
     def release(self) -> None:
         """Give every OpenGL object back."""
+        self._stage.contents_changed.disconnect(self._prepare)
+        self._stage.view_changed.disconnect(self._prepare)
         self._renderer.release()
+
+    def _prepare(self, *_: object) -> None:
+        """Have the weights over the angle fitted that the next frame takes: here, and not in the frame."""
+        stage = self._stage
+        second = None if stage.drawn_second is None else stage.drawn_second.value
+        for fit in (stage.drawn_fit, second, None if stage.images is None else stage.images.second_paint):
+            if isinstance(fit, LobeFit):
+                self.angle_fits.angles.prepare(fit, stage.view)
 
     def _bring_second(self) -> bool:
         """Bring what is compared with; tell whether a picture was uploaded."""

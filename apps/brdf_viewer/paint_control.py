@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,13 +17,23 @@ from PySide6.QtCore import QObject
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
-from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
+from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.factored_maps import is_factored
-from brdf_suite.pipeline.paint import PaintFit, PaintFitter
-from brdf_suite.pipeline.scene import default_paint_name, paint_names
-from brdf_suite.progress import Progress
+from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter, fit_material
+from brdf_suite.pipeline.material import (
+    default_paint_name,
+    document_kind,
+    file_kind,
+    is_file,
+    load_document,
+    load_material,
+    load_palette_file,
+    load_shipped_paint,
+    material_of,
+    paint_names,
+)
+from brdf_suite.progress import Progress, report, subrange
 from brdf_viewer.paint_patches import Patch
 from brdf_viewer.paint_sequence import OpenPalette, is_swatch, stepped
 from brdf_viewer.paint_source import DESIGNER, PaintSource
@@ -33,7 +44,7 @@ from brdf_viewer.stage import Stage
 from brdf_viewer.window import ViewerWindow
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 _KEY = "paint"
 _OFFER = "follow"
@@ -55,7 +66,7 @@ class PaintControl(QObject):
     ) -> None:
         super().__init__(parent)
         self._runner = runner
-        self._measuring: str | None = None
+        self._loading: str | None = None
         self._palette: OpenPalette | None = None
         self._paints: dict[str, AnyPaint] = {}
         self._stepped_to = ""
@@ -89,9 +100,9 @@ class PaintControl(QObject):
         self._show_following()
 
     @property
-    def measuring(self) -> str | None:
-        """The measured file that is on its way; None where none is."""
-        return self._measuring
+    def loading(self) -> str | None:
+        """What is loaded in the background, by name or file; None where none is."""
+        return self._loading
 
     def start_with(self, name_or_path: str, *, follow: bool = True) -> None:
         """Show this paint until Designer has another one; without ``follow`` it stays, and Designer is offered.
@@ -101,15 +112,15 @@ class PaintControl(QObject):
         self.source.set_following(follow)
         self._offers = not follow
         self._show_following()
-        ending = Path(name_or_path).suffix.lower()
-        if ending and ending != PAINT_ENDING and Path(name_or_path).is_file():
-            self.source.start_with(default_paint_name())  # until the file is read
-            (self.open_palette if ending == PALETTE_ENDING else self.open)(name_or_path)
+        file = is_file(name_or_path) and name_or_path not in self._names
+        if file and document_kind(name_or_path) != "paint":
+            self._show_default()  # until the file is read
+            self.open(name_or_path)
             return
-        self._try(self.source.start_with, name_or_path)
+        self._show_document(name_or_path, self.source.start_with)
         if self._stage.fit is None:
             told = self._window.messages.shown().get(_KEY)
-            self.source.start_with(default_paint_name())
+            self._show_default()
             if told is not None:
                 self._window.messages.show_message(told)
 
@@ -122,18 +133,21 @@ class PaintControl(QObject):
         if key in self._paints:
             self.source.show(self._paints[key], key)
             return
-        shipped = key in self._names
-        key = key if shipped else str(Path(key).absolute())
-        if not shipped and Path(key).suffix.lower() != PAINT_ENDING:
-            self._measure(key)
-        elif self._try(self.source.choose, key) and not shipped:
+        file = key not in self._names and is_file(key)
+        key = str(Path(key).absolute()) if file else key
+        kind = document_kind(key) if file else "paint"
+        if kind == "palette":
+            self.open_palette(key)
+        elif kind is None:
+            self._load(key)
+        elif self._show_document(key, self.source.show) and file:
             self._remember(key)
 
     def open_palette(self, path: str) -> None:
         """Go through the paints of a palette from now on, and show its first."""
         path = str(Path(path).absolute())
         try:
-            palette = load_palette(path)
+            palette = load_palette_file(path).palette
         except SuiteError as error:
             self._tell(error)
             return
@@ -158,39 +172,60 @@ class PaintControl(QObject):
         if key is not None:
             self.open(key)
 
-    def _measure(self, key: str) -> None:
-        """Fit a measured file in the background; the paint on show stays until it is there."""
-        self._measuring = key
+    def _show_default(self) -> None:
+        name = default_paint_name()
+        self.source.start_with(load_shipped_paint(name), name)
+
+    def _show_document(self, key: str, show: Callable[[AnyPaint, str], None]) -> bool:
+        """Show the paint of a name or file by ``show``; what has no document is loaded in the background."""
+        try:
+            document = load_document(key)
+        except SuiteError as error:
+            self._tell(error)
+            return False
+        if document is None:
+            self._load(key)
+            return False
+        show(document, key)
+        return True
+
+    def _load(self, key: str) -> None:
+        """Load and fit what is no paint document in the background; the paint on show stays until it is there."""
+        self._loading = key
         title = title_of(key, {})
         self._window.messages.dismiss(_KEY)
         self._window.set_busy(_KEY, 0.0, title)
         self._runner.submit(
             _KEY,
-            _fit_measured,
+            _load_and_fit,
             key,
-            done=lambda fit: self._measured(key, fit),
-            failed=self._not_measured,
+            done=lambda fit: self._loaded(key, fit),
+            failed=self._not_loaded,
             progress=lambda fraction, what: self._window.set_busy(_KEY, fraction, f"{title}: {what}"),
         )
 
-    def _measured(self, key: str, fit: AnyFit) -> None:
+    def _loaded(self, key: str, fit: LobeFit | None) -> None:
         self._cancel(_KEY)
+        if fit is None:
+            self.open_palette(key)
+            return
         self.source.set_following(False)
         self._exact.forget()
-        self._stage.set_fit(fit, None, key)
+        self._stage.set_fit(fit, key)
         self._shown_key = key
         self._show_fit(fit, key)
-        self._remember(key)
+        if is_file(key):
+            self._remember(key)
 
-    def _not_measured(self, error: Exception) -> None:
+    def _not_loaded(self, error: Exception) -> None:
         self._cancel(_KEY)
         self._tell(error)
         self._show_choice()
 
     def _cancel(self, kind: str) -> None:
-        """Give a measured file up, where one is on its way."""
-        if kind == _KEY and self._measuring is not None:
-            self._measuring = None
+        """Give up what is loaded in the background."""
+        if kind == _KEY and self._loading is not None:
+            self._loading = None
             self._runner.cancel(_KEY)
             self._window.set_idle(_KEY)
             self._show_choice()
@@ -198,14 +233,6 @@ class PaintControl(QObject):
     def _remember(self, key: str) -> None:
         self._recent.add(key)
         self._list()
-
-    def _try(self, action: Any, key: str) -> bool:
-        try:
-            action(key)
-        except SuiteError as error:
-            self._tell(error)
-            return False
-        return True
 
     def _received(self, topic: str, value: dict[str, Any]) -> None:
         if topic == _KEY:
@@ -218,24 +245,20 @@ class PaintControl(QObject):
     def _take(self, paint: Paint | CookTorrancePaint | FactoredPaint, key: str) -> None:
         """The edit path: fit and draw; no file, no texture, no import. Only designed paints are edited."""
         self._cancel(_KEY)
-        fit: PaintFit | AnyFit
         try:
-            fit = self._fitter.fit(paint) if isinstance(paint, Paint) else _fitted(paint)
+            fit = self._fitter.fit(paint) if isinstance(paint, Paint) else fit_material(material_of(paint))
         except SuiteError as error:
             self._tell(error)
             return
         self._window.messages.dismiss(_KEY)
-        if isinstance(fit, PaintFit):
-            self._exact.watch(fit)
-        else:
-            self._exact.forget()
-        self._stage.set_fit(fit, paint, key)
+        self._exact.watch(fit)
+        self._stage.set_fit(fit, key)
         self._shown_key = key
         self._show_fit(fit, key)
 
-    def _show_exact(self, fit: PaintFit) -> None:
+    def _show_exact(self, fit: LobeFit) -> None:
         """The optimum of the paint on show, where the time limit came first."""
-        self._stage.set_fit(fit, fit.paint, self._shown_key)
+        self._stage.set_fit(fit, self._shown_key)
         self._show_fit(fit, self._shown_key)
 
     def _tell(self, error: Exception) -> None:
@@ -244,13 +267,13 @@ class PaintControl(QObject):
         todo = f"The picture shows {shown}. Choose another paint, or correct this one."
         self._window.messages.show_message(message_of(error, _KEY, todo=todo))
 
-    def _show_fit(self, fit: PaintFit | AnyFit, key: str) -> None:
+    def _show_fit(self, fit: LobeFit, key: str) -> None:
         section = self._window.paint
         self._show_choice()
         self._name_designer()
         self._show_place(key)
         section.patches.set_patches(_patches(fit))
-        worst, follows = fit.worst_delta_e, _exact_follows(fit)
+        worst, follows = fit.worst_delta_e, fit.exact_follows
         section.set_fit_error(worst, fit.time_limited, follows)
         set_note(section.facts, "\n".join((*fit.notices, *_ways_of_light(fit))))
         limited = ", time-limited" if fit.time_limited else ""
@@ -330,51 +353,32 @@ class PaintControl(QObject):
         commands.palette_close.setEnabled(self._palette is not None)
 
 
-def _fitted(paint: CookTorrancePaint | FactoredPaint) -> AnyFit:
-    # Not on the edit path nor at the start, so not imported with it.
-    from brdf_suite.pipeline.any_fit import fit_reflectance
-    from brdf_suite.reflectance.build import build_reflectance
-
-    return fit_reflectance(paint.name, build_reflectance(paint))
-
-
-def _ways_of_light(fit: PaintFit | AnyFit) -> tuple[str, ...]:
+def _ways_of_light(fit: LobeFit) -> tuple[str, ...]:
     """Say of a factored paint what is drawn by its factors."""
-    if isinstance(fit, PaintFit) or not is_factored(fit.reflectance):
+    if fit.material.paint is not None or not is_factored(fit.reflectance):
         return ()
     return (tr("Factored: lamps are shaded by its maps, the environment by lobes that are fitted to it."),)
 
 
-def _fit_measured(key: str, progress: Progress) -> AnyFit:
-    # Not at the start: what reads measured files is much to import.
-    from brdf_suite.pipeline.any_fit import fit_any
-
-    return fit_any(key, errors=False, progress=progress)
-
-
-def _exact_follows(fit: PaintFit | AnyFit) -> bool:
-    """Only a designed paint's fit is finished after its limit."""
-    return isinstance(fit, PaintFit) and fit.exact_follows
+def _load_and_fit(key: str, progress: Progress) -> LobeFit | None:
+    """Return the fit of a name or file; None of a palette with several paints."""
+    report(progress, 0.0, "reading")
+    if is_file(key) and file_kind(key) == "palette":
+        return None
+    return fit_material(load_material(key), progress=subrange(progress, 0.1, 1.0))
 
 
-def _patches(fit: PaintFit | AnyFit) -> list[Patch]:
+def _patches(fit: LobeFit) -> list[Patch]:
     """A designed paint's readings, or the usual angles that the fit looked at."""
-    limited = fit.time_limited
-    if isinstance(fit, PaintFit):
-        follows = fit.exact_follows
-        return [
-            Patch(a.aspecular_deg, a.asked, a.fitted, a.delta_e_2000, limited, follows, a.illumination_deg)
-            for a in fit.angles
-        ]
     return [
         Patch(
-            a.aspecular_deg,
-            a.lab,
-            a.lab_fitted,
-            a.delta_e_2000,
-            limited,
-            illumination_deg=a.illumination_deg,
+            row.aspecular_deg,
+            row.lab,
+            row.lab_fitted,
+            row.delta_e_2000,
+            fit.time_limited,
+            fit.exact_follows,
+            row.illumination_deg,
         )
-        for a in fit.angles
-        if a.fitted
+        for row in fit.compared
     ]

@@ -8,7 +8,6 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint, paint_from_json
-from brdf_suite.pipeline.scene import find_any_paint
 
 DESIGNER = "designer:"
 """The key of the paint that Designer holds; no file and no shipped paint has a name with a colon at its end."""
@@ -50,15 +49,11 @@ class PaintSource(QObject):
         if self._following:
             self.changed.emit(self._of_designer, DESIGNER)
 
-    def start_with(self, name_or_path: str) -> None:
-        """Show a paint, where Designer is followed until it has another; errors as :func:`find_any_paint`."""
-        self.changed.emit(find_any_paint(name_or_path), name_or_path)
+    def start_with(self, paint: AnyPaint, key: str) -> None:
+        """Show a paint; where Designer is followed, until it has another."""
+        self.changed.emit(paint, key)
 
     def show(self, paint: AnyPaint, key: str) -> None:
         """Show this paint and stop following Designer."""
         self.set_following(False)
         self.changed.emit(paint, key)
-
-    def choose(self, name_or_path: str) -> None:
-        """Show a paint and stop following Designer; errors as :func:`find_any_paint`, nothing changed then."""
-        self.show(find_any_paint(name_or_path), name_or_path)

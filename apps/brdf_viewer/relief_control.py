@@ -11,7 +11,7 @@ from brdf_qt.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_suite.documents.view import View
-from brdf_suite.pipeline.scene import paint_names
+from brdf_suite.pipeline.material import paint_names
 from brdf_suite.pipeline.surface_images import ImageRequest, SurfaceImages, load_surface_images
 from brdf_viewer.file_kinds import AskFile
 from brdf_viewer.source_chooser import Source, title_of

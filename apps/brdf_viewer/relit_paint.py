@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from brdf_qt.tasks import TaskRunner
 from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.documents.view_settings import LightColour
+from brdf_suite.pipeline.lobe_fit import LobeFit, refit_under
 from brdf_suite.progress import Progress
 from brdf_viewer.lighting_presets import is_tinted
 from brdf_viewer.sections.lighting import Spectra
 from brdf_viewer.stage import Stage
-
-if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
 
 _KEY = "relit"
 
@@ -32,7 +28,7 @@ class RelitPaint(QObject):
         self._stage = stage
         self._second = second
         self._runner = TaskRunner(self, threads=1)
-        self._wanted: tuple[AnyFit, str] | None = None
+        self._wanted: tuple[LobeFit, str] | None = None
         self._failed = False
         stage.view_changed.connect(lambda *_: self._follow())
         stage.contents_changed.connect(self._follow)
@@ -65,7 +61,7 @@ class RelitPaint(QObject):
             self._runner.submit(_KEY, _refit, request, done=self._done, failed=self._not_fitted)
         self.state_changed.emit()
 
-    def _done(self, fit: AnyFit) -> None:
+    def _done(self, fit: LobeFit) -> None:
         take = self._stage.set_second_relit if self._second else self._stage.set_relit
         take(fit)
         self.state_changed.emit()
@@ -75,20 +71,17 @@ class RelitPaint(QObject):
         self._failed = True
         self.state_changed.emit()
 
-    def _spectral(self) -> tuple[AnyFit, str] | None:
+    def _spectral(self) -> tuple[LobeFit, str] | None:
         """Return the fit and the lamp for which spectra matter; None for a paint without, or a neutral lamp."""
         stage, colour = self._stage, self._stage.view.light_colour
         second = None if stage.second is None else stage.second.value
         fit = second if self._second else stage.fit
         if fit is None or not is_tinted(colour):
             return None
-        from brdf_suite.pipeline.any_fit import AnyFit  # not at the start: measured data are much to import
         from brdf_suite.reflectance.under_light import has_spectra
 
-        return (fit, colour.illuminant) if isinstance(fit, AnyFit) and has_spectra(fit.reflectance) else None
+        return (fit, colour.illuminant) if isinstance(fit, LobeFit) and has_spectra(fit.reflectance) else None
 
 
-def _refit(request: tuple[AnyFit, LightColour], progress: Progress) -> AnyFit:
-    from brdf_suite.pipeline.relit import refit_under
-
+def _refit(request: tuple[LobeFit, LightColour], progress: Progress) -> LobeFit:
     return refit_under(*request, progress)

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.pipeline.exposure import exposed
-from brdf_suite.pipeline.paint import PaintFit
+from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.pipeline.surface_images import SurfaceImages
 from brdf_suite.realtime.camera import Bounds
@@ -20,7 +20,7 @@ from brdf_viewer.view_history import ViewHistory
 if TYPE_CHECKING:
     from brdf_suite.documents.store import AnyPaint
     from brdf_suite.lighting.statistics import EnvironmentStatistics
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.realtime.comparison import ComparedPicture
     from brdf_viewer.traced.process import TracedPicture
     from brdf_viewer.traced.request import Renderer
@@ -76,12 +76,11 @@ class Stage(QObject):
         super().__init__(parent)
         self.history = ViewHistory(view, self)
         self.history.changed.connect(self.view_changed)
-        self.fit: PaintFit | AnyFit | None = None
-        self.relit: AnyFit | None = None
-        self.paint: AnyPaint | None = None
+        self.fit: LobeFit | None = None
+        self.relit: LobeFit | None = None
         self.paint_key = ""
-        self.second: Prop[AnyFit | ComparedPicture] | None = None
-        self.second_relit: Prop[AnyFit | ComparedPicture] | None = None
+        self.second: Prop[LobeFit | ComparedPicture] | None = None
+        self.second_relit: Prop[LobeFit | ComparedPicture] | None = None
         self.shows_second = False
         self.renderer: Renderer = "realtime"
         self.traced: TracedPicture | None = None
@@ -99,17 +98,22 @@ class Stage(QObject):
         return self.history.value
 
     @property
-    def drawn_fit(self) -> PaintFit | AnyFit | None:
+    def paint(self) -> AnyPaint | None:
+        """The document of the paint on show; None of measured data, models, and where there is no paint yet."""
+        return None if self.fit is None else self.fit.material.document
+
+    @property
+    def drawn_fit(self) -> LobeFit | None:
         """The fit that is drawn: of a paint with spectra, the one for the view's lamp, once it is there."""
         return self.fit if self.relit is None else self.relit
 
     @property
-    def drawn_second(self) -> Prop[AnyFit | ComparedPicture] | None:
+    def drawn_second(self) -> Prop[LobeFit | ComparedPicture] | None:
         """What is compared with, as it is drawn: see :attr:`drawn_fit`."""
         return self.second if self.second_relit is None else self.second_relit
 
     @property
-    def compared(self) -> Prop[AnyFit | ComparedPicture] | Prop[RealTimePicture] | None:
+    def compared(self) -> Prop[LobeFit | ComparedPicture] | Prop[RealTimePicture] | None:
         """What the picture is compared with: the second paint or picture, or the traced one's own in real time."""
         if self.second is not None or self.renderer == "realtime":
             return self.second
@@ -174,25 +178,25 @@ class Stage(QObject):
         """Replace the camera."""
         self.change_view(camera=camera)
 
-    def set_fit(self, fit: PaintFit | AnyFit, paint: AnyPaint | None = None, key: str = "") -> None:
-        """Draw this paint from the next frame on: the fit, its document (none of a measured file), where it is from."""
+    def set_fit(self, fit: LobeFit, key: str = "") -> None:
+        """Draw this paint from the next frame on; ``key`` is where it is from."""
         if fit is not self.fit:
             self.relit = None
-        self.fit, self.paint, self.paint_key = fit, paint, key
+        self.fit, self.paint_key = fit, key
         self.contents_changed.emit()
 
-    def set_relit(self, fit: AnyFit) -> None:
+    def set_relit(self, fit: LobeFit) -> None:
         """Draw the present paint as its spectra look under the view's lamp, from the next frame on."""
         self.relit = fit
         self.contents_changed.emit()
 
-    def set_second_relit(self, fit: AnyFit) -> None:
+    def set_second_relit(self, fit: LobeFit) -> None:
         """Draw the paint that is compared with so, too."""
         if self.second is not None:
             self.second_relit = Prop(self.second.key, fit)
             self.contents_changed.emit()
 
-    def set_second(self, key: str | None, value: AnyFit | ComparedPicture | None = None) -> None:
+    def set_second(self, key: str | None, value: LobeFit | ComparedPicture | None = None) -> None:
         """Compare with this paint or picture from the next frame on; None: with nothing."""
         if value is None and self.second is None:
             return

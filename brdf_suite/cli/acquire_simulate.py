@@ -91,7 +91,7 @@ def _template(options: argparse.Namespace) -> int:
 
 def _simulate(options: argparse.Namespace) -> int:
     from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
-    from brdf_suite.pipeline.measuring import load_measurable
+    from brdf_suite.pipeline.material import load_material
 
     given: dict[str, Any] = {
         "size": options.size,
@@ -115,7 +115,7 @@ def _simulate(options: argparse.Namespace) -> int:
         "file_kind": "tiff" if options.tiff else None,
     }
     settings = SimulatorSettings(**{name: value for name, value in given.items() if value is not None})
-    paint = load_measurable(options.simulate)
+    paint = load_material(options.simulate)
     with progress_bar("simulating", quiet=options.json) as progress:
         session = simulate(paint.reflectance, options.folder, settings, paint.name, progress)
     count = len(session.files())

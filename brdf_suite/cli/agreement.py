@@ -99,7 +99,8 @@ def run(options: argparse.Namespace) -> int:
     """Compare; print a table or a JSON object, and write the page."""
     from brdf_suite.pipeline.agreement import DEFAULT_FORM, FORMS, Case, Order, compare, summary
     from brdf_suite.pipeline.agreement_page import check_page, groups, write_page
-    from brdf_suite.pipeline.scene import environment_names, paint_names
+    from brdf_suite.pipeline.material import paint_names
+    from brdf_suite.pipeline.scene import environment_names
 
     if options.output is not None:
         check_page(options.output)

@@ -60,9 +60,9 @@ def _report(what: str) -> CheckReport:
 
     if what in MODELS:
         return check_model(MODELS[what])
-    from brdf_suite.pipeline.measuring import load_measurable
+    from brdf_suite.pipeline.material import load_material
 
-    item = load_measurable(what)
+    item = load_material(what)
     return check_reflectance(item.reflectance, item.name)
 
 

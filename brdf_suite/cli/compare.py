@@ -31,12 +31,13 @@ def run(options: argparse.Namespace) -> int:
     """Compare and print; 1 where a tolerance is exceeded."""
     from brdf_suite.appearance.geometries import geometry_set
     from brdf_suite.appearance.tolerance import difference_title
-    from brdf_suite.pipeline.measuring import compare, load_measurable
+    from brdf_suite.pipeline.material import load_material
+    from brdf_suite.pipeline.measuring import compare
     from brdf_suite.reflectance.aperture import aperture
 
     geometry = geometry_set(options.geometry)
     tolerances = parse_tolerances(options, [one.aspecular_deg for one in geometry.geometries])
-    first, second = (load_measurable(what, observer_deg=options.observer) for what in (options.a, options.b))
+    first, second = (load_material(what, observer_deg=options.observer) for what in (options.a, options.b))
     result = compare(first, second, geometry, aperture(options.aperture), tolerances)
     failed = result.verdict is not None and result.verdict.passes is False
     if options.json:

@@ -88,12 +88,11 @@ def run_start(options: argparse.Namespace) -> int:
 
 def run_step(options: argparse.Namespace) -> int:
     """Take a step, write, and print."""
-    from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFitter
-    from brdf_suite.pipeline.scene import find_paint
+    from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter
     from brdf_suite.pipeline.variations import examined, variations
 
     _check_output(options.output)
-    found = {one.direction: one for one in variations(find_paint(options.what), options.step)}
+    found = {one.direction: one for one in variations(_design(options.what), options.step)}
     fitter = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S)
     try:
         one = examined(found[options.direction], fitter)
@@ -109,14 +108,22 @@ def run_step(options: argparse.Namespace) -> int:
 
 def run_between(options: argparse.Namespace) -> int:
     """Mix, write, and print."""
-    from brdf_suite.pipeline.scene import find_paint
     from brdf_suite.pipeline.standard_files import load_standards
     from brdf_suite.pipeline.variations_mix import mixed, second_end
 
     _check_output(options.output)
-    first = find_paint(options.first)
+    first = _design(options.first)
     second = second_end(first, load_standards(options.second)[0])
     return _done(mixed(first, second, options.share), options, {"share": options.share}, [])
+
+
+def _design(name_or_path: str) -> Paint:
+    """Return the designed paint of a name or file; of anything else the design that is started from its readings."""
+    from brdf_suite.documents.paint import Paint
+    from brdf_suite.pipeline.measured_start import load_paint_or_start, load_start
+
+    found = load_paint_or_start(name_or_path)
+    return found if isinstance(found, Paint) else load_start(name_or_path).paint
 
 
 def _check_output(path: Path | None) -> None:

@@ -11,7 +11,7 @@ from brdf_suite.cli.output import print_json
 from brdf_suite.cli.tolerances import add_tolerances, parse_tolerances
 
 if TYPE_CHECKING:
-    from brdf_suite.files.exports import ExportFormat, Subject
+    from brdf_suite.files.exports import ExportFormat, ExportItem
 
 _NAMES = ("cxf", "csv", "json", "luxcore", "openpbr", "gltf", "rgl", "html", "pdf")
 
@@ -60,12 +60,12 @@ def run(options: argparse.Namespace) -> int:
     from brdf_suite.appearance.tolerance import Tolerances
     from brdf_suite.documents.store import load_view
     from brdf_suite.errors import SuiteError
-    from brdf_suite.pipeline.handover import export, format_named, format_of, formats, subject_of
+    from brdf_suite.pipeline.handover import export, format_named, format_of, formats, item_of
     from brdf_suite.pipeline.report import ReportOptions
     from brdf_suite.pipeline.standard_files import load_standards
 
-    subjects = [subject_of(paint) for paint in options.paints]
-    read = [m.aspecular_deg for subject in subjects for m in subject.paint.measurements]
+    items = [item_of(paint) for paint in options.paints]
+    read = [m.aspecular_deg for item in items for m in item.paint.measurements]
     report = ReportOptions(
         standard=None if options.standard is None else load_standards(options.standard)[0],
         tolerances=parse_tolerances(options, read) or Tolerances({}, None, options.difference),
@@ -74,21 +74,21 @@ def run(options: argparse.Namespace) -> int:
     )
     if options.list_losses:
         wanted = formats(report) if options.format is None else (format_named(options.format, report),)
-        return _list_losses(options, subjects, wanted)
+        return _list_losses(options, items, wanted)
     if options.output is None:
         raise SuiteError("No output file: give -o FILE, or --list-losses to see what the format would lose.")
     known = (
         format_of(options.output, report) if options.format is None else format_named(options.format, report)
     )
     with export_progress("export", options) as progress:
-        done = export(known, subjects, options.output, progress=progress)
+        done = export(known, items, options.output, progress=progress)
     size = done.path.stat().st_size
     if options.json:
         print_json(
             {
                 "output": str(done.path),
                 "format": done.format,
-                "paints": [subject.name for subject in subjects],
+                "paints": [item.name for item in items],
                 "bytes": size,
                 "losses": list(done.losses),
                 "notes": list(done.notes),
@@ -99,23 +99,23 @@ def run(options: argparse.Namespace) -> int:
         print(f"lost: {loss}")
     for note in done.notes:
         print(f"note: {note}")
-    names = subjects[0].name if len(subjects) == 1 else f"{len(subjects)} paints"
+    names = items[0].name if len(items) == 1 else f"{len(items)} paints"
     print(f"{done.path}: {names}, {known.title}, {size:,} bytes")
     return 0
 
 
 def _list_losses(
-    options: argparse.Namespace, subjects: list[Subject], wanted: tuple[ExportFormat, ...]
+    options: argparse.Namespace, items: list[ExportItem], wanted: tuple[ExportFormat, ...]
 ) -> int:
     from brdf_suite.errors import UnreachableError
     from brdf_suite.pipeline.handover import export_losses
 
     table: dict[str, dict[str, list[str]]] = {}
-    for name, subject in zip(options.paints, subjects, strict=True):
+    for name, item in zip(options.paints, items, strict=True):
         rows = table[str(name)] = {}
         for known in wanted:
             try:
-                rows[known.name] = list(export_losses(known, subject))
+                rows[known.name] = list(export_losses(known, item))
             except UnreachableError as error:
                 rows[known.name] = [f"Cannot be written: {error}"]
     if options.json:

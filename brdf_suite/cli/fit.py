@@ -12,9 +12,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from brdf_suite.fitting.metrics import ErrorFigures
-    from brdf_suite.pipeline.any_fit import AnyFit
-    from brdf_suite.pipeline.fit_errors import HeldOut
+    from brdf_suite.fitting.metrics import ErrorFigures, HeldOut
+    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -46,19 +45,20 @@ def run(options: argparse.Namespace) -> int:
     """Fit and print."""
     if options.angles is not None:
         return _at_angles(options)
-    from brdf_suite.pipeline.any_fit import fit_any
+    from brdf_suite.pipeline.lobe_fit import fit_material
+    from brdf_suite.pipeline.material import load_material
 
     with progress_bar("fitting", quiet=options.json) as progress:
-        found = fit_any(options.paint, progress=progress)
+        found = fit_material(load_material(options.paint), errors=True, progress=progress)
     if options.json:
         print_json(found.to_json())
         return 0
     _print_weights(found)
-    if found.paint_fit is not None:
+    if found.readings:
         print(" aspecular °    L* asked   fitted      ΔE00")
-        for asked in found.paint_fit.angles:
+        for row in found.readings:
             print(
-                f"{asked.aspecular_deg:12.0f}  {asked.asked[0]:10.2f} {asked.fitted[0]:8.2f}  {asked.delta_e_2000:8.3f}"
+                f"{row.aspecular_deg:12.0f}  {row.lab[0]:10.2f} {row.lab_fitted[0]:8.2f}  {row.delta_e_2000:8.3f}"
             )
     elif found.angles:
         print("     light °  aspecular °          L*   fitted      ΔE00")
@@ -103,7 +103,7 @@ def _at_angles(options: argparse.Namespace) -> int:
     return 0
 
 
-def _print_weights(found: AnyFit) -> None:
+def _print_weights(found: LobeFit) -> None:
     weights = found.weights
     print(
         f"{found.name}: {len(weights.exponents)} lobes, {found.fit_seconds * 1e3:.2f} ms"

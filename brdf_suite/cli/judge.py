@@ -79,7 +79,7 @@ def _chosen(standards: tuple[Standard, ...], name: str | None, path: str) -> Sta
 def _batches(paths: list[str], standard: Standard) -> list[Paint]:
     from dataclasses import replace
 
-    from brdf_suite.pipeline.scene import default_paint
+    from brdf_suite.pipeline.material import default_paint
     from brdf_suite.pipeline.standard import paint_like
     from brdf_suite.pipeline.standard_files import load_standards
 

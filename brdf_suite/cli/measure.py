@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from brdf_suite.cli.output import print_json
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.measuring import Measurable
+    from brdf_suite.appearance.light_colour import ColourUnderLight
+    from brdf_suite.pipeline.material import Material
     from brdf_suite.reflectance.spectrophotometer import InstrumentReport
 
 GEOMETRY_HELP = (
@@ -73,14 +74,15 @@ def add_instrument(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Measure and print."""
     from brdf_suite.appearance.geometries import geometry_set
-    from brdf_suite.pipeline.measuring import load_measurable, measurement_json
+    from brdf_suite.pipeline.material import load_material
+    from brdf_suite.pipeline.measuring import measurement_json
     from brdf_suite.reflectance.aperture import aperture
     from brdf_suite.reflectance.spectrophotometer import measure
 
     geometries, through = geometry_set(options.geometry), aperture(options.aperture)
-    measured: list[tuple[Measurable, InstrumentReport]] = []
+    measured: list[tuple[Material, InstrumentReport]] = []
     for what in options.what:
-        item = load_measurable(
+        item = load_material(
             what, observer_deg=options.observer, solved_through=through if options.solve else None
         )
         measured.append((item, measure(item.reflectance, geometries, through)))
@@ -95,10 +97,16 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _print_table(item: Measurable, report: InstrumentReport, illuminant: str) -> None:
+def _under(item: Material, report: InstrumentReport, illuminant: str) -> tuple[ColourUnderLight, ...]:
+    from brdf_suite.reflectance.under_light import readings_under
+
+    return readings_under(item.reflectance, report, illuminant, item.observer_deg)
+
+
+def _print_table(item: Material, report: InstrumentReport, illuminant: str) -> None:
     # Two paints may share a name, as the shipped blue and that of Table 1 do.
-    plain = Path(item.source).name.replace("_", " ").lower()
-    named = "" if plain in ("", item.name.replace("_", " ").lower()) else f" ({item.source})"
+    plain = Path(item.origin).name.replace("_", " ").lower()
+    named = "" if plain in ("", item.name.replace("_", " ").lower()) else f" ({item.origin})"
     print(f"{item.name}{named}: {report.geometry_set.title}; {report.aperture.title}; D65, 10°")
     print(
         f"{'geometry':>10} {'L*':>8} {'a*':>8} {'b*':>8} {'C*':>8} {'h °':>7} {'X':>8} {'Y':>8} {'Z':>8}  factor"
@@ -120,7 +128,7 @@ def _print_table(item: Measurable, report: InstrumentReport, illuminant: str) ->
             f"(path {path.hue_path_deg:.1f}°); chroma {path.chroma:+.1f}"
         )
     if illuminant != "D65":
-        colours = item.under(report, illuminant)
+        colours = _under(item, report, illuminant)
         print(f"  {colours[0].label}")
         for reading, colour in zip(report.readings, colours, strict=True):
             print(f"{reading.geometry.name:>10}" + "".join(f" {value:8.2f}" for value in colour.lab.tolist()))
@@ -128,7 +136,7 @@ def _print_table(item: Measurable, report: InstrumentReport, illuminant: str) ->
         print(f"note: {notice}")
 
 
-def _print_csv(measured: list[tuple[Measurable, InstrumentReport]], illuminant: str) -> None:
+def _print_csv(measured: list[tuple[Material, InstrumentReport]], illuminant: str) -> None:
     writer = csv.writer(sys.stdout, lineterminator="\n")
     first = measured[0][1]
     names = [_column(reading.geometry.name) for reading in first.readings]
@@ -139,10 +147,10 @@ def _print_csv(measured: list[tuple[Measurable, InstrumentReport]], illuminant: 
     head += ["G20", "G60", "G85", "haze", "flop_index", "travel_ab", "hue_travel_deg", "chroma_travel"]
     writer.writerow(head)
     for item, report in measured:
-        row: list[str] = [item.name, item.source]
+        row: list[str] = [item.name, item.origin]
         row += [f"{value:.4f}" for reading in report.readings for value in reading.lab]
         if illuminant != "D65":
-            colours = item.under(report, illuminant)
+            colours = _under(item, report, illuminant)
             row += [f"{value:.4f}" for colour in colours for value in colour.lab.tolist()]
         row += [f"{reading.factor:.6f}" for reading in report.readings]
         row += [f"{value:.3f}" for value in (*report.gloss.values(), report.haze)]

@@ -110,25 +110,16 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _labs(name_or_path: str) -> tuple[str, Floats]:
-    """Return the name and L*a*b* (3, 3) of the paint to search for."""
-    from brdf_suite.pipeline.measuring import is_measured_file
-
-    if is_measured_file(Path(name_or_path)):
-        return _measured(name_or_path)
-    from brdf_suite.pipeline.palette_columns import labs_of
-    from brdf_suite.pipeline.scene import find_any_paint
-
-    paint = find_any_paint(name_or_path)
-    return paint.name, labs_of(paint)
-
-
-def _measured(path: str) -> tuple[str, Floats]:
+    """The name and L*a*b* (3, 3) of what is looked for."""
     import numpy as np
 
     from brdf_suite.appearance.colorimetry import working_to_lab
-    from brdf_suite.pipeline.measuring import load_measurable
-    from brdf_suite.pipeline.palette_columns import MAIN_ANGLES_DEG
+    from brdf_suite.pipeline.material import load_document, load_material
+    from brdf_suite.pipeline.palette_columns import MAIN_ANGLES_DEG, labs_of
     from brdf_suite.pipeline.swatch_flat import colours_at
 
-    measured = load_measurable(path)
-    return measured.name, working_to_lab(colours_at(measured.reflectance, np.array(MAIN_ANGLES_DEG)))
+    document = load_document(name_or_path)
+    if document is not None:
+        return document.name, labs_of(document)
+    material = load_material(name_or_path)
+    return material.name, working_to_lab(colours_at(material.reflectance, np.array(MAIN_ANGLES_DEG)))

@@ -20,7 +20,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "same surface in the same light, each with its name, flop index and L*a*b* at 15, 45 and 110°.",
     )
     command.add_argument(
-        "source", type=Path, metavar="PALETTE|FOLDER", help="a palette, or a folder of .brdfpaint files"
+        "source",
+        type=Path,
+        metavar="PALETTE|FOLDER|PAINT",
+        help="a palette, a folder of .brdfpaint files, or a single paint, measured file or name",
     )
     command.add_argument(
         "-o", "--output", type=Path, required=True, metavar="FILE", help="the sheet (.png or .pdf)"

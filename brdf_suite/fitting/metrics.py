@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colorimetry import working_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.documents.paint import Lab
 from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.geometry.directions import aspecular_view, illumination
 
@@ -40,6 +41,38 @@ class ErrorFigures:
     cosine_rms: float
     cube_root_rms: float
     log_rms: float
+
+
+@dataclass(frozen=True)
+class AngleError:
+    """L*a*b* (D65, 10°) of data and lobes in one geometry, and ΔE00; ``fitted``: the fit looked there."""
+
+    illumination_deg: float
+    aspecular_deg: float
+    lab: Lab
+    lab_fitted: Lab
+    delta_e_2000: float
+    fitted: bool = True
+
+
+@dataclass(frozen=True)
+class HeldOut:
+    """Errors where the fit did not look.
+
+    ``where`` says where that is; ``figures`` are of all of it, ``relative_rms`` is ``cosine_rms`` over the
+    cosine-weighted RMS of the data themselves, ``away`` leaves out views within 5° of the mirror direction.
+    """
+
+    where: str
+    pairs: int
+    figures: ErrorFigures
+    relative_rms: float
+    away: ErrorFigures | None
+
+
+def as_rgb_tuple(row: FloatArray) -> tuple[float, float, float]:
+    """Return three numbers as plain ones."""
+    return float(row[0]), float(row[1]), float(row[2])
 
 
 def aspecular_lab(

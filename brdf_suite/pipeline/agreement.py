@@ -26,9 +26,10 @@ from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.pipeline.agreement_errors import Errors, Pixels, delta_e_of, errors_of, flip_of
 from brdf_suite.pipeline.agreement_forms import DEFAULT_FORM, FORMS, basis_of, coarser, fit_for
-from brdf_suite.pipeline.any_fit import AnyFit
 from brdf_suite.pipeline.exposure import ev_of
-from brdf_suite.pipeline.picture import OffscreenScene, material_weights
+from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.pipeline.material import Material
+from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.reference_scene import ReferenceScene, build_reference
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
 from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
@@ -112,7 +113,7 @@ class Order:
 class _Truth:
     """A paint, path-traced: the light of the whole picture (h, w, 3) and what is known of it."""
 
-    fit: AnyFit
+    fit: LobeFit
     scene: ReferenceScene
     whole: Pixels
     spread: Pixels
@@ -160,7 +161,7 @@ def _compare(
     order: Order,
     scene: OffscreenScene,
     environment: str,
-    fits: Mapping[str, Mapping[str, AnyFit | None]],
+    fits: Mapping[str, Mapping[str, LobeFit | None]],
     mesh: Mesh,
     progress: Progress | None,
 ) -> Iterator[Case]:
@@ -182,13 +183,14 @@ def _compare(
 
 def _truth(
     order: Order,
-    fit: AnyFit,
+    fit: LobeFit,
     paint: str,
     prepared: PreparedEnvironment,
     mesh: Mesh,
     progress: Progress | None,
 ) -> _Truth:
-    traced = build_reference(fit.name, fit.reflectance, _plain(order), order.size, prepared.environment, mesh)
+    plain = Material(fit.name, fit.reflectance)
+    traced = build_reference(plain, _plain(order), order.size, prepared.environment, mesh)
     name = f"{Path(paint).stem}__{Path(prepared.name).stem}"
     if order.surface != "sphere":
         name += f"__{Path(order.surface).stem}"
@@ -210,7 +212,7 @@ def _drawn(
     scene: OffscreenScene,
     environment: str,
     prepared: PreparedEnvironment,
-    fits: Mapping[str, Mapping[str, AnyFit | None]],
+    fits: Mapping[str, Mapping[str, LobeFit | None]],
     truths: Mapping[str, _Truth],
 ) -> dict[str, dict[str, Pixels]]:
     """Return the real-time pictures (h, w, 3), encoded sRGB, by paint and form."""
@@ -225,8 +227,8 @@ def _drawn(
                 fit = fits[form][paint]
                 if fit is None:
                     continue
-                scene.set_paint_fit(fit)
                 view = replace(truth.view, **FORMS[form].view)
+                scene.set_paint_fit(fit, view=view)
                 linear = scene.renderer.linear_image(view, order.size)
                 drawn[paint][form] = _shown(np.asarray(linear[..., :3], np.float64), view)
     return {paint: {form: of[form] for form in order.forms if form in of} for paint, of in drawn.items()}
@@ -245,10 +247,8 @@ def _case(
     errors = {form: errors_of(picture, pictures["reference"], inside) for form, picture in drawn.items()}
     look_up: dict[str, Errors] = {}
     if order.lobes:
-        weights = material_weights(truth.fit.weights)
-        lobes = build_reference(
-            truth.fit.name, weights, truth.scene.view, order.size, prepared.environment, mesh
-        )
+        material = Material(truth.fit.name, truth.fit.weights)
+        lobes = build_reference(material, truth.scene.view, order.size, prepared.environment, mesh)
         found = _traced(order, lobes, f"{truth.name}__lobes", progress)
         pictures[LOBES] = _shown(lobes.whole(found), view)
         errors[LOBES] = errors_of(pictures[LOBES], pictures["reference"], inside)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
@@ -14,9 +13,9 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.fitting.lobes.basis import LobeBasis, stored_bases
 from brdf_suite.lighting.face_array import FaceArray
-from brdf_suite.pipeline.any_fit import AnyFit, fit_any, fit_document
-from brdf_suite.pipeline.measuring import is_measured_file
-from brdf_suite.pipeline.scene import PreparedEnvironment, find_any_paint
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import load_document, load_material, material_of
+from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.resources import resource
 
 DEFAULT_FORM = "default"
@@ -81,18 +80,18 @@ def basis_of(form: Form) -> LobeBasis | None:
     return stored_bases(resource("basis", "search.json"))[0][form.lobes]
 
 
-def fit_for(form: Form, paint: str) -> AnyFit | None:
+def fit_for(form: Form, paint: str) -> LobeFit | None:
     """Return the lobes of a paint in a form; None where the form is of designed paints and it is none, or cannot be so.
 
-    Errors as :func:`fit_any`.
+    Errors as :func:`load_material` and :func:`fit_material`.
     """
     if not form.paint:
-        return fit_any(paint, basis_of(form), errors=False)
-    document = None if is_measured_file(Path(paint)) else find_any_paint(paint)
+        return fit_material(load_material(paint), basis_of(form))
+    document = load_document(paint)
     if not isinstance(document, Paint):
         return None
     try:
-        return fit_document(replace(document, **form.paint), paint, basis_of(form))
+        return fit_material(material_of(replace(document, **form.paint), paint), basis_of(form))
     except UnreachableError:  # by another rule the same readings may be those of no paint
         return None
 

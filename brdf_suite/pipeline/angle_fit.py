@@ -11,14 +11,12 @@ from pathlib import Path
 
 import numpy as np
 
-from brdf_suite.errors import FittingError, UnreachableError
+from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleGrid, AngleWeights
 from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.pipeline.fit_errors import JUDGED_GAMMAS_DEG
-from brdf_suite.pipeline.measuring import is_measured_file
-from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S
-from brdf_suite.pipeline.scene import find_any_paint
-from brdf_suite.reflectance.build import build_reflectance
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.layers import split_layers
 
 #: Where the errors are told: incidences, each at the judged aspecular angles as far as a view stands no lower.
@@ -108,18 +106,16 @@ def fit_at_angles(
         There is no such paint, or its file is not valid.
     """
     grid = AngleGrid(count)
-    if is_measured_file(Path(name_or_path)):
-        raise FittingError(
-            f"{Path(name_or_path).name}: nothing divides measured data into coat and base, so they cannot be fitted at "
-            "several angles; leave out the number of angles."
-        )
-    paint = find_any_paint(name_or_path)
+    material = load_material(name_or_path)
+    reflectance = material.reflectance
     try:
-        reflectance = build_reflectance(paint)
         layers = split_layers(reflectance)
         if layers is None:
             raise FittingError(
-                "it has no coat and base to be fitted at several angles; leave out the number of angles."
+                "nothing divides measured data into coat and base, so they cannot be fitted at several angles; leave "
+                "out the number of angles."
+                if material.facts
+                else "it has no coat and base to be fitted at several angles; leave out the number of angles."
             )
         facets = not layers.base_under_coat
         fitter = AngleFitter(grid=grid, facets=facets, time_limit_s=time_limit_s)
@@ -127,8 +123,8 @@ def fit_at_angles(
             fit = fitter.fit(layers)
         finally:
             fitter.close()
-    except (UnreachableError, FittingError) as error:
-        raise type(error)(f"{Path(name_or_path).name}: {error}") from error
+    except FittingError as error:
+        raise FittingError(f"{Path(name_or_path).name}: {error}") from error
     errors = tuple(
         IncidenceError(theta, gamma, float(difference))
         for theta in JUDGED_INCIDENCES_DEG
@@ -138,5 +134,4 @@ def fit_at_angles(
             strict=True,
         )
     )
-    notices = tuple(getattr(reflectance, "notices", ()))
-    return AnglePaintFit(paint.name, fit, errors, notices)
+    return AnglePaintFit(material.name, fit, errors, material.notices)

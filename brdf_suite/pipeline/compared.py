@@ -7,11 +7,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from brdf_suite.files.pictures import MOST_OWN_BYTES, read_rgb
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.comparison import ComparedPicture
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 LIGHT_ENDING = ".exr"
 SHOWN_ENDING = ".png"
@@ -29,7 +31,7 @@ def is_picture(name_or_path: str | os.PathLike[str]) -> bool:
 
 def load_compared(
     name_or_path: str | os.PathLike[str], progress: Progress | None = None
-) -> AnyFit | ComparedPicture:
+) -> LobeFit | ComparedPicture:
     """Return the fit of a paint or of a measured file, or a picture.
 
     Raises
@@ -43,9 +45,8 @@ def load_compared(
         report(progress, 0.0, "reading the picture")
         return read_compared_picture(name_or_path)
     # Measured data are much to import, and few compare.
-    from brdf_suite.pipeline.any_fit import fit_any
 
-    return fit_any(name_or_path, errors=False, progress=progress)
+    return fit_material(load_material(name_or_path), progress=progress)
 
 
 def read_compared_picture(path: str | os.PathLike[str]) -> ComparedPicture:

@@ -6,16 +6,19 @@ from pathlib import Path
 
 from brdf_suite.appearance.flat_colours import to_paint
 from brdf_suite.documents.palette import Palette
-from brdf_suite.documents.store import PAINT_ENDING, load_any_paint
+from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import FileError
-from brdf_suite.files.palettes import read_palette
 from brdf_suite.pipeline.contact_sheet_pictures import SheetItem
+from brdf_suite.pipeline.material import file_kind, is_file, load_palette_file
+from brdf_suite.pipeline.measured_start import load_paint_or_start
 
 MOST_PAINTS = 5000
 
 
 def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
-    """Return the title and the paints of a palette of any format, a paint file, or a folder of paints, by name.
+    """Return the title and the paints of a palette of any format, a folder of paints, or a single material.
+
+    Of measured data and models the sheet shows the design that is started from their readings.
 
     A paint of a folder that cannot be read is an item with its problem.
 
@@ -31,15 +34,15 @@ def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
         if len(files) > MOST_PAINTS:
             raise FileError(source, f"holds {len(files)} paints; a sheet takes {MOST_PAINTS}")
         return source.absolute().name, [_item_of(file) for file in files]
-    if source.suffix.lower() != PAINT_ENDING:
-        palette = read_palette(source).palette
+    if is_file(str(source)) and file_kind(source) == "palette":
+        palette = load_palette_file(source).palette
         items = palette_items(palette)
         if not items:
             raise FileError(source, "holds no paint")
         if len(items) > MOST_PAINTS:
             raise FileError(source, f"holds {len(items):,} paints; a sheet takes {MOST_PAINTS:,}")
         return palette.name, items
-    paint = load_any_paint(source)
+    paint = load_paint_or_start(source)
     return paint.name, [SheetItem(paint.name, "", paint)]
 
 
@@ -54,7 +57,7 @@ def palette_items(palette: Palette) -> list[SheetItem]:
 
 def _item_of(file: Path) -> SheetItem:
     try:
-        paint = load_any_paint(file)
+        paint = load_paint_or_start(file)
     except FileError as error:
         return SheetItem(file.stem, "", None, error.reason)
     return SheetItem(paint.name, "", paint)

@@ -16,6 +16,8 @@ from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.pipeline.exposure import metered
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import material_of
 from brdf_suite.pipeline.picture_file import PictureSettings
 from brdf_suite.pipeline.still import LoadedScene, loaded_scene
 from brdf_suite.pipeline.swatch_flat import flat_picture
@@ -24,7 +26,7 @@ from brdf_suite.progress import Progress
 from brdf_suite.realtime.display import Display
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.realtime.captured import CapturedForm
 
 Size = tuple[int, int]
@@ -73,11 +75,10 @@ class ItemPictures:
         SuiteError
             There is no such picture; the message names the paint.
         """
-        from brdf_suite.pipeline.any_fit import fit_document
 
         if item.paint is None:
             raise SuiteError(f"{item.name}: {item.problem}")
-        fit = fit_document(item.paint)
+        fit = fit_material(material_of(item.paint, item.paint.name))
         if self._loaded is None:
             return self._bands(item.paint), caption(fit)
         return self._rendered(fit, self._loaded), caption(fit)
@@ -88,7 +89,7 @@ class ItemPictures:
             self._captured.release()
         self._captured = None
 
-    def _rendered(self, fit: AnyFit, loaded: LoadedScene) -> NDArray[np.uint8]:
+    def _rendered(self, fit: LobeFit, loaded: LoadedScene) -> NDArray[np.uint8]:
         scene = loaded.scene
         renderer = scene.renderer
         waves = fit.orange_peel is not None and fit.orange_peel.slope_deg > 0.0
@@ -138,7 +139,7 @@ def item_pictures(
             pictures.close()
 
 
-def caption(fit: AnyFit) -> list[str]:
+def caption(fit: LobeFit) -> list[str]:
     """Return the flop index and L*a*b* at 15, 45 and 110° with the light at 45°, as lines of text."""
     found = _readings(fit)
     lines = []
@@ -151,11 +152,8 @@ def caption(fit: AnyFit) -> list[str]:
     return lines
 
 
-def _readings(fit: AnyFit) -> dict[float, tuple[float, float, float]]:
-    if fit.paint_fit is not None:
-        measured = [(m.illumination_deg, m.aspecular_deg, m.lab) for m in fit.paint_fit.paint.measurements]
-    else:
-        measured = [(angle.illumination_deg, angle.aspecular_deg, angle.lab) for angle in fit.angles]
+def _readings(fit: LobeFit) -> dict[float, tuple[float, float, float]]:
+    measured = [(row.illumination_deg, row.aspecular_deg, row.lab) for row in fit.readings or fit.angles]
     found = {}
     for wanted in ANGLES_DEG:
         for light, aspecular, lab in measured:

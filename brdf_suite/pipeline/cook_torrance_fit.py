@@ -19,7 +19,7 @@ from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.cook_torrance_plot import FitPlot, fit_plot
 from brdf_suite.pipeline.cook_torrance_samples import FitErrors, errors_of, samples_of
 from brdf_suite.pipeline.cook_torrance_state import StartsFile
-from brdf_suite.pipeline.measuring import load_measurable
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.protocol import Reflectance
@@ -92,7 +92,7 @@ def fit_cook_torrance(
         The progress callback asked for it.
     """
     report(progress, 0.0, "reading")
-    item = load_measurable(name_or_path)
+    item = load_material(name_or_path)
     fitting = subrange(progress, 0.05, 1.0)
     try:
         return fit_reflectance_lobes(

@@ -46,7 +46,7 @@ from brdf_suite.geometry.factor_words import (
     factor_words,
     parse_factors,
 )
-from brdf_suite.pipeline.measuring import load_measurable
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.reflectance_figures import is_isotropic
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.factored import Factored
@@ -157,7 +157,7 @@ def factor_any(
         There is nothing of that name, it cannot be read, or there is nothing to factor; the message says why.
     """
     report(progress, 0.0, "reading")
-    item = load_measurable(name_or_path)
+    item = load_material(name_or_path)
     try:
         return factor_reflectance(item.name, item.reflectance, options, progress=subrange(progress, 0.1, 1.0))
     except FittingError as error:

@@ -30,7 +30,7 @@ from brdf_suite.errors import UnreachableError
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.angle_sets import DIGITS
 from brdf_suite.pipeline.feasible_colours import nearest_in_cone
-from brdf_suite.pipeline.paint import PaintFit, PaintFitter
+from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.build import DarkerThanCoatError, build_paint, gloss_of_coat
 from brdf_suite.reflectance.lobe_sum import lobe_sums
@@ -57,7 +57,7 @@ class Feasible:
     """
 
     asked: Paint
-    fit: PaintFit
+    fit: LobeFit
     delta_e: tuple[float, ...]
 
     @property
@@ -76,15 +76,15 @@ class Feasible:
         return self.paint.gloss != self.asked.gloss
 
 
-def judged(fit: PaintFit) -> list[int]:
+def judged(fit: LobeFit) -> list[int]:
     """Return the readings under the light that most have: the ones that lobes are fitted to."""
     main = fit.paint.main_light_deg
-    return [index for index, row in enumerate(fit.angles) if row.illumination_deg == main]
+    return [index for index, row in enumerate(fit.readings) if row.illumination_deg == main]
 
 
-def is_feasible(fit: PaintFit, tolerance: float = TOLERANCE_DELTA_E) -> bool:
+def is_feasible(fit: LobeFit, tolerance: float = TOLERANCE_DELTA_E) -> bool:
     """Return whether the lobes give every judged colour within ``tolerance``, ΔE00."""
-    return all(fit.angles[index].delta_e_2000 <= tolerance for index in judged(fit))
+    return all(fit.readings[index].delta_e_2000 <= tolerance for index in judged(fit))
 
 
 def nearest_feasible(
@@ -126,12 +126,12 @@ def _agreed(
         report(progress, turn / _MOST_FITS, "looking for the nearest paint")
         if is_feasible(fit, tolerance):
             return Feasible(paint, fit, _apart(paint, fit.paint))
-        given = np.array([row.asked for row in fit.angles])
+        given = np.array([row.lab for row in fit.readings])
         rows = judged(fit)
-        given[rows] = [fit.angles[index].fitted for index in rows]
+        given[rows] = [fit.readings[index].lab_fitted for index in rows]
         if turn >= _MOST_FITS // 2:
             # Rule and fit can answer each other by turns: half steps meet in the middle.
-            given = 0.5 * (given + np.array([row.asked for row in fit.angles]))
+            given = 0.5 * (given + np.array([row.lab for row in fit.readings]))
         following = _fitted(_with_labs(fit.paint, given), fitter)
         if following is None:
             return None
@@ -282,10 +282,10 @@ def _gloss_apart(one: Gloss, other: Gloss) -> float:
     return abs(one.gu_20 - other.gu_20) + abs(at_60)
 
 
-def _in_cone(fit: PaintFit) -> list[Lab]:
+def _in_cone(fit: LobeFit) -> list[Lab]:
     """The colours nearest to the paint's own that its lobes can give at its readings."""
     weights = fit.weights
-    rows = [fit.angles[index] for index in judged(fit)]
+    rows = [fit.readings[index] for index in judged(fit)]
     lights = np.array([row.illumination_deg for row in rows])
     wi = illumination(lights)
     wo = aspecular_view(lights, np.array([row.aspecular_deg for row in rows]))
@@ -298,8 +298,8 @@ def _in_cone(fit: PaintFit) -> list[Lab]:
         single[k] = 1.0
         columns.append(lobe_sums(wi, wo, weights.exponents, np.zeros(3), single, nothing).base[:, 0])
     coat = lobe_sums(wi, wo, weights.exponents, np.zeros(3), nothing, weights.kg).brdf()[:, 0]
-    reached = nearest_in_cone(np.pi * np.stack(columns, axis=1), np.pi * coat, [row.asked for row in rows])
-    labs = [row.asked for row in fit.angles]
+    reached = nearest_in_cone(np.pi * np.stack(columns, axis=1), np.pi * coat, [row.lab for row in rows])
+    labs = [row.lab for row in fit.readings]
     for index, lab in zip(judged(fit), reached, strict=True):
         labs[index] = _lab(lab)
     return labs
@@ -320,7 +320,7 @@ def _with_labs(paint: Paint, labs: object) -> Paint:
     )
 
 
-def _fitted(paint: Paint, fitter: PaintFitter) -> PaintFit | None:
+def _fitted(paint: Paint, fitter: PaintFitter) -> LobeFit | None:
     try:
         return fitter.fit(paint)
     except UnreachableError:

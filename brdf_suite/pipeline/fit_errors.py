@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colorimetry import working_to_lab
 from brdf_suite.appearance.difference import delta_e_2000
-from brdf_suite.documents.paint import Lab
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.raised import RaisedWeights
 from brdf_suite.fitting.lobes.undivided import UndividedFit, fit_rows, scattered_values
@@ -26,7 +25,7 @@ from brdf_suite.fitting.lobes.undivided_samples import (
     views_with_light_at_minus_x,
 )
 from brdf_suite.fitting.lobes.weights import LobeWeights
-from brdf_suite.fitting.metrics import ErrorFigures, error_figures
+from brdf_suite.fitting.metrics import AngleError, ErrorFigures, HeldOut, as_rgb_tuple, error_figures
 from brdf_suite.geometry.directions import (
     angle_between,
     aspecular_angle,
@@ -52,34 +51,7 @@ _MOST_IN_A_FOLD = 20_000
 _FOLDED = "each fifth of the samples by a fit to the other four, weighted by the solid angle of views they stand for"
 
 
-@dataclass(frozen=True)
-class AngleError:
-    """L*a*b* (D65, 10°) of data and lobes in one geometry, and ΔE00; ``fitted``: the fit looked there."""
-
-    illumination_deg: float
-    aspecular_deg: float
-    lab: Lab
-    lab_fitted: Lab
-    delta_e_2000: float
-    fitted: bool
-
-
-@dataclass(frozen=True)
-class HeldOut:
-    """Errors where the fit did not look.
-
-    ``where`` says where that is; ``figures`` are of all of it, ``relative_rms`` is ``cosine_rms`` over the
-    cosine-weighted RMS of the data themselves, ``away`` leaves out views within 5° of the mirror direction.
-    """
-
-    where: str
-    pairs: int
-    figures: ErrorFigures
-    relative_rms: float
-    away: ErrorFigures | None
-
-
-def judged(
+def angle_errors(
     reflectance: Reflectance, weights: LobeWeights, looked_at: Sequence[float] = (15.0, 45.0, 110.0)
 ) -> tuple[AngleError, ...]:
     """Data and lobes at the usual geometries with the light at 45°."""
@@ -94,7 +66,7 @@ def judged(
     )
 
 
-def judged_samples(samples: ScatteredSamples, fit: UndividedFit) -> tuple[AngleError, ...]:
+def sample_errors(samples: ScatteredSamples, fit: UndividedFit) -> tuple[AngleError, ...]:
     """The measured directions nearest to the usual geometries, told by their own angles; none is interpolated."""
     used = used_samples(samples)
     wi, wo, values = samples.wi[used], samples.wo[used], samples.values[used]
@@ -133,7 +105,9 @@ def _angle_errors(
     lab, lab_fitted = working_to_lab(np.pi * data), working_to_lab(np.pi * lobes)
     difference = delta_e_2000(lab, lab_fitted)
     return tuple(
-        AngleError(light, gamma, three(lab[k]), three(lab_fitted[k]), float(difference[k]), fitted[k])
+        AngleError(
+            light, gamma, as_rgb_tuple(lab[k]), as_rgb_tuple(lab_fitted[k]), float(difference[k]), fitted[k]
+        )
         for k, (light, gamma) in enumerate(geometries)
         if known[k]
     )
@@ -213,8 +187,3 @@ def _relative(data: FloatArray, lobes: FloatArray, wi: FloatArray, weight: Float
     scale = weight[:, None] * wi[:, 2:3] ** 2
     whole = float((scale * data**2).sum())
     return float(np.sqrt((scale * (data - lobes) ** 2).sum() / whole)) if whole > 0.0 else 0.0
-
-
-def three(row: FloatArray) -> tuple[float, float, float]:
-    """Return three numbers as plain ones."""
-    return float(row[0]), float(row[1]), float(row[2])

@@ -1,4 +1,4 @@
-"""From the desk to other programs: any paint or measured file into any format, with what it loses told before."""
+"""Exports to other programs: any material into any format, with a list of the losses before."""
 
 from __future__ import annotations
 
@@ -13,16 +13,13 @@ from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Measurement, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import FileError, SuiteError, UnreachableError, ValueRangeError
-from brdf_suite.files.exports import FORMATS, ExportFormat, ImportedPaints, Spectra, Subject
+from brdf_suite.files.exports import FORMATS, ExportFormat, ExportItem, ImportedPaints, Spectra
 from brdf_suite.files.exports import read_paints as read_known_paints
 from brdf_suite.files.exports.format import PathLike
-from brdf_suite.pipeline.measuring import is_measured_file, load_measurable
+from brdf_suite.pipeline.material import Material, load_document, load_material, material_of
 from brdf_suite.pipeline.report import ReportOptions, report_formats
-from brdf_suite.pipeline.scene import find_any_paint
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.aperture import POINT
-from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.spectrophotometer import measure
 from brdf_suite.reflectance.under_light import has_spectra, spectrum_at
 
@@ -57,30 +54,33 @@ def format_of(path: PathLike, options: ReportOptions | None = None) -> ExportFor
     )
 
 
-def subject_of(name_or_path: str | os.PathLike[str]) -> Subject:
-    """Return a paint by name or file, or a measured file, as it is handed over.
+def item_of(name_or_path: str | os.PathLike[str]) -> ExportItem:
+    """Return a material by name or file as it is exported.
 
     Raises
     ------
     SuiteError
         There is nothing of that name, the file is not valid, or what is read of it makes no paint.
     """
-    path = Path(name_or_path)
-    if is_measured_file(path):
-        item = load_measurable(path)
-        return _measured(path.stem, item.reflectance, None, source=f"Measured file {path.name}.")
-    return subject_of_paint(find_any_paint(name_or_path))
+    document = load_document(name_or_path)
+    if document is not None:
+        return item_of_paint(document)
+    material = load_material(name_or_path)
+    if not material.facts:
+        return _read_by_instruments(material, material.name, f"Model {material.name}.")
+    return _read_by_instruments(material, Path(material.name).stem, f"Measured file {material.name}.")
 
 
-def subject_of_paint(paint: AnyPaint) -> Subject:
-    """Return a paint's document as it is handed over; errors as :func:`subject_of`."""
+def item_of_paint(paint: AnyPaint) -> ExportItem:
+    """Return a paint's document as it is exported; errors as :func:`item_of`."""
     if isinstance(paint, Paint):
-        return Subject(paint, paint)
-    return _measured(paint.name, build_reflectance(paint), paint, source=paint.source)
+        return ExportItem(paint)
+    return _read_by_instruments(material_of(paint), paint.name, paint.source)
 
 
-def _measured(name: str, reflectance: Reflectance, document: AnyPaint | None, source: str) -> Subject:
+def _read_by_instruments(material: Material, name: str, source: str) -> ExportItem:
     """What the virtual instruments read, as a paint; its gloss held to what a paint's can be."""
+    reflectance, document = material.reflectance, material.document
     found = measure(reflectance, READ_AT)
     low, high = PARAMETERS["gloss.gu_20"].low, PARAMETERS["gloss.gu_20"].high
     gloss = Gloss(*(min(high, max(low, found.gloss[angle])) for angle in (20, 60)))
@@ -103,15 +103,15 @@ def _measured(name: str, reflectance: Reflectance, document: AnyPaint | None, so
         rows = (spectrum_at(reflectance, reading.geometry, POINT) for reading in found.readings)
         bands = np.asarray(reflectance.wavelengths_nm, float).tolist()
         spectra = Spectra(tuple(bands), tuple(tuple(row.tolist()) for row in rows))
-    return Subject(paint, document, reflectance, spectra)
+    return ExportItem(paint, material, spectra)
 
 
-def export_losses(known: ExportFormat, subject: Subject) -> tuple[str, ...]:
+def export_losses(known: ExportFormat, item: ExportItem) -> tuple[str, ...]:
     """Return what a format cannot hold of a paint, with the paint's name before what makes it impossible."""
     try:
-        return known.losses(subject)
+        return known.losses(item)
     except UnreachableError as error:
-        raise UnreachableError(f"{subject.name}: {error}") from error
+        raise UnreachableError(f"{item.name}: {error}") from error
 
 
 @dataclass(frozen=True)
@@ -126,7 +126,7 @@ class Exported:
 
 
 def export(
-    known: ExportFormat, subjects: Sequence[Subject], path: PathLike, *, progress: Progress | None = None
+    known: ExportFormat, items: Sequence[ExportItem], path: PathLike, *, progress: Progress | None = None
 ) -> Exported:
     """Write paints in one file, whole or not at all.
 
@@ -141,16 +141,16 @@ def export(
     Cancelled
         The progress callback asked for it; an old file stays.
     """
-    if not subjects:
+    if not items:
         raise ValueRangeError("paints", "at least one is wanted")
-    if len(subjects) > 1 and not known.many:
-        raise ValueRangeError("paints", f"a file of {known.title} takes one paint, not {len(subjects)}")
+    if len(items) > 1 and not known.many:
+        raise ValueRangeError("paints", f"a file of {known.title} takes one paint, not {len(items)}")
     report(progress, 0.0, "reading")
     # All losses before anything is written: what cannot be handed over at all is found here, too.
-    losses = tuple(dict.fromkeys(loss for subject in subjects for loss in export_losses(known, subject)))
-    notes = known.write(subjects, path, progress)
+    losses = tuple(dict.fromkeys(loss for item in items for loss in export_losses(known, item)))
+    notes = known.write(items, path, progress)
     report(progress, 1.0, "written")
-    return Exported(Path(path), known.name, len(subjects), losses, notes)
+    return Exported(Path(path), known.name, len(items), losses, notes)
 
 
 def read_paints(path: PathLike) -> ImportedPaints:

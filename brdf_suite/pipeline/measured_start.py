@@ -18,8 +18,9 @@ from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.appearance.flat_colours import within_paint
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry, GeometrySet
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Interpolation, Lab, Measurement, Paint
+from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import SuiteError, UnreachableError
-from brdf_suite.pipeline.measuring import Measurable, load_measurable
+from brdf_suite.pipeline.material import Material, load_document, load_material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.misses import interpolation_notices
 from brdf_suite.reflectance.protocol import Reflectance
@@ -110,12 +111,21 @@ def load_start(
         The progress callback asked for it.
     """
     report(progress, 0.0, f"reading {Path(name_or_path).name}")
-    item = load_measurable(name_or_path)
+    item = load_material(name_or_path)
     return measured_start(item, geometry_set, subrange(progress, 0.5, 1.0))
 
 
+def load_paint_or_start(name_or_path: str | os.PathLike[str], progress: Progress | None = None) -> AnyPaint:
+    """Return the document of a paint of any kind; of measured data and models the design that is started from them.
+
+    Errors as :func:`load_start`, but for paints that cannot be built.
+    """
+    document = load_document(name_or_path)
+    return load_start(name_or_path, progress=progress).paint if document is None else document
+
+
 def measured_start(
-    item: Measurable,
+    item: Material,
     geometry_set: GeometrySet = GEOMETRY_SETS[START_SET],
     progress: Progress | None = None,
 ) -> MeasuredStart:
@@ -130,14 +140,14 @@ def measured_start(
         name=_name(item),
         measurements=measurements,
         gloss=USUAL_GLOSS,
-        source=f"Read by the virtual spectrophotometer from {Path(item.source or item.name).name}",
+        source=f"Read by the virtual spectrophotometer from {Path(item.origin or item.name).name}",
     )
     notices.append("Of flakes a reflectance says nothing: the design has none that can be seen singly.")
     report(progress, 0.5, "comparing at angles that were not used")
     paint, used, rows, told = _nearest_rule(item.reflectance, paint, estimate)
     notices += told
     report(progress, 1.0, "done")
-    return MeasuredStart(paint, item.source, geometry_set, estimate, used, rows, tuple(notices))
+    return MeasuredStart(paint, item.origin, geometry_set, estimate, used, rows, tuple(notices))
 
 
 def estimated_gloss(reflectance: Reflectance) -> GlossEstimate:
@@ -281,7 +291,7 @@ def _lab(row: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Lab:
     return float(row[0]), float(row[1]), float(row[2])
 
 
-def _name(item: Measurable) -> str:
+def _name(item: Material) -> str:
     """The name without the ending of a file, short enough and in one line."""
     plain = "".join(c if c.isprintable() else " " for c in Path(item.name).stem).strip()
     return plain[:200] or "Measured"

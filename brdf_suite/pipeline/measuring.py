@@ -1,131 +1,44 @@
-"""Measuring and comparing anything that reflects: a paint, shipped or in a file, or a measured file."""
+"""Measuring and comparing materials, and converting measured files."""
 
 from __future__ import annotations
 
 import math
 import os
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
-from brdf_suite.appearance.light_colour import ColourUnderLight
 from brdf_suite.appearance.spaces import in_display_gamut
 from brdf_suite.appearance.tolerance import DIFFERENCES, Tolerances, Verdict, find_difference, judge
 from brdf_suite.appearance.words import NamedDifference, name_differences, name_flop, sentence
-from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.metrics import ErrorFigures, error_figures
 from brdf_suite.geometry.directions import Floats, angle_between, mirror, spherical
-from brdf_suite.pipeline.scene import find_any_paint
+from brdf_suite.pipeline.material import file_kind, is_file, load_material
 from brdf_suite.reflectance.aperture import POINT, Aperture
-from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.spectrophotometer import InstrumentReport, Reading, measure
-from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
-from brdf_suite.reflectance.through_aperture import build_through
 from brdf_suite.reflectance.under_light import has_spectra, metamerism, readings_under
 
 if TYPE_CHECKING:
-    from brdf_suite.files.measured import MeasuredReflectance
-
-PAINT_ENDING = ".brdfpaint"
+    pass
 
 ANGLE_SET = "8 light directions by 16 x 32 views, even in solid angle over both hemispheres (midpoints in cos θ and φ)"
 NEAR_MIRROR_DEG = 5.0
-SCATTERED = (
-    "Scattered samples are interpolated: gloss, and colours far from any sample, are only as good as the "
-    "samples near them."
-)
 _USUAL_LIGHT_DEG = 45.0
 _LIGHTS, _VIEW_RINGS, _VIEW_AZIMUTHS = 8, 16, 32
 
 
-@dataclass(frozen=True)
-class Measurable:
-    """Something that reflects, and what is known of it.
-
-    ``observer_deg`` is the observer through which its spectra became colour; ``source`` the name or path by which it
-    was asked for, which tells apart paints that share a ``name``.
-    """
-
-    name: str
-    reflectance: Reflectance
-    paint: Paint | None = None
-    facts: Mapping[str, object] = field(default_factory=dict)
-    notices: tuple[str, ...] = ()
-    observer_deg: int = 10
-    source: str = ""
-
-    def under(self, report: InstrumentReport, illuminant: str) -> tuple[ColourUnderLight, ...]:
-        """Return the report's readings under another light, each labelled with how it was found."""
-        return readings_under(self.reflectance, report, illuminant, self.observer_deg)
-
-
-def load_measurable(
-    name_or_path: str | os.PathLike[str], *, observer_deg: int = 10, solved_through: Aperture | None = None
-) -> Measurable:
-    """Return a paint by name or file, or a measured file, as something that can be measured.
-
-    Parameters
-    ----------
-    observer_deg
-        2 or 10: the observer through which the spectra of a measured file become colour.
-    solved_through
-        The aperture with which a designed paint's own colours were read; ``None`` for none.
-
-    Raises
-    ------
-    SuiteError
-        There is nothing of that name, the file is not valid, or the paint cannot be built; the message says why.
-    """
-    path = Path(name_or_path)
-    if is_measured_file(path):
-        from brdf_suite.files.measured import ReadOptions, read_measured
-
-        value = read_measured(path, options=ReadOptions(observer_deg=observer_deg))
-        return Measurable(
-            path.name,
-            value,
-            facts=dict(value.facts),
-            notices=_told(value, observer_deg),
-            observer_deg=observer_deg,
-            source=str(name_or_path),
-        )
-    paint = find_any_paint(name_or_path)
-    if isinstance(paint, Paint):
-        solved = build_through(paint, solved_through or POINT)
-        return Measurable(
-            paint.name, solved.reflectance, paint, notices=solved.notices, source=str(name_or_path)
-        )
-    return Measurable(paint.name, build_reflectance(paint), source=str(name_or_path))
-
-
-def _told(value: MeasuredReflectance, observer_deg: int) -> tuple[str, ...]:
-    """What a user should know of a measured file."""
-    notes = value.facts.get("notes", ())
-    told = [str(note) for note in notes] if isinstance(notes, (tuple, list)) else [str(notes)]
-    if observer_deg != 10 and has_spectra(value):
-        told.append(
-            f"Its spectra are seen through the {observer_deg}° observer; L*a*b* follows from the working space, as for "
-            "every reading."
-        )
-    if isinstance(value, ScatteredSamples):
-        told.append(SCATTERED)
-    return tuple(told)
-
-
-def measurement_json(
-    item: Measurable, report: InstrumentReport, illuminant: str = "D65"
-) -> dict[str, object]:
+def measurement_json(item: Material, report: InstrumentReport, illuminant: str = "D65") -> dict[str, object]:
     """Return a report as plain values: degrees, gloss units, L*a*b* of D65 and 10° unless said otherwise."""
     flop, path = report.flop, report.travel
     answer: dict[str, object] = {
         "name": item.name,
-        "source": item.source,
+        "source": item.origin,
         "facts": {key: _plain(value) for key, value in item.facts.items() if key != "notes"},
         "illuminant": "D65",
         "observer_deg": 10,
@@ -145,7 +58,7 @@ def measurement_json(
         "notices": [*item.notices, *report.notices],
     }
     if illuminant != "D65":
-        colours = item.under(report, illuminant)
+        colours = readings_under(item.reflectance, report, illuminant, item.observer_deg)
         answer["under"] = {
             "illuminant": illuminant,
             "label": colours[0].label,
@@ -258,8 +171,8 @@ def _angle(reading: Reading) -> str:
 
 
 def compare(
-    first: Measurable,
-    second: Measurable,
+    first: Material,
+    second: Material,
     geometry_set: GeometrySet = GEOMETRY_SETS[DEFAULT_SET],
     aperture: Aperture = POINT,
     tolerances: Tolerances | None = None,
@@ -343,19 +256,11 @@ def convert(
     options = ReadOptions(
         observer_deg=observer_deg, scale_factors=scale_factors, average_reciprocal=average_reciprocal
     )
-    if is_measured_file(read_from):
+    if is_file(os.fspath(source)) and file_kind(source) == "measured":
         value = read_measured(read_from, options=options)
         written = write_measured(value, write_to)
         return Conversion(read_from, write_to, written.format.name, dict(value.facts), written.notes)
-    item = load_measurable(source)
+    item = load_material(source)
     written = write_measured(item.reflectance, write_to)
     told = (*item.notices, *written.notes)
     return Conversion(read_from, write_to, written.format.name, {"name": item.name}, told)
-
-
-def is_measured_file(path: Path) -> bool:
-    """Return whether ``path`` is a file that is no paint document, so that it is read as a measured one."""
-    try:
-        return path.is_file() and path.suffix.lower() != PAINT_ENDING
-    except OSError:  # a name that the file system does not take; who looks for a paint of that name says so
-        return False

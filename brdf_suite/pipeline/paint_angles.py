@@ -1,11 +1,12 @@
-"""A paint's weights over the incidence, fitted when a picture asks for them: only where that mode is on.
+"""A material's weights over the angle, fitted before the frame, and only in the modes that take them.
 
-The renderer asks when it draws a material in the mode ``multi_angle`` for the first time: then the paint is fitted at
-16 incidences (1.2 ms in the median, hard limit 16 ms) and the weights are brought to the cosines of its ramp. In the
-other modes nothing is fitted, and an edit costs what it always did.
+In the mode ``multi_angle`` a paint is fitted at 16 incidences (1.2 ms in the median, hard limit 16 ms) and the weights
+are brought to the cosines of the renderer's ramp. Materials for which Fresnel's gains do not serve get weights for
+every angle of the view (``seen_weights``). In the other modes nothing is fitted, and an edit costs nothing more. The
+renderer receives the tables as arrays.
 
-The solver's models take a quarter of a second to be set up. Where a window waits, that happens on a thread, and the
-picture shows the raised weights until it is done.
+The solver's models take a quarter of a second to be set up. In a window that happens on a thread, and the picture
+shows the raised weights until it is done.
 """
 
 from __future__ import annotations
@@ -17,16 +18,17 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from brdf_suite.documents.view import View
 from brdf_suite.fitting.lobes.basis import LobeBasis
+from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.pipeline.seen_weights import SeenQueue, SeenWeights
 from brdf_suite.realtime.look_up_table import RAMP_COSINES
-from brdf_suite.realtime.values import WeightsOverAngle
+from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
 from brdf_suite.reflectance.several_lights import SeveralLights
 
 if TYPE_CHECKING:
     from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleWeights
-    from brdf_suite.pipeline.any_fit import AnyFit
-    from brdf_suite.pipeline.paint import PaintFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.reflectance.protocol import Layered
 
 _Key = tuple[tuple[float, ...], bool]
@@ -52,18 +54,51 @@ class PaintAngles:
         self._fitters: dict[_Key, AngleFitter] = {}
         self._begun: set[_Key] = set()
         self._lock = threading.Lock()
-        self._seen: WeakKeyDictionary[PaintFit | AnyFit, SeenWeights] = WeakKeyDictionary()
+        self._over: WeakKeyDictionary[LobeFit, FitOverAngle] = WeakKeyDictionary()
+        self._seen: WeakKeyDictionary[LobeFit, SeenWeights] = WeakKeyDictionary()
+        self._weights: WeakKeyDictionary[LobeFit, MaterialWeights] = WeakKeyDictionary()
         self._queue = None if changed is None else SeenQueue(self.tell)
 
-    def of(self, fit: PaintFit | AnyFit) -> FitOverAngle | None:
-        """Return what the renderer asks for the weights of ``fit``; None where nothing divides it into layers."""
+    @property
+    def waits(self) -> bool:
+        """Whether :meth:`prepare` returns only when everything is fitted."""
+        return self._changed is None
+
+    def prepare(self, fit: LobeFit, view: View) -> None:
+        """Fit what the modes of ``view`` take of ``fit``, or have it fitted on threads; before a frame, not in it."""
+        if view.fresnel == "off":
+            return
+        found = None
+        by_view = self.by_view(fit) if view.look_up == "shifted" else None
+        if by_view is not None:
+            found = by_view.weights()
+        if found is None and view.fresnel == "multi_angle":
+            over_angle = self.of(fit)
+            if over_angle is not None:
+                over_angle.weights()
+
+    def weights(self, fit: LobeFit) -> MaterialWeights:
+        """Return the weights of ``fit`` with what is fitted over the angle by now, the same object while that stays."""
+        over_angle, by_view = self._over.get(fit), self._seen.get(fit)
+        known = (None if over_angle is None else over_angle.found, None if by_view is None else by_view.found)
+        kept = self._weights.get(fit)
+        if kept is None or (kept.over_angle, kept.by_view) != known:
+            kept = self._weights[fit] = material_weights(fit.weights, *known)
+        return kept
+
+    def of(self, fit: LobeFit) -> FitOverAngle | None:
+        """Return the fit of ``fit`` over the incidence; None where nothing divides it into layers."""
         from brdf_suite.reflectance.layers import split_layers  # with models that no start needs
 
-        layers = split_layers(fit.reflectance)
-        return None if layers is None else FitOverAngle(self, layers, tuple(fit.weights.exponents.tolist()))
+        if fit not in self._over:
+            layers = split_layers(fit.reflectance)
+            if layers is None:
+                return None
+            self._over[fit] = FitOverAngle(self, layers, tuple(fit.weights.exponents.tolist()))
+        return self._over[fit]
 
-    def by_view(self, fit: PaintFit | AnyFit) -> SeenWeights | None:
-        """Return what the renderer asks for weights at every angle of the view; None where Fresnel's gains serve.
+    def by_view(self, fit: LobeFit) -> SeenWeights | None:
+        """Return the search for weights at every angle of the view; None where Fresnel's gains serve.
 
         They serve designed paints read under one light. With several lights the colour depends on the light's angle
         too, of which the fit of one incidence knows nothing.
@@ -127,7 +162,7 @@ class PaintAngles:
 
 
 class FitOverAngle:
-    """The weights of one paint over the incidence, fitted when first asked for; see ``values.OverAngle``."""
+    """The weights of one paint over the incidence, fitted when first asked for."""
 
     def __init__(self, angles: PaintAngles, layers: Layered, exponents: tuple[float, ...]) -> None:
         self._angles = angles
@@ -141,6 +176,11 @@ class FitOverAngle:
     def fit(self) -> AngleFit | None:
         """The fit that :meth:`weights` gave last."""
         return self._fit
+
+    @property
+    def found(self) -> WeightsOverAngle | None:
+        """The weights that :meth:`weights` gave last; None before it gave some."""
+        return self._weights
 
     def weights(self) -> WeightsOverAngle | None:
         """Return the weights at the ramp's cosines, the same object until there are better ones; None: not yet."""
@@ -180,3 +220,22 @@ def at_ramp(weights: AngleWeights) -> WeightsOverAngle:
         return np.asarray((1.0 - part) * table[lower] + part * table[lower + 1])
 
     return WeightsOverAngle(mixed(weights.kd), mixed(weights.kdd), mixed(weights.kg))
+
+
+def material_weights(
+    weights: LobeWeights,
+    over_angle: WeightsOverAngle | None = None,
+    by_view: WeightsOverAngle | None = None,
+) -> MaterialWeights:
+    """Return fitted weights as the renderer takes them, with those over the angle where they are fitted."""
+    return MaterialWeights(
+        exponents=tuple(weights.exponents.tolist()),
+        kd=weights.kd,
+        kdd=weights.kdd,
+        kg=weights.kg,
+        theta_fit_rad=weights.theta_fit_rad,
+        ior=weights.ior,
+        coat="dielectric" if weights.base_under_coat else "facets",
+        over_angle=over_angle,
+        by_view=by_view,
+    )

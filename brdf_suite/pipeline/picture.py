@@ -9,11 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
-from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.face_array import FaceArray
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.factored_maps import maps_of
-from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFit
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, LobeFit
 from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.pipeline.surface_images import SurfaceImages, orange_peel_tile
@@ -31,13 +30,12 @@ from brdf_suite.realtime.values import (
     GroundField,
     MaterialWeights,
     MeshPart,
-    OverAngle,
 )
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh, GroundLight
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 Size = tuple[int, int]
 PAINT_MATERIAL = "paint"
@@ -53,8 +51,10 @@ class SceneRenderer:
     """
 
     def __init__(self, context: Context, angles: PaintAngles | None = None) -> None:
-        self._renderer = Renderer(context)
-        self._renderer.relief.make_peel = orange_peel_tile
+        self._renderer = Renderer(context, make_peel=orange_peel_tile)
+        self._view = View()
+        self._fits: dict[str, LobeFit] = {}
+        self._weights: dict[str, MaterialWeights] = {}
         self._maps: tuple[object, FactoredMaps | None] | None = None
         self._angles = angles or PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S)
 
@@ -73,30 +73,51 @@ class SceneRenderer:
         """The renderer below, for camera matrices and picking."""
         return self._renderer
 
-    def set_paint_fit(self, fit: PaintFit | AnyFit, material: str = PAINT_MATERIAL) -> None:
+    def set_paint_fit(self, fit: LobeFit, material: str = PAINT_MATERIAL, view: View | None = None) -> None:
         """Show this paint or measured reflectance from the next frame on; no allocation, no file, no texture.
 
-        ``material`` is the one that is given it: the surface's paint, or the one that it is compared with. Its fit at
-        several incidences is made when a view first asks for it.
+        ``material`` is the one that is given it: the surface's paint, or the one that it is compared with. Its weights
+        over the angle are those for ``view``, by default the one that was prepared last, see :meth:`prepare`.
         """
-        weights = material_weights(fit.weights, self._angles.of(fit), self._angles.by_view(fit))
-        self._renderer.set_material(material, weights)
+        self._view = view or self._view
+        self._fits[material] = fit
+        if self._angles.waits:
+            self._angles.prepare(fit, self._view)
+        self._take_weights(material)
         self._renderer.set_flakes(material, fit.flakes)
         self._renderer.factors.set(material, self._factored(fit))
         self._renderer.relief.set_own_peel(material, fit.orange_peel)
 
-    def _factored(self, fit: PaintFit | AnyFit) -> FactoredMaps | None:
+    def prepare(self, view: View) -> None:
+        """Take what the modes of ``view`` need of weights over the angle; call it before a frame in other modes.
+
+        Without a window that waits for nothing they are fitted here; in one, those are taken that are there by now.
+        """
+        self._view = view
+        for material, fit in self._fits.items():
+            if self._angles.waits:
+                self._angles.prepare(fit, view)
+            self._take_weights(material)
+
+    def _take_weights(self, material: str) -> None:
+        weights = self._angles.weights(self._fits[material])
+        if weights is not self._weights.get(material):
+            self._weights[material] = weights
+            self._renderer.set_material(material, weights)
+
+    def _factored(self, fit: LobeFit) -> FactoredMaps | None:
         """The maps by which a factored paint's lamps are shaded, made once: an edit of other paints costs nothing."""
-        if isinstance(fit, PaintFit):
+        if fit.material.paint is not None:
             return None
         if self._maps is None or self._maps[0] is not fit.reflectance:
             self._maps = (fit.reflectance, maps_of(fit.reflectance))
         return self._maps[1]
 
-    def swatch(self, fit: PaintFit | AnyFit) -> CapturedPaint:
+    def swatch(self, fit: LobeFit) -> CapturedPaint:
         """Return this paint as a captured form takes it (:meth:`Renderer.capture`), with the same weights."""
-        weights = material_weights(fit.weights, self._angles.of(fit), self._angles.by_view(fit))
-        return CapturedPaint(weights, fit.flakes)
+        if self._angles.waits:
+            self._angles.prepare(fit, self._view)
+        return CapturedPaint(self._angles.weights(fit), fit.flakes)
 
     def set_environment(self, prepared: PreparedEnvironment) -> None:
         """Show this environment; its maps must have been made for the exponents of the paint's fit."""
@@ -127,10 +148,12 @@ class SceneRenderer:
 
     def draw(self, view: View, framebuffer: Any, size: Size) -> None:
         """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels."""
+        self.prepare(view)
         self._renderer.render(view, framebuffer, size)
 
     def image(self, view: View, size: Size) -> NDArray[np.uint8]:
         """Return a picture ``(height, width, 3)`` uint8 sRGB, top row first."""
+        self.prepare(view)
         return self._renderer.render_image(metered(self._renderer, view, size), size)
 
     def release(self) -> None:
@@ -195,26 +218,6 @@ def gl_renderer_name() -> str:
         return str(context.info["GL_RENDERER"])
     finally:
         release_context(context)
-
-
-def material_weights(
-    weights: LobeWeights, over_angle: OverAngle | None = None, by_view: OverAngle | None = None
-) -> MaterialWeights:
-    """Return fitted weights as the renderer takes them.
-
-    ``over_angle`` is asked for those at several incidences, ``by_view`` for those at every angle of the view.
-    """
-    return MaterialWeights(
-        exponents=tuple(weights.exponents.tolist()),
-        kd=weights.kd,
-        kdd=weights.kdd,
-        kg=weights.kg,
-        theta_fit_rad=weights.theta_fit_rad,
-        ior=weights.ior,
-        coat="dielectric" if weights.base_under_coat else "facets",
-        over_angle=over_angle,
-        by_view=by_view,
-    )
 
 
 def _distant(prepared: PreparedEnvironment) -> DistantLights:

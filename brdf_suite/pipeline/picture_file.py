@@ -16,14 +16,14 @@ from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.pipeline.exposure import metered
-from brdf_suite.pipeline.paint import PaintFit
+from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.display import LINEAR, Display
 from brdf_suite.realtime.offscreen import DEFAULT_SAMPLES
 from brdf_suite.realtime.renderer import Renderer
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 Size = tuple[int, int]
 
@@ -160,7 +160,7 @@ def _attributes(metadata: Mapping[str, str]) -> dict[str, str]:
     }
 
 
-def picture_metadata(fit: PaintFit | AnyFit, view: View) -> dict[str, str]:
+def picture_metadata(fit: LobeFit, view: View) -> dict[str, str]:
     """Return the text entries of a picture of ``fit`` in ``view``: program, title, what it shows, the view itself."""
     return {
         "Software": "BRDF Suite",

@@ -22,16 +22,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ReferenceUnavailableError, SuiteError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.exposure import ev_of, exposed
 from brdf_suite.pipeline.file_stamp import file_stamp
+from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.raytraced_key import scene_key
-from brdf_suite.pipeline.raytraced_parts import Parts, Same, Size, Wanted, materials_of, placed, sparkle_of
-from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
+from brdf_suite.pipeline.raytraced_parts import Parts, Size, Wanted, materials_of, placed, sparkle_of
+from brdf_suite.pipeline.reference_optics import load_lit
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, report, subrange
@@ -166,7 +166,7 @@ class RaytracedSession:
 
     def show(
         self,
-        paint: str | os.PathLike[str] | AnyPaint | TracedPaint,
+        paint: str | os.PathLike[str] | Material,
         view: View,
         size: Size,
         quality: str | Quality = DEFAULT_PRESET,
@@ -176,7 +176,7 @@ class RaytracedSession:
         environment: Environment | None = None,
         mesh: Mesh | None = None,
     ) -> RaytracedScene:
-        """Show a paint, by name, file or document, in a view, ``size`` in pixels.
+        """Show a material, loaded or by name or file, in a view, ``size`` in pixels.
 
         Parameters
         ----------
@@ -312,7 +312,7 @@ class RaytracedSession:
 
     def _load(
         self,
-        paint: str | os.PathLike[str] | AnyPaint | TracedPaint,
+        paint: str | os.PathLike[str] | Material,
         view: View,
         size: Size,
         quality: Quality,
@@ -322,14 +322,10 @@ class RaytracedSession:
         progress: Progress | None,
     ) -> Wanted:
         keep = self._parts.keep
-        asked = os.fspath(paint) if isinstance(paint, (str, os.PathLike)) else paint
+        asked = paint if isinstance(paint, Material) else os.fspath(paint)
         illuminant = view.light_colour.illuminant
         report(progress, 0.0, "reading the paint")
-        if isinstance(asked, TracedPaint):
-            traced = asked
-        else:
-            told = asked if isinstance(asked, str) else Same(asked)
-            traced = keep("traced", (told, file_stamp(asked), illuminant), lambda: load_traced(asked, view))
+        material = keep("paint", (asked, file_stamp(asked), illuminant), lambda: load_lit(asked, view))
         light = (view.environment, file_stamp(view.environment), view.environment_layout)
         environment = environment or keep(
             "environment",
@@ -344,7 +340,7 @@ class RaytracedSession:
             (view.surface, file_stamp(view.surface), look),
             lambda: load_shaped(view.surface, view.surface_look, subrange(progress, 0.6, 0.9)),
         )
-        return Wanted(traced, environment, mesh, view, size, quality, tables)
+        return Wanted(material, environment, mesh, view, size, quality, tables)
 
 
 def too_large(size: Size) -> ReferenceUnavailableError:

@@ -9,9 +9,9 @@ from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
+from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.picture_file import check_target
 from brdf_suite.pipeline.raytraced import RaytracedImage, RaytracedSession, too_large
 from brdf_suite.pipeline.raytraced_parts import Size
@@ -35,7 +35,7 @@ class RaytracedPicture(TracedPicture):
 
 
 def render_raytraced(
-    paint: str | os.PathLike[str] | AnyPaint,
+    paint: str | os.PathLike[str] | Material,
     view: View,
     size: Size,
     path: Path,

@@ -9,8 +9,8 @@ from dataclasses import asdict
 import numpy as np
 
 from brdf_suite.documents.store import view_to_json
+from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.pipeline.raytraced_parts import PAINT, Wanted
-from brdf_suite.realtime.values import MaterialWeights
 from brdf_suite.surface.mesh import Mesh
 
 _LIT_BY = ("camera", "rotation_deg", "fresnel", "light_colour", "lamps", "sparkle", "surface_look")
@@ -25,7 +25,7 @@ def scene_key(wanted: Wanted, mesh: Mesh) -> str:
     digest = hashlib.sha256(json.dumps([shown, quality], sort_keys=True).encode())
     paint = wanted.paint
     digest.update(repr((paint.name, paint.flakes, wanted.size, wanted.environment.content_hash)).encode())
-    if isinstance(paint.reflectance, MaterialWeights):
+    if isinstance(paint.reflectance, LobeWeights):
         for array in (paint.reflectance.kd, paint.reflectance.kdd, paint.reflectance.kg):
             digest.update(np.asarray(array).tobytes())
     else:

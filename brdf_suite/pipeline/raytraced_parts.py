@@ -11,14 +11,15 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.light_matrix import environment_matrix
 from brdf_suite.documents.view import View
+from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
+from brdf_suite.pipeline.material import Material
+from brdf_suite.pipeline.paint_angles import material_weights
 from brdf_suite.pipeline.reference_optics import lobe_term
-from brdf_suite.pipeline.reference_paint import TracedPaint
 from brdf_suite.realtime.backdrop import BLUR_EXPONENT
 from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.stock_materials import stock_materials
-from brdf_suite.realtime.values import MaterialWeights
 from brdf_suite.reference.raytraced.quality import Quality
 from brdf_suite.surface.mesh import Mesh
 
@@ -41,7 +42,7 @@ _T = TypeVar("_T")
 class Wanted:
     """All that a picture is made of, loaded."""
 
-    paint: TracedPaint
+    paint: Material
     environment: Environment
     mesh: Mesh
     view: View
@@ -202,13 +203,13 @@ def materials_of(mesh: Mesh) -> list[str]:
     return sorted({part.material for part in mesh.parts})
 
 
-def term_of(paint: TracedPaint, view: View) -> tuple[Any, tuple[str, ...]]:
+def term_of(paint: Material, view: View) -> tuple[Any, tuple[str, ...]]:
     """Return what a paint reflects by, and sentences about it."""
     from brdf_suite.reference.raytraced.energy import TOLERANCE, largest_albedo
     from brdf_suite.reference.translate import translate
 
-    if isinstance(paint.reflectance, MaterialWeights):
-        return lobe_term(paint.reflectance, view), ()
+    if isinstance(paint.reflectance, LobeWeights):
+        return lobe_term(material_weights(paint.reflectance), view), ()
     translated = translate(paint.reflectance)
     notices = translated.notices
     most = largest_albedo(translated.term)
@@ -217,15 +218,15 @@ def term_of(paint: TracedPaint, view: View) -> tuple[Any, tuple[str, ...]]:
     return translated.term, notices
 
 
-def sparkle_of(paint: TracedPaint, view: View) -> SparkleField | None:
+def sparkle_of(paint: Material, view: View) -> SparkleField | None:
     """Return the flakes that are seen one by one; None where there are none, or the view shows none."""
     from brdf_suite.reference.raytraced.flakes import SparkleField
 
     flakes = paint.flakes
     if flakes is None or view.sparkle.mode == "off" or flakes.density_per_mm2 <= 0.0:
         return None
-    if isinstance(paint.reflectance, MaterialWeights):
-        ior = paint.reflectance.ior if paint.reflectance.coat == "dielectric" else 1.0
+    if isinstance(paint.reflectance, LobeWeights):
+        ior = paint.reflectance.ior if paint.reflectance.base_under_coat else 1.0
     else:
         ior = float(getattr(paint.reflectance, "ior", 1.0))
     return SparkleField(flakes, ior, view.sparkle.strength)

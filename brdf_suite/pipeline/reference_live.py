@@ -21,14 +21,13 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.file_stamp import file_stamp
-from brdf_suite.pipeline.reference_optics import Dress, load_dress
-from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
+from brdf_suite.pipeline.material import Material
+from brdf_suite.pipeline.reference_optics import Dress, load_dress, load_lit
 from brdf_suite.pipeline.reference_scene import ReferenceScene, Size, build_reference
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
@@ -52,7 +51,7 @@ LATER_SAMPLES = 500_000
 class _Loaded:
     """What is read for a scene."""
 
-    paint: TracedPaint
+    paint: Material
     environment: Environment
     mesh: Mesh
     dress: Dress
@@ -92,7 +91,7 @@ class LiveReference:
 
     def show(
         self,
-        paint: str | os.PathLike[str] | AnyPaint,
+        paint: str | os.PathLike[str] | Material,
         view: View,
         size: Size,
         progress: Progress | None = None,
@@ -100,7 +99,7 @@ class LiveReference:
         environment: Environment | None = None,
         mesh: Mesh | None = None,
     ) -> Change:
-        """Show a paint, by name, file or document, in a view, ``size`` in pixels.
+        """Show a material, loaded or by name or file, in a view, ``size`` in pixels.
 
         ``environment`` and ``mesh``, where they are given, take the place of those that the view names: a light that
         is being edited is in no file.
@@ -120,14 +119,11 @@ class LiveReference:
         structure = _structure(loaded, view)
         before = self._scene
         made = build_reference(
-            loaded.paint.name,
-            loaded.paint.reflectance,
+            loaded.paint,
             view,
             size,
             loaded.environment,
             loaded.mesh,
-            notices=loaded.paint.notices,
-            paint=loaded.paint,
             dress=loaded.dress,
             kept=before if structure == self._structure else None,
         )
@@ -168,16 +164,16 @@ class LiveReference:
 
     def _load(
         self,
-        paint: str | os.PathLike[str] | AnyPaint,
+        paint: str | os.PathLike[str] | Material,
         view: View,
         environment: Environment | None,
         mesh: Mesh | None,
         progress: Progress | None,
     ) -> _Loaded:
-        asked = os.fspath(paint) if isinstance(paint, (str, os.PathLike)) else paint
+        asked = paint if isinstance(paint, Material) else os.fspath(paint)
         illuminant = view.light_colour.illuminant
         report(progress, 0.0, "reading the paint")
-        traced = self._keep("paint", (asked, file_stamp(asked), illuminant), lambda: load_traced(asked, view))
+        material = self._keep("paint", (asked, file_stamp(asked), illuminant), lambda: load_lit(asked, view))
         light = (view.environment, file_stamp(view.environment), view.environment_layout)
         environment = environment or self._keep(
             "environment",
@@ -195,7 +191,7 @@ class LiveReference:
         request = ImageRequest.of(view)
         files = (request.normal_map, request.mask, request.second_paint)
         dress = self._keep("dress", (request, *map(file_stamp, files)), lambda: load_dress(view))
-        return _Loaded(traced, environment, mesh, dress)
+        return _Loaded(material, environment, mesh, dress)
 
     def _keep(self, what: str, asked: object, load: Callable[[], _T]) -> _T:
         """Return what was loaded last where the same is asked for again."""

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+import os
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from brdf_suite.documents.view import View
-from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
+from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.pipeline.material import Material, load_material, under_illuminant
+from brdf_suite.pipeline.paint_angles import material_weights
 from brdf_suite.pipeline.surface_images import ImageRequest, orange_peel_tile
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.relief_textures import mask_coordinates
@@ -28,7 +31,13 @@ class Dress:
 
     normal_map: SlopeMap | None = None
     mask: MaskImage | None = None
-    second: TracedPaint | None = None
+    second: Material | None = None
+
+
+def load_lit(asked: str | os.PathLike[str] | Material, view: View) -> Material:
+    """Return a material, loaded or by name or file, as it looks in the view's lamp; errors as :func:`load_material`."""
+    material = asked if isinstance(asked, Material) else load_material(asked)
+    return under_illuminant(material, view.light_colour)
 
 
 def load_dress(view: View) -> Dress:
@@ -39,7 +48,7 @@ def load_dress(view: View) -> Dress:
     return Dress(
         None if request.normal_map is None else SlopeMap(read_normal_map(request.normal_map)),
         None if request.mask is None else MaskImage(read_mask(request.mask)),
-        None if request.second_paint is None else load_traced(request.second_paint, view),
+        None if request.second_paint is None else load_lit(request.second_paint, view),
     )
 
 
@@ -51,7 +60,7 @@ class Optics:
     notices: tuple[str, ...] = ()
 
 
-def optics_of(paint: TracedPaint, dress: Dress, view: View, bounds: Bounds) -> Optics:
+def optics_of(paint: Material, dress: Dress, view: View, bounds: Bounds) -> Optics:
     """Return what ``paint`` reflects by in ``view``: the plain twin where nothing differs from place to place."""
     from brdf_suite.reference.placed import Mask, TwoToneBsdf
     from brdf_suite.reference.translate import translate
@@ -64,17 +73,17 @@ def optics_of(paint: TracedPaint, dress: Dress, view: View, bounds: Bounds) -> O
         return Optics(TwoToneBsdf(first, second, mask), (*told, *(more if more != told else ())))
     if not first.is_plain:
         return Optics(first, told)
-    if isinstance(paint.reflectance, MaterialWeights):
-        return Optics(lobe_term(paint.reflectance, view))
+    if isinstance(paint.reflectance, LobeWeights):
+        return Optics(lobe_term(material_weights(paint.reflectance), view))
     plain = translate(paint.reflectance)
     return Optics(plain.term, plain.notices)
 
 
 def lobe_term(weights: MaterialWeights, view: View) -> Any:
     """Return lobe weights as something that reflects, with the gains that the view asks for."""
-    from brdf_suite.reference.lobe_weights import LobeWeightsTerm
+    from brdf_suite.reference import lobe_weights
 
-    return LobeWeightsTerm(**_lobes(weights, view))
+    return lobe_weights.LobeWeightsTerm(**_lobes(weights, view))
 
 
 def _lobes(weights: MaterialWeights, view: View) -> dict[str, Any]:
@@ -84,7 +93,7 @@ def _lobes(weights: MaterialWeights, view: View) -> dict[str, Any]:
     return told | {"exponents": np.asarray(weights.exponents, float), "raised": view.fresnel != "off"}
 
 
-def scalar_optics(paint: TracedPaint, dress: Dress, view: View, instead: str) -> Optics:
+def scalar_optics(paint: Material, dress: Dress, view: View, instead: str) -> Optics:
     """Return the paint as one of Mitsuba's own plug-ins, where nothing else runs; ``instead`` says what is missing.
 
     Raises
@@ -102,8 +111,8 @@ def scalar_optics(paint: TracedPaint, dress: Dress, view: View, instead: str) ->
         )
     if view.surface_look.ground:
         told.append("Without LLVM there is no ground and no shadow on it.")
-    if isinstance(paint.reflectance, MaterialWeights):
-        return Optics(scalar_lobes(paint.reflectance, view), tuple(told))
+    if isinstance(paint.reflectance, LobeWeights):
+        return Optics(scalar_lobes(material_weights(paint.reflectance), view), tuple(told))
     return Optics(table_bsdf(paint.reflectance), tuple(told))
 
 
@@ -116,7 +125,7 @@ def scalar_lobes(weights: MaterialWeights, view: View) -> Any:
     return table_bsdf(seen, incidences=32, resolution=64)
 
 
-def _placed(paint: TracedPaint, dress: Dress, view: View) -> tuple[LayeredPaintBsdf, tuple[str, ...]]:
+def _placed(paint: Material, dress: Dress, view: View) -> tuple[LayeredPaintBsdf, tuple[str, ...]]:
     from brdf_suite.reference.flakes import FlakeLayer
     from brdf_suite.reference.placed import LayeredPaintBsdf
 
@@ -129,17 +138,16 @@ def _placed(paint: TracedPaint, dress: Dress, view: View) -> tuple[LayeredPaintB
     return LayeredPaintBsdf(base, coat, _shape(dress, view), _peel(paint, view), layer), told
 
 
-def _divided(
-    reflectance: Reflectance | MaterialWeights, view: View
-) -> tuple[Any, Any | None, float, tuple[str, ...]]:
+def _divided(reflectance: Reflectance, view: View) -> tuple[Any, Any | None, float, tuple[str, ...]]:
     from brdf_suite.reference.translate import divide
 
-    if isinstance(reflectance, MaterialWeights):
-        none = np.zeros_like(reflectance.kdd)
-        base = lobe_term(replace(reflectance, kg=none), view)
-        coat = lobe_term(replace(reflectance, kd=np.zeros(3), kdd=none), view)
-        ior = reflectance.ior if reflectance.coat == "dielectric" else 1.0
-        return base, coat if reflectance.kg.any() else None, ior, ()
+    if isinstance(reflectance, LobeWeights):
+        weights = material_weights(reflectance)
+        none = np.zeros_like(weights.kdd)
+        base = lobe_term(replace(weights, kg=none), view)
+        coat = lobe_term(replace(weights, kd=np.zeros(3), kdd=none), view)
+        ior = weights.ior if weights.coat == "dielectric" else 1.0
+        return base, coat if weights.kg.any() else None, ior, ()
     parts = divide(reflectance)
     return parts.base, parts.coat, parts.ior, parts.notices
 
@@ -154,7 +162,7 @@ def _shape(dress: Dress, view: View) -> Slopes | None:
     return Slopes.of(dress.normal_map.slopes, tiles, view.relief.normal_strength)
 
 
-def _peel(paint: TracedPaint, view: View) -> OrangePeelSlopes | None:
+def _peel(paint: Material, view: View) -> OrangePeelSlopes | None:
     from brdf_suite.reference.relief import OrangePeelSlopes
 
     slope_deg, length_mm = _peel_of(paint, view)
@@ -164,7 +172,7 @@ def _peel(paint: TracedPaint, view: View) -> OrangePeelSlopes | None:
     return OrangePeelSlopes.of(tile.slopes, 1.0 / (tile.waves * length_mm), math.tan(math.radians(slope_deg)))
 
 
-def _peel_of(paint: TracedPaint, view: View) -> tuple[float, float]:
+def _peel_of(paint: Material, view: View) -> tuple[float, float]:
     """The view's orange peel, or the paint's own where the view asks for none: its slope, degrees, and length, mm."""
     if view.relief.orange_peel <= 0.0 and paint.orange_peel is not None:
         return paint.orange_peel.slope_deg, paint.orange_peel.wavelength_mm

@@ -18,23 +18,21 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.light_matrix import environment_matrix
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
+from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.exposure import ev_of, exposed
+from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.reference_energy import energy_notices
 from brdf_suite.pipeline.reference_optics import (
     Dress,
     load_dress,
+    load_lit,
     lobe_term,
     optics_of,
     scalar_lobes,
     scalar_optics,
 )
-from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
-from brdf_suite.pipeline.reference_paint import (
-    in_the_lamp as in_the_lamp,  # asked for here by who builds scenes
-)
-from brdf_suite.pipeline.reference_paint import load_reflectance as load_reflectance
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, report, subrange
@@ -42,8 +40,6 @@ from brdf_suite.realtime.backdrop import BLUR_EXPONENT, plain_backdrop
 from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.stock_materials import stock_materials
 from brdf_suite.realtime.tone_curves import to_display
-from brdf_suite.realtime.values import MaterialWeights
-from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.surface.mesh import Mesh
 
 if TYPE_CHECKING:
@@ -165,41 +161,28 @@ def prepare_reference(
 
     report(progress, 0.0, "starting the path tracer")
     variant = start(scalar=True)
-    traced = load_traced(paint, view)
+    material = load_lit(paint, view)
     report(progress, 0.3, "reading the environment")
     _, path = find_environment(view.environment)
     environment = read_environment(path, view.environment_layout, subrange(progress, 0.3, 0.6))
     mesh = load_shaped(view.surface, view.surface_look, subrange(progress, 0.6, 0.8))
-    return build_reference(
-        traced.name,
-        traced.reflectance,
-        view,
-        size,
-        environment,
-        mesh,
-        notices=traced.notices,
-        paint=traced,
-        variant=variant,
-    )
+    return build_reference(material, view, size, environment, mesh, variant=variant)
 
 
 def build_reference(
-    name: str,
-    reflectance: Reflectance | MaterialWeights,
+    material: Material,
     view: View,
     size: Size,
     environment: Environment,
     mesh: Mesh,
     *,
-    notices: tuple[str, ...] = (),
-    paint: TracedPaint | None = None,
     dress: Dress | None = None,
     kept: ReferenceScene | None = None,
     variant: Variant | None = None,
 ) -> ReferenceScene:
-    """Return the scene of what is loaded already; fitted weights in place of a reflectance are traced as they are.
+    """Return the scene of what is loaded already; fitted weights as the reflectance are traced as they are.
 
-    ``paint`` says what flakes and orange peel it has; without it, it has none. ``dress`` is what the view lays on it,
+    ``dress`` is what the view lays on it,
     read anew where it is not given. ``kept`` is a scene of the same parts, lamps and size of map: it is changed in
     place, which takes no building and no compiling, and must not be used after. ``variant`` is the one that was
     started, where it may be the scalar one. Errors as :func:`prepare_reference`.
@@ -214,13 +197,12 @@ def build_reference(
     camera = matrices(view.camera, bounds, size)
     eye = PinholeCamera(camera.eye, camera.view_to_world, camera.half_tangents[0])
     mesh = _with_chosen_materials(mesh, view)
-    worn = TracedPaint(name, reflectance) if paint is None else replace(paint, reflectance=reflectance)
     dress = load_dress(view) if dress is None else dress
-    energy = _energy(worn, dress)
+    energy = _energy(material, dress)
     if variant.is_scalar:
-        optics = scalar_optics(worn, dress, view, variant.instead)
+        optics = scalar_optics(material, dress, view, variant.instead)
     else:
-        optics = optics_of(worn, dress, view, bounds)
+        optics = optics_of(material, dress, view, bounds)
     terms = {**_stock_terms(mesh, view, variant), _PAINT: optics.term}
     tint = environment_matrix(view.light_colour)
     radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
@@ -232,26 +214,26 @@ def build_reference(
         traced = build_scene(parts, terms, radiance, eye, view, size, ground=ground)
     else:
         traced = kept.traced
-        for material, term in terms.items():
-            traced.set_term(material, term)
+        for part_name, term in terms.items():
+            traced.set_term(part_name, term)
         traced.look_from(eye, size)
         traced.set_light(None if np.array_equal(radiance, kept.light) else radiance, view.rotation_deg)
     return ReferenceScene(
-        name=name,
+        name=material.name,
         traced=traced,
         view=view,
         size=size,
-        key=_key(worn, dress, view, size, environment, mesh),
+        key=_key(material, dress, view, size, environment, mesh),
         environment=environment.name,
         surface=mesh.name,
         renderer=variant.title,
         notices=(
-            *notices,
+            *material.notices,
             *energy,
             *optics.notices,
             *environment.notes,
             *mesh.notes,
-            *_left_out(view, worn, dress),
+            *_left_out(view, material, dress),
         ),
         eye=eye,
         light=radiance,
@@ -274,20 +256,20 @@ def _stock_terms(mesh: Mesh, view: View, variant: Variant) -> dict[str, Any]:
     return {name: make(weights, view) for name, weights in stock.items() if name in used}
 
 
-def _energy(paint: TracedPaint, dress: Dress) -> tuple[str, ...]:
+def _energy(paint: Material, dress: Dress) -> tuple[str, ...]:
     """Sentences about paints that send back more light than they get; fitted weights are what they are."""
     told: tuple[str, ...] = ()
     for worn in (paint, dress.second):
-        if worn is not None and not isinstance(worn.reflectance, MaterialWeights):
+        if worn is not None and not isinstance(worn.reflectance, LobeWeights):
             told += energy_notices(worn.reflectance, worn.name)
     return told
 
 
-def _left_out(view: View, paint: TracedPaint, dress: Dress) -> tuple[str, ...]:
+def _left_out(view: View, paint: Material, dress: Dress) -> tuple[str, ...]:
     """Sentences about what the view asks for and the path tracer draws otherwise, or not."""
     told = []
     worn = [item for item in (paint, dress.second) if item is not None]
-    if view.fresnel == "off" and any(not isinstance(item.reflectance, MaterialWeights) for item in worn):
+    if view.fresnel == "off" and any(not isinstance(item.reflectance, LobeWeights) for item in worn):
         told.append(
             "The reference shows the paint with its own reflection towards grazing: Fresnel is part of it."
         )
@@ -296,9 +278,7 @@ def _left_out(view: View, paint: TracedPaint, dress: Dress) -> tuple[str, ...]:
     return tuple(told)
 
 
-def _key(
-    paint: TracedPaint, dress: Dress, view: View, size: Size, environment: Environment, mesh: Mesh
-) -> str:
+def _key(paint: Material, dress: Dress, view: View, size: Size, environment: Environment, mesh: Mesh) -> str:
     """Tell a scene by what its light depends on; how the light is shown is no part of it."""
     document = view_to_json(view)
     shown = {name: document[name] for name in _LIT_BY if name in document}
@@ -321,10 +301,10 @@ def _key(
     return digest.hexdigest()
 
 
-def _tell_paint(paint: TracedPaint, digest: Any) -> None:
+def _tell_paint(paint: Material, digest: Any) -> None:
     """The reflectance by what it is: values at some directions tell any two apart that a picture could."""
     reflectance = paint.reflectance
-    if isinstance(reflectance, MaterialWeights):
+    if isinstance(reflectance, LobeWeights):
         for array in (reflectance.kd, reflectance.kdd, reflectance.kg):
             digest.update(np.asarray(array).tobytes())
     else:

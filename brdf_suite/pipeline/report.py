@@ -20,16 +20,19 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Lab
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, PathLike
 from brdf_suite.files.exports.json_document import compute_flop
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import material_of
 from brdf_suite.pipeline.standard import AngleRow, BatchReport, Standard, judge_batch
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.glossmeter import gloss_reading
+from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.pipeline.report_pictures import ReportPicture
 
 _STEP_DEG = 1.0
@@ -85,7 +88,7 @@ class Curve:
 class Report:
     """Everything that a report shows; ``figures`` are groups of (name, value)."""
 
-    subject: Subject
+    item: ExportItem
     when: datetime
     rows: tuple[Row, ...]
     light_deg: float
@@ -100,7 +103,7 @@ class Report:
     @property
     def title(self) -> str:
         """The paint's name."""
-        return self.subject.name
+        return self.item.name
 
     @property
     def verdict(self) -> str:
@@ -112,7 +115,7 @@ class Report:
         return f"Against {self.standard_name}: {words}; {passes}."
 
 
-def build_report(subject: Subject, options: ReportOptions, progress: Progress | None = None) -> Report:
+def build_report(item: ExportItem, options: ReportOptions, progress: Progress | None = None) -> Report:
     """Return the report of a paint.
 
     Raises
@@ -123,17 +126,18 @@ def build_report(subject: Subject, options: ReportOptions, progress: Progress | 
         The scene of the pictures cannot be had; the message says why.
     """
     report(progress, 0.0, "fitting")
-    fit = _fit(subject)
-    light = _usual_light(subject)
+    material = item.material or material_of(item.paint, item.paint.name)
+    fit = fit_material(material)
+    light = _usual_light(item)
     batch = None
     if options.standard is not None:
-        batch = judge_batch(options.standard, subject.paint, options.tolerances, ("2000",))
+        batch = judge_batch(options.standard, item.paint, options.tolerances, ("2000",))
     pictures: tuple[ReportPicture, ...] = ()
     if options.pictures:
         from brdf_suite.pipeline.report_pictures import draw_pictures
 
         pictures = draw_pictures(fit, options.view, options.scale, subrange(progress, 0.1, 0.9))
-    angles = _angles(subject, light)
+    angles = _angles(item, light)
     model = _lab_over(fit.reflectance, light, angles)
     curves = [
         Curve("paint", angles, lab_to_lch(model)),
@@ -141,39 +145,30 @@ def build_report(subject: Subject, options: ReportOptions, progress: Progress | 
     ]
     if options.standard is not None and options.standard.seen is not None:
         curves.append(Curve("standard", angles, lab_to_lch(_lab_over(options.standard.seen, light, angles))))
-    rows = _rows(subject, fit, batch)
+    rows = _rows(item, fit, batch)
     return Report(
-        subject=subject,
+        item=item,
         when=datetime.now().astimezone(),
         rows=rows,
         light_deg=light,
         strip=tuple(zip(angles.tolist(), map(hex_code, model), strict=True)),
         curves=tuple(curves),
-        figures=_figures(subject, fit, rows, batch),
+        figures=_figures(item, fit, rows, batch),
         pictures=pictures,
         batch=batch,
         standard_name="" if options.standard is None else options.standard.name,
-        remarks=_remarks(subject, fit),
+        remarks=_remarks(item, fit),
     )
 
 
-def _fit(subject: Subject) -> AnyFit:
-    # Much to import, and only reports fit.
-    from brdf_suite.pipeline.any_fit import fit_document, fit_reflectance
-
-    if subject.whole is not None and subject.document is None:
-        return fit_reflectance(subject.name, subject.whole)
-    return fit_document(subject.document or subject.paint)
-
-
-def _usual_light(subject: Subject) -> float:
+def _usual_light(item: ExportItem) -> float:
     """The light with the most readings, degrees."""
-    lights = [m.illumination_deg for m in subject.paint.measurements]
+    lights = [m.illumination_deg for m in item.paint.measurements]
     return max(sorted(set(lights)), key=lights.count)
 
 
-def _angles(subject: Subject, light: float) -> Floats:
-    used = [m.aspecular_deg for m in subject.paint.measurements if m.illumination_deg == light]
+def _angles(item: ExportItem, light: float) -> Floats:
+    used = [m.aspecular_deg for m in item.paint.measurements if m.illumination_deg == light]
     return np.arange(min(used), max(used) + 0.5 * _STEP_DEG, _STEP_DEG)
 
 
@@ -184,7 +179,7 @@ def _lab_over(reflectance: Reflectance, light: float, angles: Floats) -> Floats:
     return np.where((np.abs(angles) < 8.0)[:, None], np.nan, lab)
 
 
-def _lobes_over(fit: AnyFit, light: float, angles: Floats) -> Floats:
+def _lobes_over(fit: LobeFit, light: float, angles: Floats) -> Floats:
     wi, wo = illumination(light), aspecular_view(light, angles)
     lab = working_to_lab(math.pi * fit.weights.eval(np.broadcast_to(wi, wo.shape), wo))
     return np.where((np.abs(angles) < 8.0)[:, None], np.nan, lab)
@@ -198,16 +193,12 @@ def hex_code(lab: Sequence[float] | Floats) -> str:
     return "#" + "".join(f"{code:02x}" for code in codes.tolist())
 
 
-def _rows(subject: Subject, fit: AnyFit, batch: BatchReport | None) -> tuple[Row, ...]:
+def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[Row, ...]:
     fitted: dict[tuple[float, float], tuple[Lab, float]] = {}
-    if fit.paint_fit is not None:
-        for asked in fit.paint_fit.angles:
-            fitted[asked.illumination_deg, asked.aspecular_deg] = (asked.fitted, asked.delta_e_2000)
-    else:
-        for judged in fit.angles:
-            fitted[judged.illumination_deg, judged.aspecular_deg] = (judged.lab_fitted, judged.delta_e_2000)
+    for row in fit.readings or fit.angles:
+        fitted[row.illumination_deg, row.aspecular_deg] = (row.lab_fitted, row.delta_e_2000)
     rows = []
-    for index, m in enumerate(subject.paint.measurements):
+    for index, m in enumerate(item.paint.measurements):
         lightness, chroma, hue = lab_to_lch(m.lab).tolist()
         found = fitted.get((m.illumination_deg, m.aspecular_deg))
         rows.append(
@@ -226,9 +217,9 @@ def _rows(subject: Subject, fit: AnyFit, batch: BatchReport | None) -> tuple[Row
 
 
 def _figures(
-    subject: Subject, fit: AnyFit, rows: tuple[Row, ...], batch: BatchReport | None
+    item: ExportItem, fit: LobeFit, rows: tuple[Row, ...], batch: BatchReport | None
 ) -> tuple[tuple[str, tuple[tuple[str, str], ...]], ...]:
-    paint = subject.paint
+    paint = item.paint
     flop = compute_flop(paint)
     shape = [("Flop index", "–" if flop is None else f"{flop:.1f}")]
     if batch is not None and batch.flop is not None:
@@ -257,8 +248,8 @@ def _figures(
         ("Haze, G60 − G20", f"{haze_units(paint.gloss.gu_20, gu_60):.1f} GU"),
         ("Coat, index n", f"{fit.weights.ior:.3f}"),
     ]
-    if fit.paint_fit is not None:
-        coat.append(("Coat, roughness α", f"{fit.paint_fit.reflectance.roughness:.4f}"))
+    if isinstance(fit.reflectance, PaintReflectance):
+        coat.append(("Coat, roughness α", f"{fit.reflectance.roughness:.4f}"))
     peel = paint.orange_peel
     if peel is not None:
         coat.append(("Orange peel", f"{peel.amplitude_um:.2g} µm, {peel.wavelength_mm:.2g} mm"))
@@ -267,7 +258,7 @@ def _figures(
     return tuple(groups)
 
 
-def _flake_figures(fit: AnyFit) -> tuple[tuple[str, str], ...]:
+def _flake_figures(fit: LobeFit) -> tuple[tuple[str, str], ...]:
     flakes = fit.flakes
     if flakes is None:
         return (("Flakes", "none that can be seen"),)
@@ -285,14 +276,14 @@ def _flake_figures(fit: AnyFit) -> tuple[tuple[str, str], ...]:
     return tuple(rows)
 
 
-def _remarks(subject: Subject, fit: AnyFit) -> tuple[str, ...]:
-    paint = subject.paint
+def _remarks(item: ExportItem, fit: LobeFit) -> tuple[str, ...]:
+    paint = item.paint
     told = []
     if paint.notes.strip():
         told.append(f"Notes: {' '.join(paint.notes.split())}")
     if paint.source.strip():
         told.append(f"Source: {' '.join(paint.source.split())}")
-    if subject.computed:
+    if item.computed:
         told.append("The readings are those of virtual instruments.")
     outside = [f"{m.aspecular_deg:g}°" for m in paint.measurements if not in_display_gamut(m.lab)]
     if outside:
@@ -314,26 +305,26 @@ Draw = Callable[[Report], tuple[bytes, tuple[str, ...]]]
 def write_report(
     options: ReportOptions,
     draw: Draw,
-    subjects: Sequence[Subject],
+    items: Sequence[ExportItem],
     path: PathLike,
     progress: Progress | None = None,
 ) -> tuple[str, ...]:
     """Write the report of one paint; errors as :func:`build_report`, and :class:`FileError` where the disk refuses."""
-    (subject,) = subjects
-    made = build_report(subject, options, progress)
+    (item,) = items
+    made = build_report(item, options, progress)
     report(progress, 0.95, "writing")
     content, notes = draw(made)
     write_atomically(path, content)
     return notes
 
 
-def report_losses(subject: Subject) -> tuple[str, ...]:
+def report_losses(item: ExportItem) -> tuple[str, ...]:
     """Return what is told before a report is written."""
     return (
         "Page and pictures are for people; programs read the paint from the data that goes along with it.",
         *(
             ("The measured table itself is left out: what the virtual instruments read of it goes in.",)
-            if subject.computed and subject.document is None
+            if item.computed and item.document is None
             else ()
         ),
     )

@@ -77,7 +77,7 @@ def _draw(made: Report) -> tuple[bytes, tuple[str, ...]]:
 
 def page(made: Report) -> str:
     """Return the whole page."""
-    data = json.dumps(json_document.document([made.subject]), allow_nan=False).replace("<", "\\u003c")
+    data = json.dumps(json_document.document([made.item]), allow_nan=False).replace("<", "\\u003c")
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
         f'<meta name="generator" content="BRDF Suite {version("brdf-suite")}">\n'

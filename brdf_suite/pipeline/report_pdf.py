@@ -58,9 +58,7 @@ def sheet(made: Report) -> tuple[bytes, tuple[str, ...]]:
     canvas.setSubject("Paint report")
     pen = Pen(canvas, _HEIGHT)
     _Page(made, pen).draw()
-    _attach(
-        canvas, json.dumps(json_document.document([made.subject]), allow_nan=False).encode("ascii") + b"\n"
-    )
+    _attach(canvas, json.dumps(json_document.document([made.item]), allow_nan=False).encode("ascii") + b"\n")
     canvas.showPage()
     canvas.save()
     notes = (f"No font of this system has the letters {pen.missing}.",) if pen.missing else ()

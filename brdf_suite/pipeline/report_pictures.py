@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 from brdf_suite.appearance.display_space import SRGB_SPACE
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.pipeline.exposure import metered
-from brdf_suite.pipeline.relit import refit_under
+from brdf_suite.pipeline.lobe_fit import refit_under
 from brdf_suite.pipeline.still import loaded_scene
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.display import Display
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 _HERO, _SMALL = (1040, 640), (520, 640)
 _SAMPLES = 4
@@ -34,7 +34,7 @@ class ReportPicture:
 
 
 def draw_pictures(
-    fit: AnyFit, view: View | None, scale: float, progress: Progress | None = None
+    fit: LobeFit, view: View | None, scale: float, progress: Progress | None = None
 ) -> tuple[ReportPicture, ...]:
     """Return the pictures of a fit; ``view`` is the scene of the first one, the default one where left out.
 
@@ -49,7 +49,7 @@ def draw_pictures(
     return tuple(pictures)
 
 
-def _draw(fit: AnyFit, view: View, size: tuple[int, int], progress: Progress | None) -> ReportPicture:
+def _draw(fit: LobeFit, view: View, size: tuple[int, int], progress: Progress | None) -> ReportPicture:
     from PIL import Image
 
     view = replace(view, clipping_marks=False, gamut_marks=False)

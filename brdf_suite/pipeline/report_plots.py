@@ -114,9 +114,7 @@ def _plot(report: Report, component: int, title: str, width: float, height: floa
         return height - _BOTTOM - (height - _TOP - _BOTTOM) * (value - low) / (high - low)
 
     strokes: list[Stroke] = [Text(_LEFT, _TOP - 6.0, title, 7.5, colour=INK, bold=True)]
-    strokes += _frame(
-        x_of, y_of, low, high, [m.aspecular_deg for m in report.subject.paint.measurements], width
-    )
+    strokes += _frame(x_of, y_of, low, high, [m.aspecular_deg for m in report.item.paint.measurements], width)
     for name, angles, values in reversed(curves):
         strokes += _curve(
             name, [(x_of(a), y_of(v)) for a, v in zip(angles.tolist(), values.tolist(), strict=True)]

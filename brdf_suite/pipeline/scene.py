@@ -1,4 +1,4 @@
-"""What a scene is made of, by packaged name or by file: paint, environment with its maps, surface, view."""
+"""What a scene is made of besides its paint, by packaged name or by file: environment with its maps, surface, view."""
 
 from __future__ import annotations
 
@@ -11,10 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.store import AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view import View
-from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.lighting.cache import MapCache
 from brdf_suite.lighting.environment import Environment
@@ -25,17 +22,11 @@ from brdf_suite.pipeline.environments import AUTOMATIC, read_environment
 from brdf_suite.pipeline.partial_maps import PartialMaps
 from brdf_suite.pipeline.shading_maps import map_exponents
 from brdf_suite.progress import Progress, report, subrange
-from brdf_suite.resources import resource, resource_names
+from brdf_suite.resources import check_exists, exists, packaged_name, resource, resource_names
 from brdf_suite.surface.mesh import Mesh
 
-_PAINT_ENDING = ".brdfpaint"
 _READING_SHARE = 0.1
 _WORD = re.compile(r"[A-Za-z0-9][A-Za-z0-9_\-]{0,99}")  # what a View takes for the name of a packaged one
-
-
-def paint_names() -> list[str]:
-    """Names of the shipped paints, sorted."""
-    return resource_names("paints", _PAINT_ENDING)
 
 
 def environment_names() -> list[str]:
@@ -54,15 +45,10 @@ def name_in_view(name_or_path: str | os.PathLike[str], shipped: list[str]) -> st
     A word that is neither stays as it was typed: whoever opens it then says so about that word.
     """
     text = os.fspath(name_or_path)
-    name = _shipped_name(text, shipped)
-    if name is None and _WORD.fullmatch(text) and not _exists(text):
+    name = packaged_name(text, shipped)
+    if name is None and _WORD.fullmatch(text) and not exists(text):
         return text
     return name or str(Path(text).absolute())
-
-
-def default_paint_name() -> str:
-    """The paint that a new user sees first."""
-    return "blue"
 
 
 def default_view() -> View:
@@ -70,62 +56,24 @@ def default_view() -> View:
     return View()
 
 
-def load_shipped_paint(name: str) -> Paint:
-    """Return the packaged paint ``name``; :class:`FileError` where there is none."""
-    return load_paint(resource("paints", name + _PAINT_ENDING))
-
-
-def default_paint() -> Paint:
-    """Return the paint that a new user sees first."""
-    return load_shipped_paint(default_paint_name())
-
-
-def find_paint(name_or_path: str | os.PathLike[str]) -> Paint:
-    """Return a paint of aspecular readings by packaged name or by file.
-
-    Raises
-    ------
-    FileError
-        It is neither; the message lists the shipped paints.
-    DocumentError
-        The file is no valid paint, or one of another kind; the message says where.
-    """
-    shipped = _shipped_name(os.fspath(name_or_path), paint_names())
-    if shipped is not None:
-        return load_shipped_paint(shipped)
-    _check_there(name_or_path, "paint", paint_names())
-    return load_paint(name_or_path)
-
-
-def find_any_paint(name_or_path: str | os.PathLike[str]) -> AnyPaint:
-    """Return a paint of any kind by packaged name, by its name in Table 1, or by file; errors as :func:`find_paint`."""
-    from brdf_suite.reflectance.models.table_1 import TABLE_1
-
-    name = _shipped_name(os.fspath(name_or_path), [*paint_names(), *TABLE_1])
-    if name is not None:
-        return TABLE_1[name] if name in TABLE_1 else load_shipped_paint(name)
-    _check_there(name_or_path, "paint", [*paint_names(), *TABLE_1])
-    return load_any_paint(name_or_path)
-
-
 def check_environment(name_or_path: str | os.PathLike[str]) -> None:
     """Raise :class:`SuiteError` about what the user typed where it names no environment."""
-    if _shipped_name(os.fspath(name_or_path), environment_names()) is None:
-        _check_there(name_or_path, "environment", environment_names())
+    if packaged_name(os.fspath(name_or_path), environment_names()) is None:
+        check_exists(os.fspath(name_or_path), "environment", environment_names())
 
 
 def find_environment(name_or_path: str | os.PathLike[str]) -> tuple[str, Path]:
     """Return an environment's name, as the user knows it, and its file; errors as :func:`check_environment`."""
     check_environment(name_or_path)
-    shipped = _shipped_name(os.fspath(name_or_path), environment_names())
+    shipped = packaged_name(os.fspath(name_or_path), environment_names())
     name = shipped or os.fspath(name_or_path)
     return name, resource("environments", shipped + ".exr") if shipped else Path(name)
 
 
 def check_surface(name_or_path: str | os.PathLike[str]) -> None:
     """Raise :class:`SuiteError` about what the user typed where it names no surface."""
-    if _shipped_name(os.fspath(name_or_path), surface_names()) is None:
-        _check_there(name_or_path, "surface", surface_names())
+    if packaged_name(os.fspath(name_or_path), surface_names()) is None:
+        check_exists(os.fspath(name_or_path), "surface", surface_names())
 
 
 @dataclass(frozen=True, eq=False)
@@ -272,38 +220,8 @@ def load_surface(name_or_path: str | os.PathLike[str], unit: str = "file") -> Me
         There is no such surface, or its file cannot be read; the message says why.
     """
     check_surface(name_or_path)
-    shipped = _shipped_name(os.fspath(name_or_path), surface_names())
+    shipped = packaged_name(os.fspath(name_or_path), surface_names())
     path = resource("meshes", shipped + ".glb") if shipped else Path(name_or_path)
     from brdf_suite.files.meshes import read_mesh
 
     return read_mesh(path, unit)
-
-
-def _shipped_name(text: str, shipped: list[str]) -> str | None:
-    """Return the shipped name that ``text`` is, in any letter case; a file of just that name goes first."""
-    if text in shipped:
-        return text
-    folded = {name.casefold(): name for name in shipped}
-    name = folded.get(text.casefold())
-    return None if name is None or _exists(text) else name
-
-
-def _check_there(asked: str | os.PathLike[str], kind: str, shipped: list[str]) -> None:
-    if not os.fspath(asked):
-        raise SuiteError(
-            f"The name of the {kind} is empty; give a file or a shipped one ({', '.join(shipped)})."
-        )
-    if not _exists(asked):
-        if Path(asked).suffix or Path(asked).is_absolute():
-            # A file was meant: the names of what is shipped are no help.
-            raise FileError(asked, "there is no such file")
-        raise FileError(
-            asked, f"there is no such file, nor a shipped {kind} of that name ({', '.join(shipped)})"
-        )
-
-
-def _exists(asked: str | os.PathLike[str]) -> bool:
-    try:
-        return Path(asked).exists()
-    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
-        raise FileError(asked, f"cannot be read: {error.strerror or error}") from error

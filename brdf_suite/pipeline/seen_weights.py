@@ -162,7 +162,7 @@ def _on_the_ramp(found: Floats, columns: tuple[_Column, ...], lobes: int) -> Wei
 
 
 class SeenWeights:
-    """The weights of one reflectance, found when first asked for; see ``values.OverAngle``.
+    """The weights of one reflectance, found when first asked for.
 
     ``later``: where given, it is called with this object to have :meth:`find` called on a thread, and until that is
     done there are no weights. Where they cannot be found, the log says why and there are none.
@@ -179,6 +179,11 @@ class SeenWeights:
         self._later = later
         self._begun = False
         self._found: WeightsOverAngle | None = None
+
+    @property
+    def found(self) -> WeightsOverAngle | None:
+        """The weights where they are found by now."""
+        return self._found
 
     def weights(self) -> WeightsOverAngle | None:
         """Return the weights, the same object from the first time on; None: not yet, or never."""

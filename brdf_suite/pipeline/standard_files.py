@@ -9,12 +9,11 @@ from brdf_suite.appearance.flat_colours import to_paint
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
+from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
 from brdf_suite.errors import FileError, SuiteError, ValueRangeError
-from brdf_suite.pipeline.measuring import is_measured_file, load_measurable
-from brdf_suite.pipeline.scene import find_any_paint
+from brdf_suite.pipeline.material import Material, is_file, load_document, load_material, material_of
 from brdf_suite.pipeline.standard import Standard, standard_of
 from brdf_suite.progress import Progress, report
-from brdf_suite.reflectance.protocol import Reflectance
 
 CXF_ENDING = ".cxf"
 _HEAD = 1 << 16
@@ -42,31 +41,33 @@ def load_standards(
         found = _of_cxf(path)
     elif handed := _of_handover(path):
         found = handed
-    elif is_measured_file(path):
-        item = load_measurable(path)
-        found = (_of_reflectance(item.name, "", item.reflectance, item.notices),)
     else:
-        paint = find_any_paint(name_or_path)
-        found = (_of_paint(paint, path.name if path.suffix else ""),)
+        found = (_of_material(name_or_path),)
     report(progress, 1.0, "read")
     return found
 
 
-def _of_paint(paint: object, origin: str) -> Standard:
+def _of_material(name_or_path: str | os.PathLike[str]) -> Standard:
+    document = load_document(name_or_path)
+    if document is not None:
+        path = Path(name_or_path)
+        return _of_paint(document, path.name if path.suffix else "")
+    material = load_material(name_or_path)
+    return _read_by_instrument(material, "")
+
+
+def _of_paint(paint: AnyPaint, origin: str) -> Standard:
     if isinstance(paint, Paint):
         return standard_of(paint, origin)
-    from brdf_suite.documents.store import AnyPaint
-    from brdf_suite.reflectance.build import build_reflectance
-
-    known: AnyPaint = paint  # type: ignore[assignment]  # every other kind is one that can be built
-    return _of_reflectance(known.name, origin, build_reflectance(known), ())
+    return _read_by_instrument(material_of(paint), origin)
 
 
-def _of_reflectance(name: str, origin: str, reflectance: Reflectance, notices: tuple[str, ...]) -> Standard:
+def _read_by_instrument(material: Material, origin: str) -> Standard:
     from brdf_suite.pipeline.measured_start import estimated_gloss
 
-    gloss = estimated_gloss(reflectance).gloss
-    return Standard(name, origin, (), gloss, None, reflectance, (BY_INSTRUMENT, *notices))
+    gloss = estimated_gloss(material.reflectance).gloss
+    notices = (BY_INSTRUMENT, *material.notices)
+    return Standard(material.name, origin, (), gloss, None, material.reflectance, notices)
 
 
 def _of_palette(path: Path) -> tuple[Standard, ...]:
@@ -83,7 +84,7 @@ def _of_entry(entry: Entry, origin: str) -> Standard:
 
 def _of_handover(path: Path) -> tuple[Standard, ...]:
     """The paints of a file that was handed over, known by its content; none where it is something else."""
-    if not is_measured_file(path):
+    if path.suffix.lower() == PAINT_ENDING or not is_file(os.fspath(path)):
         return ()
     # Many writers and readers, and few sessions need one.
     from brdf_suite.files.cxf import is_cxf

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
 from brdf_suite.pipeline.exposure import metered
-from brdf_suite.pipeline.paint import PaintFit
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import load_material, under_illuminant
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target, picture_metadata, write_picture
 from brdf_suite.pipeline.scene import PreparedEnvironment, find_environment, load_environment
@@ -24,7 +25,7 @@ from brdf_suite.realtime.camera import compose
 from brdf_suite.surface.mesh import Mesh
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 Size = tuple[int, int]
 
@@ -90,6 +91,7 @@ def loaded_scene(
             prepared = with_smaller_maps(prepared, largest_face)
         maps_s = perf_counter() - start
         scene.set_environment(prepared)
+        scene.prepare(view)
         scene.set_surface_images(load_surface_images(ImageRequest.of(view)))
         mesh, baked = bake_or_explain(mesh, view.surface_look, subrange(progress, 0.6, 1.0))
         scene.set_surface(mesh, baked)
@@ -120,14 +122,11 @@ def render_to_file(
     Cancelled
         The progress callback asked for it.
     """
-    # The programs draw without it, and measured data are much to import.
-    from brdf_suite.pipeline.any_fit import fit_any
-    from brdf_suite.pipeline.relit import refit_under
 
     settings = settings or PictureSettings()
     settings.of_file(path)
     check_target(path)
-    fit = refit_under(fit_any(paint, errors=False), view.light_colour)
+    fit = fit_material(under_illuminant(load_material(paint), view.light_colour))
     with loaded_scene(view, subrange(progress, 0.0, 0.8)) as loaded:
         loaded.scene.set_paint_fit(fit)
         start = perf_counter()
@@ -149,7 +148,7 @@ def render_to_file(
 
 
 def _picture(
-    path: Path, size: Size, fit: PaintFit | AnyFit, loaded: LoadedScene, renderer: str, draw_ms: float
+    path: Path, size: Size, fit: LobeFit, loaded: LoadedScene, renderer: str, draw_ms: float
 ) -> Picture:
     return Picture(
         path=path,

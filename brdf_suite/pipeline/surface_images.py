@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Illuminant, LightColour
 from brdf_suite.files.relief_images import read_mask, read_normal_map, read_tangent_map
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import load_material, under_illuminant
 from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.relief_values import MaskImage, PeelTile, SlopeMap, TangentMap
 from brdf_suite.surface.orange_peel import TILE_WAVES, peel_slopes
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
+    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,7 @@ class SurfaceImages:
     request: ImageRequest
     normal_map: SlopeMap | None = None
     mask: MaskImage | None = None
-    second_paint: AnyFit | None = None
+    second_paint: LobeFit | None = None
     tangent_map: TangentMap | None = None
 
 
@@ -70,12 +72,9 @@ def load_surface_images(request: ImageRequest, progress: Progress | None = None)
     tangents = None if request.tangent_map is None else TangentMap(read_tangent_map(request.tangent_map))
     second = None
     if request.second_paint is not None:
-        # Measured data are much to import.
-        from brdf_suite.pipeline.any_fit import fit_any
-        from brdf_suite.pipeline.relit import refit_under
-
         report(progress, 0.5, "fitting the second paint")
-        second = refit_under(fit_any(request.second_paint, errors=False), LightColour(request.lamp))
+        material = under_illuminant(load_material(request.second_paint), LightColour(request.lamp))
+        second = fit_material(material)
     report(progress, 1.0, "images")
     return SurfaceImages(request, normal_map, mask, second, tangents)
 

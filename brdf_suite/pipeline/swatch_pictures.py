@@ -20,12 +20,13 @@ from brdf_suite.appearance.flat_colours import to_paint
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import GraphicsError, SuiteError
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, LobeFit, PaintFitter, fit_material
+from brdf_suite.pipeline.material import material_of
 from brdf_suite.pipeline.swatch_flat import flat_picture
 from brdf_suite.pipeline.swatch_look import Content, SwatchLook, swatch_key
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.any_fit import AnyFit
-    from brdf_suite.pipeline.paint import PaintFit, PaintFitter
+    from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter
     from brdf_suite.pipeline.still import LoadedScene
     from brdf_suite.realtime.captured import CapturedForm, CapturedPaint
 
@@ -105,7 +106,7 @@ class SwatchPainter:
     def _rendered(self, paints: Sequence[AnyPaint], look: SwatchLook) -> list[_Found]:
         form = self._form(look)
         found: dict[int, _Found] = {}
-        fits: dict[int, PaintFit | AnyFit] = {}
+        fits: dict[int, LobeFit] = {}
         waiting = self._fitted(paints, found, fits)
         try:
             pictures: Iterable[Pixels] = form.draw(waiting)
@@ -121,7 +122,7 @@ class SwatchPainter:
         return [found[place] for place in range(len(paints))]
 
     def _fitted(
-        self, paints: Sequence[AnyPaint], found: dict[int, _Found], fits: dict[int, PaintFit | AnyFit]
+        self, paints: Sequence[AnyPaint], found: dict[int, _Found], fits: dict[int, LobeFit]
     ) -> Iterator[CapturedPaint]:
         """Yield what the captured form takes as it is fitted; note the fits, and in ``found`` why there is none."""
         for place, paint in enumerate(paints):
@@ -133,13 +134,13 @@ class SwatchPainter:
             if not _waves(fits[place]):
                 yield self._swatch(fits[place])
 
-    def _swatch(self, fit: PaintFit | AnyFit) -> CapturedPaint:
+    def _swatch(self, fit: LobeFit) -> CapturedPaint:
         if self._loaded is None:
             raise AssertionError("a form is captured from a scene that is loaded")
         return self._loaded.scene.swatch(fit)
 
     def _one_by_one(
-        self, form: CapturedForm, fits: dict[int, PaintFit | AnyFit], found: dict[int, _Found]
+        self, form: CapturedForm, fits: dict[int, LobeFit], found: dict[int, _Found]
     ) -> list[Pixels]:
         """Draw paints alone after a batch has failed; raise where none can be drawn."""
         pictures: list[Pixels] = []
@@ -157,20 +158,16 @@ class SwatchPainter:
         found.update(failed)
         return pictures
 
-    def _alone(self, fit: PaintFit | AnyFit, look: SwatchLook) -> Pixels:
+    def _alone(self, fit: LobeFit, look: SwatchLook) -> Pixels:
         """A paint whose coat stands otherwise than its base, which a captured form has not."""
         loaded, size = self._scene_of(look), (look.size, look.size)
         loaded.scene.set_paint_fit(fit)
         return loaded.scene.image(loaded.composed(look.view(), size), size)
 
-    def _fit(self, paint: AnyPaint) -> PaintFit | AnyFit:
+    def _fit(self, paint: AnyPaint) -> LobeFit:
         if not isinstance(paint, Paint):
-            from brdf_suite.pipeline.any_fit import fit_document
-
-            return fit_document(paint)
+            return fit_material(material_of(paint, paint.name))
         if self._fitter is None:
-            from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, PaintFitter
-
             self._fitter = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S)
         return self._fitter.fit(paint)
 
@@ -205,7 +202,7 @@ class SwatchPainter:
         self._stack.close()
 
 
-def _waves(fit: PaintFit | AnyFit) -> bool:
+def _waves(fit: LobeFit) -> bool:
     peel = fit.orange_peel
     return peel is not None and peel.slope_deg > 0.0
 

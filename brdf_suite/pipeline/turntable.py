@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.pipeline.exposure import metered
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material, under_illuminant
 from brdf_suite.pipeline.picture_file import PictureSettings, check_target, picture_metadata, write_picture
 from brdf_suite.pipeline.still import LoadedScene, loaded_scene
 from brdf_suite.pipeline.turning import turned
@@ -94,9 +96,6 @@ def write_turntable(
     Cancelled
         The progress callback asked for it.
     """
-    from brdf_suite.pipeline.any_fit import fit_any
-    from brdf_suite.pipeline.relit import refit_under
-
     turn, settings = turn or Turn(), settings or PictureSettings()
     video = path.suffix.lower() in VIDEO_ENDINGS
     check_target(path)
@@ -108,7 +107,7 @@ def write_turntable(
     else:
         check_folder(path)
         settings.of_file(path / "frame.png")
-    fit = refit_under(fit_any(paint, errors=False), view.light_colour)
+    fit = fit_material(under_illuminant(load_material(paint), view.light_colour))
     with loaded_scene(view, subrange(progress, 0.0, 0.2)) as loaded:
         loaded.scene.set_paint_fit(fit)
         shown = framed_all_round(view, loaded.scene.bounds, size)

@@ -20,7 +20,7 @@ from brdf_suite.appearance.words import hue_word
 from brdf_suite.documents.paint import PARAMETERS, Measurement, Paint
 from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.geometry.directions import Floats
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
 
 Direction = Literal[
     "lighter", "darker", "cleaner", "dirtier", "more_flop", "less_flop", "hue_forward", "hue_back"

@@ -114,13 +114,10 @@ class MaterialSet:
 
 
 def _table(weights: MaterialWeights, modes: Modes) -> WeightsOverAngle | None:
-    """Return the weights over the angle that replace the single fit in these modes; None: the single fit is used."""
-    table = None
+    """The weights over the angle that take the place of the single fit in these modes; None: it holds."""
     if weights.by_view is not None and modes.look_up == "shifted" and modes.fresnel != "off":
-        table = weights.by_view.weights()
-    if table is None and weights.over_angle is not None and modes.fresnel == "multi_angle":
-        table = weights.over_angle.weights()
-    return table
+        return weights.by_view
+    return weights.over_angle if modes.fresnel == "multi_angle" else None
 
 
 def _list(exponents: tuple[float, ...]) -> str:

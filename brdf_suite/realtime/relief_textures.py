@@ -24,16 +24,18 @@ _ANISOTROPY = 8.0
 
 
 class ReliefTextures:
-    """Textures of one mesh's paint; each is there or not, and the view says which of them are shown."""
+    """Textures of one mesh's paint; each is there or not, and the view says which of them are shown.
 
-    def __init__(self, objects: GpuObjects) -> None:
+    ``make_peel`` makes the tile of the orange peel when a view or a paint first asks for it.
+    """
+
+    def __init__(self, objects: GpuObjects, make_peel: Callable[[], PeelTile] | None = None) -> None:
         self._objects = objects
+        self._make_peel = make_peel
         self._normal_map: tuple[moderngl.Texture, float] | None = None  # with height over width
         self._tangents: tuple[moderngl.Texture, float] | None = None
         self._peel: tuple[moderngl.Texture, int] | None = None  # with waves along an edge
         self._mask: tuple[moderngl.Texture, float] | None = None
-        self.make_peel: Callable[[], PeelTile] | None = None
-        """Makes the tile when a view or a paint first asks for orange peel."""
         self._own_peels: dict[str, OrangePeel] = {}
 
     def set_normal_map(self, slopes: SlopeMap | None) -> None:
@@ -81,8 +83,8 @@ class ReliefTextures:
         if self._tangents is not None and view.relief.tangent_map is not None:
             words.add("TANGENT_MAP")
         if view.relief.orange_peel > 0.0 or self._own_peels:
-            if self._peel is None and self.make_peel is not None:
-                self.set_peel(self.make_peel())
+            if self._peel is None and self._make_peel is not None:
+                self.set_peel(self._make_peel())
             if self._peel is not None:
                 words.add("COAT_RELIEF")
         return frozenset(words)

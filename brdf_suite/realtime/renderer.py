@@ -14,7 +14,7 @@ framebuffer, a widget's or its own.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import moderngl
@@ -61,6 +61,7 @@ from brdf_suite.realtime.programs import (
 )
 from brdf_suite.realtime.reflectance_ball import ReflectanceBalls
 from brdf_suite.realtime.relief_textures import ReliefTextures
+from brdf_suite.realtime.relief_values import PeelTile
 from brdf_suite.realtime.single_lights import SingleLights
 from brdf_suite.realtime.target import LightTarget, PictureTarget
 from brdf_suite.realtime.values import EnvironmentMaps, GroundField, MaterialWeights, MeshPart
@@ -72,10 +73,16 @@ class Renderer(OffscreenPictures):
 
     ``surface_shader`` is a fragment shader file to draw surfaces with instead of ours: for measurements. ``screen`` is
     what frames are drawn for: sRGB until it is set to the monitor that they are seen on. ``balls`` has the reflectance
-    balls of factored materials.
+    balls of factored materials. ``make_peel`` makes the tile of the orange peel when one is first drawn.
     """
 
-    def __init__(self, context: moderngl.Context, surface_shader: Path | None = None) -> None:
+    def __init__(
+        self,
+        context: moderngl.Context,
+        surface_shader: Path | None = None,
+        *,
+        make_peel: Callable[[], PeelTile] | None = None,
+    ) -> None:
         self.context = context
         self._objects = GpuObjects(context)
         self._programs = Programs(self._objects, surface_shader)
@@ -89,7 +96,7 @@ class Renderer(OffscreenPictures):
         self._finish = FinishPass(self._objects, self._programs)
         self.screen: Display = SRGB
         self._ground = GroundShadow(self._objects)
-        self._relief = ReliefTextures(self._objects)
+        self._relief = ReliefTextures(self._objects, make_peel)
         self._factors = FactorTextures(self._objects)
         self._drawing = DrawContext(
             self._objects,

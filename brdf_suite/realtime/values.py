@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Literal, Protocol, TypeAlias, get_args
+from typing import Any, Literal, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -172,14 +172,6 @@ class WeightsOverAngle:
             object.__setattr__(self, name, value)
 
 
-class OverAngle(Protocol):
-    """A source of a material's weights over the incidence; used only by the mode that takes them."""
-
-    def weights(self) -> WeightsOverAngle | None:
-        """Return them, the same object until there are others; None: there are none yet, the single fit holds."""
-        ...
-
-
 @dataclass(frozen=True, eq=False)
 class MaterialWeights:
     """Lobe weights of one material, in the sense of the lobe sum
@@ -201,11 +193,10 @@ class MaterialWeights:
         F(θ)/F(θ_fit), the base stays; ``metal``: gloss rises from its own albedo to 1 at grazing; ``none``: the
         weights hold at every angle.
     over_angle
-        Source of this material's weights fitted at several incidences, for the same lobes; None: there is none.
+        Weights fitted at several incidences, which the mode ``multi_angle`` takes; None where there are none (yet).
     by_view
-        Who has weights for the shifted look-ups fitted to all that each angle of the view gathers, for the same lobes.
-        Where there are, they take the place of the single fit and of its gains, and of ``over_angle``, whenever
-        look-ups are shifted and Fresnel is not off.
+        Weights fitted for every angle of the view. Where there are some, they take the place of the single fit and
+        of its gains, and of ``over_angle``, whenever look-ups are shifted and Fresnel is not off.
     """
 
     exponents: tuple[float, ...]
@@ -215,8 +206,8 @@ class MaterialWeights:
     theta_fit_rad: float = field(default=float(np.pi / 4))
     ior: float = 1.5
     coat: Coat = "dielectric"
-    over_angle: OverAngle | None = None
-    by_view: OverAngle | None = None
+    over_angle: WeightsOverAngle | None = None
+    by_view: WeightsOverAngle | None = None
 
     def __post_init__(self) -> None:
         exponents = check_exponents(self.exponents)

@@ -22,9 +22,10 @@ SIZE = (320, 180)
 
 
 def run(progress=None):
-    from brdf_suite.pipeline.paint import PaintFitter
+    from brdf_suite.pipeline.lobe_fit import PaintFitter
+    from brdf_suite.pipeline.material import default_paint
     from brdf_suite.pipeline.picture import OffscreenScene
-    from brdf_suite.pipeline.scene import default_paint, default_view, load_environment, load_surface
+    from brdf_suite.pipeline.scene import default_view, load_environment, load_surface
     from brdf_suite.progress import report, subrange
 
     paint = default_paint()

@@ -18,7 +18,7 @@ from brdf_suite.appearance.geometries import geometry_set, measured_set
 from brdf_suite.appearance.gloss import gloss_units
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.errors import UnreachableError
-from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
+from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.aperture import APERTURES, POINT, WIDE
 from brdf_suite.reflectance.build import build_paint

@@ -22,11 +22,10 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.lighting.prefilter import face_size
-from brdf_suite.pipeline.any_fit import fit_any
-from brdf_suite.pipeline.paint import PATIENT_TIME_LIMIT_S, fit_patiently
-from brdf_suite.pipeline.paint_angles import PaintAngles
-from brdf_suite.pipeline.picture import gl_renderer_name, material_weights
-from brdf_suite.pipeline.scene import default_paint
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, fit_material
+from brdf_suite.pipeline.material import default_paint, load_material, material_of
+from brdf_suite.pipeline.paint_angles import PaintAngles, material_weights
+from brdf_suite.pipeline.picture import gl_renderer_name
 from brdf_suite.pipeline.shading_maps import map_exponents
 from brdf_suite.pipeline.still import loaded_scene
 from brdf_suite.progress import report, subrange
@@ -177,7 +176,7 @@ def gpu_frame_ms(size=(3840, 2160), frames=100, *, on_software=False, progress=N
     )
     with loaded_scene(view, progress) as loaded:
         scene = loaded.scene
-        scene.set_paint_fit(fit_any("fine_silver", errors=False))
+        scene.set_paint_fit(fit_material(load_material("fine_silver")))
         shown, target = loaded.composed(view, size), scene.renderer.context.simple_framebuffer(size)
         times = []
         for i in range(frames + 10):
@@ -217,8 +216,9 @@ def _maps() -> EnvironmentMaps:
 
 
 def _weights(paint: Paint) -> MaterialWeights:
-    fitted = fit_patiently(paint, paint.name)
-    return material_weights(fitted.weights, PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S).of(fitted))
+    fitted = fit_material(material_of(paint, paint.name))
+    over_angle = PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S).of(fitted)
+    return material_weights(fitted.weights, None if over_angle is None else over_angle.weights())
 
 
 def _every_lobe() -> MaterialWeights:

@@ -24,7 +24,7 @@ from brdf_suite.fitting.lobes.raised import RaisedWeights
 from brdf_suite.fitting.metrics import Evaluable, aspecular_delta_e
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.pipeline.scene import find_any_paint
+from brdf_suite.pipeline.material import load_document
 from brdf_suite.reflectance.build import build_reflectance
 from brdf_suite.reflectance.layers import split_layers
 from brdf_suite.reflectance.models.table_1 import TABLE_1
@@ -238,7 +238,7 @@ def cook_torrance() -> None:
         fitter = AngleFitter(facets=facets, time_limit_s=LIMIT_S)
         rows = []
         for name in TABLE_1:
-            model = build_reflectance(find_any_paint(name))
+            model = build_reflectance(load_document(name))
             layers = split_layers(model)
             assert layers is not None
             weights = fitter.fit(layers).weights

@@ -26,10 +26,11 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.fitting.lobes.angles import AngleFitter
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
-from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.paint_angles import at_ramp
-from brdf_suite.pipeline.picture import OffscreenScene, material_weights
-from brdf_suite.pipeline.scene import environment_names, load_environment, load_shipped_paint, paint_names
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint, paint_names
+from brdf_suite.pipeline.paint_angles import at_ramp, material_weights
+from brdf_suite.pipeline.picture import OffscreenScene
+from brdf_suite.pipeline.scene import environment_names, load_environment
 from brdf_suite.realtime import material_ramp
 from brdf_suite.realtime.look_up_table import RAMP_COSINES, LookUp, constant_light, look_up_table
 from brdf_suite.realtime.tone_curves import display_light
@@ -46,13 +47,6 @@ VIEW = View(
 )
 RADIUS = 0.13
 T_FIT = 1.0 - float(fresnel_dielectric(np.cos(np.pi / 4), 1.5))
-
-
-class Given:
-    """The weights over the incidence of a material, as :class:`values.OverAngle` gives them."""
-
-    def __init__(self, table):
-        self.weights = lambda: table
 
 
 class Points(NamedTuple):
@@ -202,7 +196,7 @@ def forms(scene, weights, over_angle, light, points, gamma):
     plain = replace(bare, coat="none")
     passed = ((1.0 - fresnel_dielectric(points.cosine, weights.ior)) / T_FIT)[:, None]
     table = at_ramp(over_angle)
-    several = replace(bare, over_angle=Given(replace(table, kg=np.zeros_like(table.kg))))
+    several = replace(bare, over_angle=replace(table, kg=np.zeros_like(table.kg)))
 
     def drawn(material, **modes):
         scene.renderer.set_material("paint", material)

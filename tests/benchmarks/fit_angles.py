@@ -22,7 +22,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleWeights
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS
 from brdf_suite.fitting.metrics import aspecular_delta_e
-from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
+from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.layers import split_layers

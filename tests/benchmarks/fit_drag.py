@@ -6,7 +6,7 @@ import numpy as np
 
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.errors import UnreachableError
-from brdf_suite.fitting import LobeFit, LobeFitter
+from brdf_suite.fitting import LayersFit, LobeFitter
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.build import build_paint
 
@@ -55,7 +55,7 @@ def unrelated_paint(rng: np.random.Generator) -> Paint:
     return _paint(labs[0], labs[1], labs[2], rng.uniform(30.0, 92.0))
 
 
-def measure(progress: Progress | None) -> tuple[list[LobeFit], list[LobeFit]]:
+def measure(progress: Progress | None) -> tuple[list[LayersFit], list[LayersFit]]:
     """Return the fits of the drag and of the unrelated paints."""
     fitter = LobeFitter()
     drag = []
@@ -63,7 +63,7 @@ def measure(progress: Progress | None) -> tuple[list[LobeFit], list[LobeFit]]:
         drag.append(fitter.fit(build_paint(drag_paint(step))))
         report(progress, 0.5 * step / STEPS, "drag")
     rng = np.random.default_rng(SEED)
-    unrelated: list[LobeFit] = []
+    unrelated: list[LayersFit] = []
     refused = 0
     while len(unrelated) < STEPS:
         try:

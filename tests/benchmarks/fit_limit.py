@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.cli.bench import load_module
 from brdf_suite.errors import SuiteError, UnreachableError
-from brdf_suite.fitting import LobeFit, LobeFitter
+from brdf_suite.fitting import LayersFit, LobeFitter
 from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
 from brdf_suite.progress import Progress, report
@@ -161,7 +161,7 @@ def programs_of(
     return programs
 
 
-def excess(fitter: LobeFitter, fit: LobeFit, base: FloatArray, coat: FloatArray) -> float:
+def excess(fitter: LobeFitter, fit: LayersFit, base: FloatArray, coat: FloatArray) -> float:
     """Return the largest relative excess of a fit's six objectives over scipy's optima."""
     ours = np.concatenate([fit.base_error.relative, fit.coat_error.relative])
     theirs = np.array([linprog_optimum(*program) for program in programs_of(fitter, base, coat)])

@@ -17,6 +17,9 @@ import tempfile
 import uuid
 from time import perf_counter, thread_time
 
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import Material, load_material
+
 STEPS = 300
 SIZE = (1400, 900)
 FROM_DEG, TO_DEG = 5.0, 80.0
@@ -84,17 +87,16 @@ def drag() -> dict[str, float]:
 
 
 def _subjects():
-    from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, Subject, SubjectFit
+    from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, PlottedMaterial
 
     from brdf_suite.fitting.lobes.undivided import fit_undivided
-    from brdf_suite.pipeline.any_fit import fit_any
     from brdf_suite.reflectance.models.ggx import Ggx
     from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
     from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
     made = []
     for name in ("blue_metallic", "table1_ford_f8", "table1_polaris_silver"):
-        fitted = fit_any(name, errors=False)
+        fitted = fit_material(load_material(name))
         made.append((name, fitted.reflectance, fitted.weights))
     others = {
         "table": IsotropicTable.from_reflectance(made[2][1]),
@@ -103,13 +105,13 @@ def _subjects():
     }
     made += [(name, model, fit_undivided(model).weights) for name, model in others.items()]
     return [
-        Subject(
+        PlottedMaterial(
             name,
             name,
-            reflectance,
+            Material(name, reflectance),
             LINE_COLOURS[number],
             DASHES[number % len(DASHES)],
-            fit=SubjectFit(weights, 0.0),
+            fit=LobeFit(Material("fit", weights), "measured", weights, {}, (), 0.0),
             isotropic=name != "brushed",
         )
         for number, (name, reflectance, weights) in enumerate(made)

@@ -18,6 +18,8 @@ import tempfile
 import uuid
 from time import perf_counter, thread_time
 
+from brdf_suite.pipeline.material import Material
+
 STEPS = 200
 WARM_UP = 10
 SIZE = (1400, 900)
@@ -68,7 +70,7 @@ def figures() -> dict[str, float]:
     import numpy as np
     from brdf_lobe_visualizer.assembly import LobeVisualizer
     from brdf_lobe_visualizer.space import Space
-    from brdf_lobe_visualizer.subjects import Subject
+    from brdf_lobe_visualizer.subjects import PlottedMaterial
     from brdf_qt.application import create_application
 
     from brdf_suite.reflectance.registry import MODELS
@@ -86,7 +88,7 @@ def figures() -> dict[str, float]:
     subjects = {"cook_torrance": model, "table": IsotropicTable.from_reflectance(model)}
     found = {}
     for name, reflectance in subjects.items():
-        program.desk.set_subjects((Subject(name, name, reflectance),))
+        program.desk.set_subjects((PlottedMaterial(name, name, Material(name, reflectance)),))
         _until(app, lambda: space.is_complete)
         found[name] = _steps(app, program, space, GL)
     program.close()

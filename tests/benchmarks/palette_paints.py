@@ -12,7 +12,7 @@ GROUPS = 25
 def paints(count, seed=7):
     """Return so many designed paints."""
     from brdf_suite.documents.paint import Measurement
-    from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
+    from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 
     rng = np.random.default_rng(seed)
     known = [load_shipped_paint(name) for name in paint_names()]

@@ -15,7 +15,7 @@ from brdf_suite.cli.bench import load_module
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.basis_search.database import Database, load_database
 from brdf_suite.fitting.lobes.basis import STORED_NAME
-from brdf_suite.pipeline.scene import paint_names
+from brdf_suite.pipeline.material import paint_names
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.resources import resource, resource_root
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS
 from brdf_suite.documents.view_settings import Sparkle
-from brdf_suite.pipeline.scene import default_paint
+from brdf_suite.pipeline.material import default_paint
 from brdf_suite.progress import report
 from brdf_suite.realtime.context import create_context
 from brdf_suite.realtime.light_block import DistantLights

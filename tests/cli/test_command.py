@@ -17,9 +17,9 @@ from PIL import Image
 
 from brdf_suite.cli.main import main
 from brdf_suite.cli.output import STAGE_END
-from brdf_suite.documents.paint import Paint
 from brdf_suite.files.images import write_exr
-from brdf_suite.pipeline.paint import PaintFit, fit_patiently
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import Material
 
 ENVIRONMENTS = (
     "autoshop_01_1k.hdr",
@@ -304,12 +304,12 @@ def test_pipes_and_folders_are_no_environment(inside, tmp_path: Path) -> None:
         refused(inside("render", "blue", "-o", "out.png", "--environment", name), "is not a plain file")
 
 
-def test_a_fit_that_was_stopped_by_time_is_reported(monkeypatch, capsys, tmp_path: Path) -> None:
-    def stopped(paint: Paint, name: str, basis: object) -> PaintFit:
-        found = fit_patiently(paint, name)
-        return replace(found, fit=replace(found.fit, time_limited=True))
+def test_a_fit_that_was_stopped_by_time_is_told(monkeypatch, capsys, tmp_path: Path) -> None:
+    def stopped(material: Material) -> LobeFit:
+        found = fit_material(material)
+        return replace(found, weights=replace(found.weights, time_limited=True))
 
-    monkeypatch.setattr("brdf_suite.pipeline.any_fit.fit_patiently", stopped)
+    monkeypatch.setattr("brdf_suite.pipeline.still.fit_material", stopped)
     assert main(["render", "blue", "-o", str(tmp_path / "out.png"), "--size", "64x48"]) == 0
     assert " ms, time-limited, maps " in capsys.readouterr().out
 

@@ -9,7 +9,7 @@ import pytest
 
 from brdf_suite.cli.main import main
 from brdf_suite.documents.store import load_paint, save_paint
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.material import load_shipped_paint
 
 
 @pytest.fixture

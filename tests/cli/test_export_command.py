@@ -9,7 +9,7 @@ import pytest
 
 from brdf_suite.cli.main import main
 from brdf_suite.pipeline.handover import formats, read_paints
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.material import load_shipped_paint
 
 
 def test_several_paints_go_into_one_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -14,7 +14,7 @@ from brdf_suite.documents.store import load_any_paint
 from brdf_suite.files.measured import read_measured
 from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.fitting.homomorphic.samples import even_directions
-from brdf_suite.pipeline.measuring import load_measurable
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.factored import Factored
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -27,7 +27,7 @@ def pairs(count: int = 500) -> tuple[np.ndarray, np.ndarray]:
 def near(value: object, name: str) -> float:
     """The median relative distance from a paint."""
     wi, wo = pairs()
-    truth = load_measurable(name).reflectance.eval(wi, wo)
+    truth = load_material(name).reflectance.eval(wi, wo)
     return float(np.median(np.abs(value.eval(wi, wo) / truth - 1.0)))
 
 
@@ -40,7 +40,7 @@ def test_a_paint_is_written_with_its_textures_and_opened_again(tmp_path: Path, c
     assert reported["texels"] == {"p": [32], "q": [32], "d": [16], "s": [64], "f": [32]}
     paint = load_any_paint(out)
     assert isinstance(paint, FactoredPaint)
-    assert near(load_measurable(out).reflectance, "matte_grey") < 0.3
+    assert near(load_material(out).reflectance, "matte_grey") < 0.3
     assert main(["measure", str(out), "--json"]) == 0
     assert len(json.loads(capsys.readouterr().out)["readings"]) > 0
     assert sorted(path.suffix for path in tmp_path.iterdir()) == [".brdfpaint", ".exr"]

@@ -32,14 +32,15 @@ def test_a_table_for_people(capsys: pytest.CaptureFixture[str]) -> None:
     [
         ("blue", "2", "at least 3 angles"),
         ("blue", "3000", "at most 256, not 3000"),
-        ("cayman.brdf", "8", "nothing divides measured data into coat and base"),
+        ("blue.bsdf", "8", "nothing divides measured data into coat and base"),
     ],
 )
 def test_what_cannot_be_fitted_so_is_refused_in_one_line(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, paint: str, count: str, words: str
 ) -> None:
-    measured = tmp_path / "cayman.brdf"
-    measured.write_text("what is in it does not matter")
+    measured = tmp_path / "blue.bsdf"
+    assert main(["convert", "blue", str(measured)]) == 0
+    capsys.readouterr()
     assert main(["fit", str(measured) if paint == measured.name else paint, "--angles", count]) != 0
     error = capsys.readouterr().err.strip()
     assert words in error

@@ -14,7 +14,7 @@ import pytest
 
 from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.cli.main import main
-from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
+from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 
 MEASURED = (
     "bird_example.json",

@@ -14,8 +14,8 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.pipeline.palette_columns import labs_of
-from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
 
 
 @pytest.fixture

@@ -10,12 +10,13 @@ import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-from brdf_designer.assembly import FIRST_PAINT, Designer, shipped_paint
+from brdf_designer.assembly import FIRST_PAINT, Designer
 from brdf_designer.thumbnails import Thumbnails
 from brdf_qt.dialogs import Answer, Overwrite
 from PySide6.QtCore import QCoreApplication, QEvent
 
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint
 
 
 class ScriptedDialogs:
@@ -98,7 +99,7 @@ def fresh(lasting, own_session):
     designer, dialogs = lasting
     documents = designer.documents
     vars(dialogs).update(vars(ScriptedDialogs()), answer=Answer.DISCARD)
-    first = documents.add(shipped_paint(FIRST_PAINT))
+    first = documents.add(load_shipped_paint(FIRST_PAINT))
     for document in documents.row:
         if document is not first:
             documents.close(document)

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication
 
 from brdf_suite.appearance.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.documents.paint import Gloss, Lab, Measurement, Paint
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
 
 LABS = ((62.0, -4.0, -45.0), (25.0, 4.0, -38.0), (9.0, 8.0, -28.0))
 

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox
 
 from brdf_suite.appearance.flop import flop_index
 from brdf_suite.documents.paint import OrangePeel
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.reflectance.build import build_paint
 
 
@@ -245,13 +245,13 @@ def test_the_status_bar_tells_what_the_fit_gives_beside_what_was_asked(designer,
     type_in(designer.window.editors.editors[2].fields[0], "55")
     qtbot.waitUntil(lambda: designer.controller.is_complete)
     asked, reached = flop.text().rstrip(" ?").split(", reached ")
-    lightness = [row.fitted[0] for row in designer.desk.fit.angles]
+    lightness = [row.lab_fitted[0] for row in designer.desk.fit.readings]
     assert asked == f"Flop {flop_index(62.0, 25.0, 55.0).value:.1f}"
     assert reached == f"{flop_index(*lightness).value:.1f}" != asked.split()[1]
     assert fit.text().startswith("! Fit ΔE00 ≤ ")
-    worst = max(row.delta_e_2000 for row in designer.desk.fit.angles)
+    worst = max(row.delta_e_2000 for row in designer.desk.fit.readings)
     assert abs(float(fit.text().split("≤ ")[1].split(",")[0]) - worst) <= 0.01
-    given = designer.desk.fit.angles[2].fitted
+    given = designer.desk.fit.readings[2].lab_fitted
     assert f"fit {given[0]:.1f} / " in fit.toolTip().splitlines()[2]
     # Of a paint that cannot be, only what is asked is said.
     type_in(designer.window.coat.panel.fields["gloss.gu_20"], "199")

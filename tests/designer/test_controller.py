@@ -6,7 +6,7 @@ from unittest.mock import create_autospec
 
 import numpy as np
 import pytest
-from brdf_designer.assembly import paint_format, shipped_paint
+from brdf_designer.assembly import paint_format
 from brdf_designer.controller import Controller, View
 from brdf_designer.desk import Desk
 from brdf_designer.desk_state import curves_of
@@ -18,7 +18,8 @@ from brdf_qt.status_line import StatusLine
 
 from brdf_suite.documents.store import paint_from_json
 from brdf_suite.fitting.lobes.solver import SolverOutcome
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint
 
 
 @pytest.fixture(scope="module")
@@ -31,7 +32,7 @@ class Parts:
 
     def __init__(self, fitter, dialogs) -> None:
         self.view = create_autospec(View, instance=True)
-        self.documents = Documents(shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
+        self.documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
         self.published = []
         self.desk = Desk(self.documents, fitter, lambda *message: self.published.append(message), self.view)
         self.controller = Controller(self.view, self.desk)

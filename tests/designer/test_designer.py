@@ -6,7 +6,7 @@ import json
 from dataclasses import replace
 
 import pytest
-from brdf_designer.assembly import Designer, shipped_paint
+from brdf_designer.assembly import Designer
 from brdf_qt.command_palette import commands
 from brdf_qt.dialogs import Answer
 from brdf_qt.link import LiveLink
@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 
 from brdf_suite.documents.paint import Measurement
 from brdf_suite.documents.store import load_paint, paint_from_json, save_paint
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.reflectance.gloss_reading import total_gloss
 
 
@@ -89,7 +90,7 @@ def test_undo_by_keyboard_reaches_the_document_from_a_number_field(designer, qtb
     type_in(number, "12")
     number.setFocus()
     QTest.keySequence(number, "Ctrl+Z")
-    assert designer.store.value == shipped_paint("blue")
+    assert designer.store.value == load_shipped_paint("blue")
     assert number.value() == 8.0
 
 
@@ -278,11 +279,11 @@ def test_closing_asks_about_unsaved_changes(designer, dialogs, tmp_path, own_ses
 def test_a_paint_that_another_program_changed_is_not_written_over(designer, dialogs, tmp_path):
     dialogs.path = tmp_path / "mine"
     action(designer, "File ▸ Save").trigger()
-    save_paint(shipped_paint("red"), tmp_path / "mine.brdfpaint")
+    save_paint(load_shipped_paint("red"), tmp_path / "mine.brdfpaint")
     type_in(field(designer, 0, 0), "70")
     action(designer, "File ▸ Save").trigger()
     assert dialogs.asked == ["changed mine.brdfpaint"]
-    assert load_paint(tmp_path / "mine.brdfpaint") == shipped_paint("red")
+    assert load_paint(tmp_path / "mine.brdfpaint") == load_shipped_paint("red")
     assert designer.window.isWindowModified()
 
 
@@ -316,7 +317,7 @@ def test_the_flakes_section_says_what_they_do(designer, qtbot):
 
 def test_a_bad_file_is_told_and_the_open_paint_stays(designer, dialogs, tmp_path):
     bad = tmp_path / "bad.brdfpaint"
-    save_paint(shipped_paint("red"), bad)
+    save_paint(load_shipped_paint("red"), bad)
     content = json.loads(bad.read_text())
     content["measurements"][1]["lab"][0] = "bright"
     bad.write_text(json.dumps(content))
@@ -330,7 +331,7 @@ def test_a_bad_file_is_told_and_the_open_paint_stays(designer, dialogs, tmp_path
 
 def test_a_shipped_paint_opens_as_a_document_without_a_file(designer):
     action(designer, "File ▸ Open Shipped Paint ▸ Fine silver").trigger()
-    assert designer.store.value == shipped_paint("fine_silver")
+    assert designer.store.value == load_shipped_paint("fine_silver")
     assert designer.store.path is None
     assert "outside" in designer.window.status.cell("Gamut").text().lower()
 
@@ -367,12 +368,11 @@ def test_every_control_has_a_name_for_a_screen_reader(designer):
 
 
 def test_a_double_click_on_a_number_goes_back_to_the_opened_document(designer, tmp_path) -> None:
-    from brdf_designer.assembly import shipped_paint
 
     from brdf_suite.documents.store import save_paint
 
     file = tmp_path / "matte.brdfpaint"
-    paint = shipped_paint("satin_blue")
+    paint = load_shipped_paint("satin_blue")
     save_paint(paint, file)
     assert designer.documents.open(file)
     gloss = designer.window.coat.panel.fields["gloss.gu_20"]

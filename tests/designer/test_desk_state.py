@@ -6,13 +6,14 @@ import dataclasses
 
 import numpy as np
 import pytest
-from brdf_designer.assembly import new_paint, shipped_paint
+from brdf_designer.assembly import new_paint
 from brdf_designer.desk_state import colours_of, curves_of
 from brdf_designer.display import component_tracks, lab_to_codes
 from brdf_designer.patches import lab_text
 
 from brdf_suite.documents.paint import solid_paint
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.resources import resource_names
 
 
@@ -23,7 +24,7 @@ def fitter() -> PaintFitter:
 
 def test_the_curve_passes_through_the_readings(fitter):
     for name in resource_names("paints", ".brdfpaint"):
-        paint = shipped_paint(name)
+        paint = load_shipped_paint(name)
         curves = curves_of(fitter.fit(paint))
         for m in paint.measurements:
             if m.illumination_deg != 45.0:
@@ -33,7 +34,7 @@ def test_the_curve_passes_through_the_readings(fitter):
 
 
 def test_the_strip_begins_and_ends_with_the_readings(fitter):
-    paint = shipped_paint("blue")
+    paint = load_shipped_paint("blue")
     curves = curves_of(fitter.fit(paint))
     ends, _ = lab_to_codes([paint.lab_at(15.0), paint.lab_at(110.0)])
     assert np.abs(curves.strip_rgb[[0, -1]].astype(int) - ends.astype(int)).max() <= 1

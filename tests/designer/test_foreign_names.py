@@ -20,7 +20,7 @@ from brdf_suite.acquisition.session_store import read_session, write_session
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint
-from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
+from brdf_suite.pipeline.material import load_document, load_shipped_paint
 
 
 def part(designer, kind):
@@ -54,7 +54,7 @@ def test_names_are_plain_text_in_the_whole_window(designer, hostile, walks, qtbo
     between.take(0.5)
     part(designer, HandoverControl).open()
     lobes = tmp_path / f"{walks.HOSTILE_FILE} lobes.brdfpaint"
-    save_paint(replace(find_any_paint("table1_blue"), name=walks.HOSTILE), lobes)
+    save_paint(replace(load_document("table1_blue"), name=walks.HOSTILE), lobes)
     measured = part(designer, MeasuredControl)
     measured.open(lobes)
     qtbot.waitUntil(lambda: measured.start_of_front() is not None)

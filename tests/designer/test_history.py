@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import pytest
-from brdf_designer.assembly import shipped_paint
 from brdf_designer.history import HistoryControl
 from brdf_designer.history_strip import name_lines
 from brdf_qt.document_store import DocumentStore
@@ -11,6 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+
+from brdf_suite.pipeline.material import load_shipped_paint
 
 
 @pytest.fixture
@@ -70,7 +71,7 @@ def test_an_earlier_state_can_be_a_new_step_or_a_tab(designer, history, qtbot):
     to, step, tab = history.menu_of(0).actions()
     step.trigger()
     qtbot.waitUntil(lambda: shown(history)[-1] == "Take Earlier State")
-    assert designer.store.value == shipped_paint("blue")
+    assert designer.store.value == load_shipped_paint("blue")
     assert designer.store.stack.count() == 3
     history.menu_of(1).actions()[2].trigger()
     assert designer.store.value.lab_at(15.0)[0] == 61.0

@@ -11,8 +11,8 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 
 from brdf_suite.documents.store import save_paint
-from brdf_suite.files.exports import FORMATS, Subject
-from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
+from brdf_suite.files.exports import FORMATS, ExportItem
+from brdf_suite.pipeline.material import load_document, load_shipped_paint
 
 
 @pytest.fixture
@@ -24,7 +24,7 @@ def control(desk) -> MeasuredControl:
 def cook_torrance(tmp_path):
     """A paint of Cook-Torrance lobes in a file."""
     path = tmp_path / "lobes.brdfpaint"
-    save_paint(replace(find_any_paint("table1_blue"), name="Lobes"), path)
+    save_paint(replace(load_document("table1_blue"), name="Lobes"), path)
     return path
 
 
@@ -99,7 +99,7 @@ def test_a_handed_over_file_opens_its_paints(desk, control, qtbot, tmp_path) -> 
     path = tmp_path / "season.cxf"
     form = next(known for known in FORMATS if known.ending == ".cxf")
     blue, red = load_shipped_paint("blue"), load_shipped_paint("red")
-    form.write([Subject(blue), Subject(red)], path, None)
+    form.write([ExportItem(blue), ExportItem(red)], path, None)
     desk.window.open_asked.emit(path)
     opened = [one.store.value for one in desk.documents.row]
     assert [paint.name for paint in opened] == [blue.name, red.name]
@@ -122,3 +122,10 @@ def test_what_is_neither_is_told_as_ever(desk, control, qtbot, tmp_path) -> None
     qtbot.waitUntil(lambda: "broken.bsdf" in desk.window.messages.shown()["open"].where)
     assert desk.desk.paint is before
     assert desk.window.progress.jobs == ()
+
+
+def test_every_kind_of_material_is_opened(desk, materials, qtbot) -> None:
+    for asked in materials.values():
+        before = desk.store.value
+        desk.open(asked)
+        qtbot.waitUntil(lambda before=before: desk.store.value is not before)

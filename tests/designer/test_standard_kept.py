@@ -13,7 +13,7 @@ from brdf_qt.settings import state_folder
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.pipeline.standard import Standard, standard_of
 from brdf_suite.reflectance.build import build_paint
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 
 import pytest
-from brdf_designer.assembly import shipped_paint
 from brdf_qt.command_palette import commands
 from brdf_qt.dialogs import Answer
 from brdf_qt.link_messages import OFFER
@@ -14,6 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTabBar
 
 from brdf_suite.documents.store import load_paint, paint_from_json, paint_to_json, save_paint
+from brdf_suite.pipeline.material import load_shipped_paint
 
 
 def choose(designer, path: str) -> None:
@@ -44,7 +44,7 @@ def three(designer):
 def test_what_is_opened_comes_in_a_tab_of_its_own_and_the_untouched_first_gives_way(three):
     assert titles(three) == ["Red", "Copper", "Champagne"]
     assert three.window.tabs.currentIndex() == 2
-    assert three.store.value == shipped_paint("champagne")
+    assert three.store.value == load_shipped_paint("champagne")
     choose(three, "File ▸ New")
     assert titles(three) == ["Red", "Copper", "Champagne", "Untitled"]
 
@@ -52,7 +52,7 @@ def test_what_is_opened_comes_in_a_tab_of_its_own_and_the_untouched_first_gives_
 def test_each_tab_has_its_own_paint_history_and_mark(three):
     lighten(three, 61)
     choose(three, "Window ▸ Next Tab")
-    assert three.store.value == shipped_paint("red")
+    assert three.store.value == load_shipped_paint("red")
     assert not three.window.undo_action.isEnabled()
     lighten(three, 62)
     lighten(three, 63)
@@ -61,7 +61,7 @@ def test_each_tab_has_its_own_paint_history_and_mark(three):
     choose(three, "Window ▸ Previous Tab")
     assert three.window.undo_action.text() == "&Undo Change L* at 15°"
     three.window.undo_action.trigger()
-    assert three.store.value == shipped_paint("champagne")
+    assert three.store.value == load_shipped_paint("champagne")
     assert titles(three) == ["• Red", "Copper", "Champagne"]
     assert not three.window.isWindowModified()
     three.window.tabs.setCurrentIndex(0)
@@ -79,7 +79,7 @@ def test_ctrl_tab_goes_round(three):
 
 def test_a_file_that_is_open_comes_to_the_front_also_by_another_name_of_it(designer, dialogs, tmp_path):
     file, link = tmp_path / "mine.brdfpaint", tmp_path / "link.brdfpaint"
-    save_paint(shipped_paint("red"), file)
+    save_paint(load_shipped_paint("red"), file)
     link.symlink_to(file)
     assert designer.documents.open(file)
     lighten(designer, 61)
@@ -97,7 +97,7 @@ def test_tabs_are_dragged_into_another_order(three):
     assert three.documents.front.title == "Champagne"
     QTest.keySequence(three.window, "Ctrl+Tab")
     assert three.documents.front.title == "Red"
-    assert three.store.value == shipped_paint("red")
+    assert three.store.value == load_shipped_paint("red")
 
 
 @pytest.mark.parametrize("answer", list(Answer))
@@ -130,7 +130,7 @@ def test_a_closed_tab_is_had_back_with_its_history_and_what_was_not_saved(three,
     (file,) = own_session.rglob("*.recovery.json")
     three.window.undo_action.trigger()
     three.window.undo_action.trigger()
-    assert three.store.value == shipped_paint("champagne")
+    assert three.store.value == load_shipped_paint("champagne")
     qtbot.waitUntil(lambda: not file.exists())
     assert not three.window.reopen_action.isEnabled()
 
@@ -171,10 +171,10 @@ def test_the_other_programs_are_told_of_the_tab_in_front(three, qtbot, monkeypat
         three.window.tabs.setCurrentIndex(place)
         qtbot.waitUntil(lambda place=place: len(told) == place + 1)
     # A paint that is not in front is changed by nobody, and told to nobody.
-    three.documents.row[2].store.set(shipped_paint("blue"), "Elsewhere")
+    three.documents.row[2].store.set(load_shipped_paint("blue"), "Elsewhere")
     qtbot.wait(20)
     assert told == ["Red", "Copper"]
-    assert three.window.editors.editors[0].fields[0].value() == shipped_paint("copper").lab_at(15.0)[0]
+    assert three.window.editors.editors[0].fields[0].value() == load_shipped_paint("copper").lab_at(15.0)[0]
 
 
 def test_a_double_click_on_a_number_goes_back_to_what_its_own_tab_had(three):
@@ -184,14 +184,14 @@ def test_a_double_click_on_a_number_goes_back_to_what_its_own_tab_had(three):
     field = three.window.editors.editors[0].fields[0]
     assert field.value() == 61.0
     field.reset()
-    assert three.store.value == shipped_paint("champagne")
+    assert three.store.value == load_shipped_paint("champagne")
 
 
 def test_saving_names_the_tab_after_its_file(three, dialogs, tmp_path):
     dialogs.path = tmp_path / "mine"
     choose(three, "File ▸ Save")
     assert titles(three) == ["Red", "Copper", "mine.brdfpaint"]
-    assert load_paint(tmp_path / "mine.brdfpaint") == shipped_paint("champagne")
+    assert load_paint(tmp_path / "mine.brdfpaint") == load_shipped_paint("champagne")
     bar = three.window.tabs
     assert bar.tabToolTip(2) == str(tmp_path / "mine.brdfpaint")
     assert bar.accessibleTabName(2) == "mine.brdfpaint"
@@ -199,12 +199,12 @@ def test_saving_names_the_tab_after_its_file(three, dialogs, tmp_path):
 
 def test_a_gesture_ends_with_the_tab_that_it_was_made_in(three):
     three.desk.begin_gesture("Drag")
-    three.desk.edit(shipped_paint("blue"), "Drag")
+    three.desk.edit(load_shipped_paint("blue"), "Drag")
     three.window.tabs.setCurrentIndex(0)
     assert not three.desk.in_gesture
-    three.desk.edit(shipped_paint("blue"), "Drag")
+    three.desk.edit(load_shipped_paint("blue"), "Drag")
     three.window.tabs.setCurrentIndex(2)
-    three.desk.edit(shipped_paint("silver_metallic"), "Drag")
+    three.desk.edit(load_shipped_paint("silver_metallic"), "Drag")
     assert three.store.stack.count() == 2
 
 
@@ -218,11 +218,11 @@ def test_a_paint_that_arrives_in_the_midst_of_a_drag_waits_for_its_end(designer,
     start = band.grip_centres()[0].toPoint()
     QTest.mousePress(band, Qt.MouseButton.LeftButton, pos=start)
     QTest.mouseMove(band, start - QPoint(0, 8))
-    designer.link.received.emit(OFFER, offer_of(shipped_paint("red")))
+    designer.link.received.emit(OFFER, offer_of(load_shipped_paint("red")))
     assert designer.documents.row == (before,)
     QTest.mouseMove(band, start - QPoint(0, 16))
     QTest.mouseRelease(band, Qt.MouseButton.LeftButton, pos=start)
-    qtbot.waitUntil(lambda: designer.store.value == shipped_paint("red"))
+    qtbot.waitUntil(lambda: designer.store.value == load_shipped_paint("red"))
     assert before.store.stack.count() == 1
     assert designer.store.stack.count() == 0
 
@@ -235,7 +235,7 @@ def test_a_hand_that_a_switch_leaves_behind_moves_nothing_of_the_new_front(three
     for up in (8, 16):
         QTest.mouseMove(band, start - QPoint(0, up))
     QTest.mouseRelease(band, Qt.MouseButton.LeftButton, pos=start)
-    assert three.store.value == shipped_paint("red")
+    assert three.store.value == load_shipped_paint("red")
     assert three.store.stack.count() == 0
     slider = three.window.editors.editors[0].sliders[0]
     QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=slider.rect().center())

@@ -6,7 +6,7 @@ from dataclasses import replace
 from unittest.mock import create_autospec
 
 import pytest
-from brdf_designer.assembly import paint_format, shipped_paint
+from brdf_designer.assembly import paint_format
 from brdf_designer.controller import Controller, View
 from brdf_designer.desk import Desk, Fitter
 from brdf_designer.fields import _EDITS, edited
@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry
 from brdf_suite.documents.paint import Flakes, OrangePeel
 from brdf_suite.errors import UnreachableError
+from brdf_suite.pipeline.material import load_shipped_paint
 
 ODD = st.one_of(st.floats(-5, 120).map(lambda x: round(x, 2)), st.just(-1000.0), st.just(1e-9))
 """Numbers of a hand, and some that must be refused."""
@@ -104,9 +105,9 @@ def desk(qapp, dialogs):
     fitter = create_autospec(Fitter, instance=True)
     fitter.fit.side_effect = FITTER_IS_NOT_ASKED
     view = create_autospec(View, instance=True)
-    documents = Documents(shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
-    documents.add(shipped_paint("red"))
-    documents.add(shipped_paint("copper"))
+    documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
+    documents.add(load_shipped_paint("red"))
+    documents.add(load_shipped_paint("copper"))
     desk = Desk(documents, fitter, lambda *_: None, view)
     desk.controller = Controller(view, desk)
     yield desk
@@ -164,7 +165,7 @@ def act(desk, draw) -> None:
         # Another part of the desk edits by a step of its own, in a gesture or not.
         if draw(st.booleans()):
             desk.begin_gesture("Take")
-        desk.edit(shipped_paint(draw(st.sampled_from(["champagne", "silver_metallic"]))), "Take")
+        desk.edit(load_shipped_paint(draw(st.sampled_from(["champagne", "silver_metallic"]))), "Take")
     elif what == "go":
         desk.go_to(draw(st.integers(0, desk.documents.front.store.stack.count())))
     elif what == "move_tab":

@@ -16,7 +16,7 @@ from PySide6.QtTest import QTest
 from brdf_suite.appearance.words import WORDS
 from brdf_suite.documents.paint import Gloss, Measurement, solid_paint
 from brdf_suite.documents.store import save_paint
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.pipeline.variations_mix import mixed
 
 PROGRAM = Path(__file__).parent / "thumbnail_program.py"

@@ -18,8 +18,9 @@ from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, P
 from brdf_suite.documents.store import PAINT_ENDING, load_paint
 from brdf_suite.errors import FileError, SuiteError, ValueRangeError
 from brdf_suite.files.cxf import read_cxf
-from brdf_suite.files.exports import FORMATS, ExportFormat, Spectra, Subject, read_paints
+from brdf_suite.files.exports import FORMATS, ExportFormat, ExportItem, Spectra, read_paints
 from brdf_suite.files.measured import read_measured
+from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.build import build_paint, build_reflectance
 from brdf_suite.reflectance.spectrophotometer import measure
 from brdf_suite.reflectance.tensor.tabulate import tabulate
@@ -40,10 +41,10 @@ BY_NAME = {known.name: known for known in FORMATS}
 
 
 @pytest.fixture(scope="module")
-def subjects() -> dict[str, Subject]:
+def subjects() -> dict[str, ExportItem]:
     """The paint as each format gets it; the table is made once."""
-    designed = Subject(PAINT, PAINT)
-    tabulated = Subject(PAINT, PAINT, tabulate(build_paint(PAINT)))
+    designed = ExportItem(PAINT)
+    tabulated = ExportItem(PAINT, Material("whole", tabulate(build_paint(PAINT)), document=PAINT))
     return {known.name: tabulated if known.name == "rgl" else designed for known in FORMATS}
 
 
@@ -57,7 +58,7 @@ def labs(paint: Paint) -> dict[tuple[float, float], tuple[float, float, float]]:
 
 
 def test_what_is_lost_is_reported_in_sentences(known: ExportFormat) -> None:
-    reported = known.losses(Subject(PAINT, PAINT))
+    reported = known.losses(ExportItem(PAINT))
     assert all(
         (sentence[0].isupper() or sentence.startswith("glTF")) and sentence.endswith(".")
         for sentence in reported
@@ -72,7 +73,7 @@ def test_what_is_lost_is_reported_in_sentences(known: ExportFormat) -> None:
 
 
 def test_a_paint_comes_back_as_it_was(
-    known: ExportFormat, subjects: dict[str, Subject], tmp_path: Path
+    known: ExportFormat, subjects: dict[str, ExportItem], tmp_path: Path
 ) -> None:
     path = tmp_path / f"paint{known.ending}"
     known.write([subjects[known.name]], path, None)
@@ -98,7 +99,7 @@ def test_several_paints_go_into_one_file_or_are_refused_before(known: ExportForm
         notes="",
     )
     path = tmp_path / f"paints{known.ending}"
-    known.write([Subject(PAINT, PAINT), Subject(two_lights, two_lights)], path, None)
+    known.write([ExportItem(PAINT), ExportItem(two_lights)], path, None)
     if known.read is not None:
         first, second = read_paints(path).paints
         assert isinstance(first, Paint)
@@ -108,7 +109,7 @@ def test_several_paints_go_into_one_file_or_are_refused_before(known: ExportForm
 
 
 def test_where_nothing_can_be_written_the_error_says_so(
-    known: ExportFormat, subjects: dict[str, Subject], tmp_path: Path
+    known: ExportFormat, subjects: dict[str, ExportItem], tmp_path: Path
 ) -> None:
     for path in (tmp_path / "no folder" / f"paint{known.ending}", tmp_path):
         with pytest.raises(FileError, match=r"cannot be written|names no format"):
@@ -116,7 +117,7 @@ def test_where_nothing_can_be_written_the_error_says_so(
 
 
 def test_a_full_disk_leaves_the_old_file(
-    known: ExportFormat, subjects: dict[str, Subject], tmp_path: Path, full_disk: None
+    known: ExportFormat, subjects: dict[str, ExportItem], tmp_path: Path, full_disk: None
 ) -> None:
     path = tmp_path / f"paint{known.ending}"
     path.write_bytes(b"old")
@@ -133,7 +134,9 @@ class _NotANumber:
 
 def test_what_is_not_a_number_is_refused(tmp_path: Path) -> None:
     with pytest.raises(SuiteError):
-        BY_NAME["rgl"].write([Subject(PAINT, None, _NotANumber())], tmp_path / "nan.bsdf", None)
+        BY_NAME["rgl"].write(
+            [ExportItem(PAINT, Material("whole", _NotANumber()))], tmp_path / "nan.bsdf", None
+        )
     assert not list(tmp_path.iterdir())
     with pytest.raises(ValueRangeError, match="finite"):
         Spectra((400.0, 500.0), ((0.1, math.nan),))
@@ -148,12 +151,14 @@ def test_cxf_is_valid_against_the_schema(shared_data: Path, tmp_path: Path) -> N
     spectra = Spectra(
         tuple(np.linspace(400.0, 700.0, 31).tolist()), tuple((row * k).tolist() for k in (1.0, 0.5, 9.0))
     )
-    spectral = Subject(replace(PAINT, name="spectral\ufffe"), None, build_paint(PAINT), spectra)
-    reported = " ".join(BY_NAME["cxf"].losses(spectral))
-    assert "1 of 3 spectra are left out" in reported
-    assert "�" in reported
+    spectral = ExportItem(
+        replace(PAINT, name="spectral\ufffe"), Material("whole", build_paint(PAINT)), spectra
+    )
+    told = " ".join(BY_NAME["cxf"].losses(spectral))
+    assert "1 of 3 spectra are left out" in told
+    assert "�" in told
     path = tmp_path / "paints.cxf"
-    BY_NAME["cxf"].write([Subject(PAINT, PAINT), spectral], path, None)
+    BY_NAME["cxf"].write([ExportItem(PAINT), spectral], path, None)
     xmlschema.XMLSchema(shared_data / "palettes" / "cxf" / "CxF3_Core.xsd").validate(path)
     plain, measured = read_cxf(path).samples
     assert plain.paint() == PAINT
@@ -165,7 +170,9 @@ def test_cxf_is_valid_against_the_schema(shared_data: Path, tmp_path: Path) -> N
 
 def test_uneven_spectra_are_read_off_and_reported(tmp_path: Path) -> None:
     bands = (380.5, 450.0, 600.0, 750.0)
-    subject = Subject(PAINT, None, build_paint(PAINT), Spectra(bands, ((0.1, 0.2, 0.3, 0.4),) * 3))
+    subject = ExportItem(
+        PAINT, Material("whole", build_paint(PAINT)), Spectra(bands, ((0.1, 0.2, 0.3, 0.4),) * 3)
+    )
     assert any("every 10 nm" in sentence for sentence in BY_NAME["cxf"].losses(subject))
     BY_NAME["cxf"].write([subject], tmp_path / "a.cxf", None)
     found = read_cxf(tmp_path / "a.cxf").samples[0].readings[0]
@@ -177,7 +184,7 @@ def test_uneven_spectra_are_read_off_and_reported(tmp_path: Path) -> None:
 
 def test_a_paint_that_is_not_designed_says_that_readings_go_in(tmp_path: Path) -> None:
     document = CookTorrancePaint("grey", (0.2, 0.2, 0.2))
-    subject = Subject(PAINT, document, build_reflectance(document))
+    subject = ExportItem(PAINT, Material("whole", build_reflectance(document), document=document))
     for name in ("cxf", "csv"):
         assert any("virtual instruments" in sentence for sentence in BY_NAME[name].losses(subject))
     assert BY_NAME["json"].losses(subject) == ()
@@ -222,7 +229,7 @@ def test_damaged_tables_are_refused_with_the_line(tmp_path: Path, text: str, pla
 
 
 def test_texts_are_no_formulas_to_a_spreadsheet(tmp_path: Path) -> None:
-    BY_NAME["csv"].write([Subject(PAINT, PAINT)], tmp_path / "a.csv", None)
+    BY_NAME["csv"].write([ExportItem(PAINT)], tmp_path / "a.csv", None)
     row = next(csv.DictReader((tmp_path / "a.csv").read_text(encoding="utf-8-sig").splitlines(keepends=True)))
     assert row["name"].startswith("'=")
     assert row["source"].startswith("'-")
@@ -230,7 +237,7 @@ def test_texts_are_no_formulas_to_a_spreadsheet(tmp_path: Path) -> None:
 
 def test_json_holds_what_follows_from_the_readings(tmp_path: Path) -> None:
     path = tmp_path / "a.json"
-    BY_NAME["json"].write([Subject(PAINT, PAINT)], path, None)
+    BY_NAME["json"].write([ExportItem(PAINT)], path, None)
     (item,) = json.loads(path.read_text())["paints"]
     assert item["readings"][1]["geometry"] == "45as45"
     assert item["readings"][1]["lch"][1] == pytest.approx(math.hypot(2.1, 23.5))
@@ -256,5 +263,5 @@ def test_every_shipped_paint_comes_back_to_the_last_bit(name: str, tmp_path: Pat
         for known in resource_names("paints", PAINT_ENDING)
     ]
     path = tmp_path / f"all{BY_NAME[name].ending}"
-    BY_NAME[name].write([Subject(paint, paint) for paint in paints], path, None)
+    BY_NAME[name].write([ExportItem(paint) for paint in paints], path, None)
     assert read_paints(path).paints == tuple(paints)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
-from brdf_suite.files.exports import FORMATS, Subject
+from brdf_suite.files.exports import FORMATS, ExportItem
 from brdf_suite.files.exports.carpaint_fit import fit_carpaint
 from brdf_suite.files.exports.metal_rough_fit import fit_gltf, fit_openpbr
 from brdf_suite.files.exports.model_fit import sample_paint
@@ -36,7 +36,7 @@ def test_models_of_renderers_come_near_at_the_readings() -> None:
 def test_materialx_takes_the_openpbr_surface(tmp_path: Path) -> None:
     mx = pytest.importorskip("MaterialX")
     path = tmp_path / "a.mtlx"
-    BY_NAME["openpbr"].write([Subject(PAINT, PAINT)] * 2, path, None)
+    BY_NAME["openpbr"].write([ExportItem(PAINT)] * 2, path, None)
     library, document = mx.createDocument(), mx.createDocument()
     mx.loadLibraries(mx.getDefaultDataLibraryFolders(), mx.getDefaultDataSearchPath(), library)
     mx.readFromXmlFile(document, str(path))
@@ -72,7 +72,7 @@ def test_the_shader_of_materialx_reflects_as_the_fitted_model(tmp_path: Path) ->
     from brdf_suite.realtime.context import create_context, release_context
 
     path = tmp_path / "a.mtlx"
-    BY_NAME["openpbr"].write([Subject(PAINT, PAINT)], path, None)
+    BY_NAME["openpbr"].write([ExportItem(PAINT)], path, None)
     library, document = mx.createDocument(), mx.createDocument()
     folders = mx.getDefaultDataSearchPath()
     mx.loadLibraries(mx.getDefaultDataLibraryFolders(), folders, library)
@@ -127,7 +127,7 @@ def test_gltf_is_read_by_another_library(tmp_path: Path) -> None:
     import trimesh
 
     path = tmp_path / "a.gltf"
-    BY_NAME["gltf"].write([Subject(PAINT, PAINT)], path, None)
+    BY_NAME["gltf"].write([ExportItem(PAINT)], path, None)
     material = pygltflib.GLTF2().load(str(path)).materials[0]
     found = fit_gltf(PAINT)
     assert material.extensions["KHR_materials_clearcoat"]["clearcoatFactor"] == 1.0
@@ -193,7 +193,7 @@ def test_luxcore_itself_renders_the_material_as_it_was_fitted(tmp_path: Path) ->
     if importlib.util.find_spec("pyluxcore") is None:
         pytest.skip("could not import pyluxcore")
     path = tmp_path / "a.scn"
-    BY_NAME["luxcore"].write([Subject(PAINT, PAINT)], path, None)
+    BY_NAME["luxcore"].write([ExportItem(PAINT)], path, None)
     views = [math.radians(45.0 - angle) for angle in LABS]
     done = subprocess.run(
         [sys.executable, "-c", _LUX, str(path), "gold_fine", *map(repr, views)],

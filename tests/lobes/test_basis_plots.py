@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from brdf_lobe_visualizer.basis_part import BASIS, Basis
 from brdf_lobe_visualizer.basis_run import BasisRun
-from brdf_lobe_visualizer.subjects import Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 
 from brdf_suite.fitting.basis_search.document import save_state
 from brdf_suite.fitting.basis_search.stored import load_search
 from brdf_suite.fitting.lobes.basis import STORED_NAME
-from brdf_suite.pipeline.scene import find_any_paint
+from brdf_suite.pipeline.material import Material, load_document
 from brdf_suite.reflectance.build import build_reflectance
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.resources import resource, resource_root
@@ -58,7 +58,7 @@ def test_the_stored_search_is_drawn(basis) -> None:
 def test_the_selected_paint_has_its_errors_live(basis, desk, qtbot) -> None:
     search = load_search(STORED)
     for name in ("blue_metallic", "satin_blue"):
-        desk.add(Subject(name, name, build_reflectance(find_any_paint(name))))
+        desk.add(PlottedMaterial(name, name, Material(name, build_reflectance(load_document(name)))))
     for name in ("blue_metallic", "satin_blue"):
         desk.set_front(name)
         qtbot.waitUntil(
@@ -67,7 +67,7 @@ def test_the_selected_paint_has_its_errors_live(basis, desk, qtbot) -> None:
         errors = basis.view.plots.own[1]
         place = search.paints.index(name)
         assert errors.errors == pytest.approx([result.errors[place] for result in search.results], rel=1e-6)
-    desk.add(Subject("satin_blue", "matt", Lambertian(0.5)))
+    desk.add(PlottedMaterial("satin_blue", "matt", Material("matt", Lambertian(0.5))))
     qtbot.waitUntil(lambda: not basis.view.plots.own[1].whole)
     assert "matt: colour alone" in basis.view.note.text()
     desk.set_subjects(())

@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import INCIDENCE_DEG, Options
-from brdf_lobe_visualizer.subjects import Subject, SubjectFit
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 
 from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
 
@@ -27,8 +29,8 @@ def desk(qapp):
     assert desk.tasks.stop()
 
 
-def subject(key: str, **fields) -> Subject:
-    return Subject(key, key.upper(), Lambertian((0.5, 0.5, 0.5)), **fields)
+def subject(key: str, **fields) -> PlottedMaterial:
+    return PlottedMaterial(key, key.upper(), Material(key.upper(), Lambertian((0.5, 0.5, 0.5))), **fields)
 
 
 def keys(subjects) -> list[str]:
@@ -120,7 +122,7 @@ def test_a_lobe_that_is_switched_off_weighs_nothing_and_comes_back(desk) -> None
     weights = LobeWeights(
         np.array([5.0, 50.0]), np.ones(3), np.full((2, 3), 2.0), np.full((2, 3), 3.0), 0.7, 1.5
     )
-    one = subject("a", fit=SubjectFit(weights, 0.001))
+    one = subject("a", fit=LobeFit(Material("fit", weights), "measured", weights, {}, (), 0.001))
     assert desk.weights_of(subject("b")) is None
     assert desk.weights_of(one) is weights
     desk.switch_lobe("gloss", 1, False)

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from brdf_lobe_visualizer.factors_part import Factors
 from brdf_lobe_visualizer.factors_view import grid_of, title_of
-from brdf_lobe_visualizer.subjects import Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 
 from brdf_suite.pipeline.factor_pictures import angles_at, factor_pictures, factored_in
+from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.factor_map import MapFactor
 from brdf_suite.reflectance.factored import Factored
 from brdf_suite.reflectance.models.coated import Coated
@@ -81,8 +82,8 @@ def test_the_panel_shows_the_front_one_and_says_where_there_is_nothing(window_wi
     program = window_with_factors
     part = next(one for one in program.parts if isinstance(one, Factors))
     part.dock.show()
-    program.sources.add(Subject("", "Satin", product()))
-    program.sources.add(Subject("", "Matt", MODELS["lambertian"].default))
+    program.sources.add(PlottedMaterial("", "Satin", Material("Satin", product())))
+    program.sources.add(PlottedMaterial("", "Matt", Material("Matt", MODELS["lambertian"].default)))
     satin, matt = program.desk.subjects
     program.desk.set_front(satin.key)
     view = part.panel.view

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Future
 from dataclasses import replace
 
 import numpy as np
@@ -11,8 +12,8 @@ from brdf_qt.link import LiveLink
 
 from brdf_suite.documents.paint import Gloss, solid_paint
 from brdf_suite.documents.store import paint_to_json
-from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import Material, load_shipped_paint
 from brdf_suite.reflectance.registry import MODELS
 
 
@@ -32,7 +33,7 @@ def told(program, paint) -> None:
 
 
 def front_lab(program) -> float:
-    return program.desk.subject(KEY).paint.measurements[0].lab[0]
+    return program.desk.subject(KEY).material.document.measurements[0].lab[0]
 
 
 def test_designers_paint_comes_over_the_link_and_changes_with_it(following, qtbot, own_session) -> None:
@@ -45,7 +46,7 @@ def test_designers_paint_comes_over_the_link_and_changes_with_it(following, qtbo
         designer.publish("paint", paint_to_json(paint))
         qtbot.waitUntil(lambda: following.desk.subject(KEY) is not None)
         subject = following.desk.subject(KEY)
-        assert (subject.paint, following.desk.front.key) == (paint, KEY)
+        assert (subject.material.document, following.desk.front.key) == (paint, KEY)
         assert subject.fit.worst_delta_e is not None
         assert "Designer" in following.window.status.cell("link").text()
         lighter = replace(
@@ -53,7 +54,7 @@ def test_designers_paint_comes_over_the_link_and_changes_with_it(following, qtbo
             measurements=tuple(replace(m, lab=(m.lab[0] + 3.0, *m.lab[1:])) for m in paint.measurements),
         )
         designer.publish("paint", paint_to_json(lighter))
-        qtbot.waitUntil(lambda: following.desk.subject(KEY).paint == lighter)
+        qtbot.waitUntil(lambda: following.desk.subject(KEY).material.document == lighter)
         now = following.desk.subject(KEY)
         assert (now.colour, now.dash) == (subject.colour, subject.dash)
         assert len(following.desk.subjects) == 1
@@ -75,7 +76,7 @@ def test_a_paint_that_cannot_be_leaves_the_one_before(following, qtbot) -> None:
     bad = replace(good, gloss=Gloss(90.0, 40.0))
     told(following, bad)
     qtbot.waitUntil(lambda: "designer's paint" in following.window.messages.shown())
-    assert following.desk.subject(KEY).paint == good
+    assert following.desk.subject(KEY).material.document == good
     told(following, good)
     qtbot.waitUntil(lambda: "designer's paint" not in following.window.messages.shown())
 
@@ -96,7 +97,7 @@ def test_every_subject_is_fitted_and_the_bar_tells_of_it(opened, program) -> Non
     opened("blue", "table1_white", "lambertian")
     blue, white, matt = program.desk.subjects
     assert blue.fit.worst_delta_e < 0.5
-    assert {s.fit.source.kind for s in (blue, white)} == {"designed", "cook_torrance"}
+    assert {s.fit.kind for s in (blue, white)} == {"designed", "cook_torrance"}
     np.testing.assert_allclose(matt.fit.weights.kd, np.array([0.8, 0.5, 0.2]) / np.pi, rtol=0.05)
     program.desk.set_front(blue.key)
     assert "fit" in program.window.status.cell("fit").text()
@@ -107,16 +108,17 @@ def test_every_subject_is_fitted_and_the_bar_tells_of_it(opened, program) -> Non
 def test_a_fit_that_time_has_limited_says_so(opened, program) -> None:
     opened("blue")
     (blue,) = program.desk.subjects
-    program.desk.change(blue.key, fit=replace(blue.fit, time_limited=True, exact_follows=True))
+    limited = replace(blue.fit, weights=replace(blue.fit.weights, time_limited=True))
+    program.desk.change(blue.key, fit=replace(limited, exact=Future()))
     assert "the exact one follows" in program.window.status.cell("fit").text()
-    program.desk.change(blue.key, fit=replace(blue.fit, time_limited=True))
+    program.desk.change(blue.key, fit=limited)
     assert "the best that was found" in program.window.status.cell("fit").text()
 
 
 def test_a_subject_that_changes_is_fitted_anew(opened, program, qtbot) -> None:
     opened("lambertian")
     (matt,) = program.desk.subjects
-    program.desk.change(matt.key, reflectance=MODELS["phong"].default)
+    program.desk.change(matt.key, material=Material("Phong", MODELS["phong"].default))
     qtbot.waitUntil(lambda: program.desk.subject(matt.key).fit is not matt.fit, timeout=30_000)
     assert (
         program.desk.subject(matt.key).fit.weights.kg.any()
@@ -129,9 +131,9 @@ def test_what_cannot_be_fitted_is_shown_without_one(program, qtbot) -> None:
         def eval(self, wi, wo):
             return np.full(np.broadcast_shapes(np.shape(wi), np.shape(wo)), np.nan)
 
-    from brdf_lobe_visualizer.subjects import Subject
+    from brdf_lobe_visualizer.subjects import PlottedMaterial
 
-    key = program.sources.add(Subject("", "No numbers", Broken()))
+    key = program.sources.add(PlottedMaterial("", "No numbers", Material("No numbers", Broken())))
     qtbot.waitUntil(lambda: f"fit {key}" in program.window.messages.shown(), timeout=30_000)
     assert program.desk.subject(key).fit is None
     program.desk.remove(key)

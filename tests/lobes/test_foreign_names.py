@@ -12,7 +12,7 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint
-from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
+from brdf_suite.pipeline.material import load_document, load_shipped_paint
 
 
 @pytest.fixture
@@ -34,7 +34,7 @@ def test_names_are_plain_text_in_the_whole_window(whole, walks, qtbot, tmp_path:
     palette = tmp_path / f"{walks.HOSTILE_FILE}.brdfpalette"
     copper = replace(load_shipped_paint("copper"), name=walks.HOSTILE)
     save_paint(copper, paint)
-    save_paint(replace(find_any_paint("table1_blue"), name=walks.HOSTILE), lobes)
+    save_paint(replace(load_document("table1_blue"), name=walks.HOSTILE), lobes)
     save_palette(
         Palette(walks.HOSTILE, (Entry(copper), Entry(replace(copper, name=f"{walks.HOSTILE} 2")))), palette
     )

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import pytest
 from brdf_lobe_visualizer.legend import ERROR, REFERENCE, SOLO, TITLE
-from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, Subject
+from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, PlottedMaterial
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QColorDialog
 
+from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.reflectance_figures_errors import errors_between
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
@@ -19,7 +20,9 @@ def three(program, monkeypatch):
     """Three matt reflectances on the desk, the first in front; nothing is fitted."""
     monkeypatch.setattr(program.fits, "_fit", lambda _subject: None)
     for share in (0.2, 0.4, 0.8):
-        program.sources.add(Subject("", f"Matt {share}", Lambertian((share,) * 3)))
+        program.sources.add(
+            PlottedMaterial("", f"Matt {share}", Material(f"Matt {share}", Lambertian((share,) * 3)))
+        )
     return program
 
 
@@ -170,6 +173,6 @@ def test_lines_take_another_colour_and_go_back(three) -> None:
 
 def test_more_subjects_than_colours_still_have_lines_of_their_own(three) -> None:
     for _ in range(20):
-        three.sources.add(Subject("", "More", Lambertian((0.1, 0.1, 0.1))))
+        three.sources.add(PlottedMaterial("", "More", Material("More", Lambertian((0.1, 0.1, 0.1)))))
     lines = [(s.colour, s.dash) for s in three.desk.subjects]
     assert len(set(lines)) == len(lines) == 23

@@ -6,10 +6,11 @@ import csv
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.subjects import Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 
+from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.registry import MODELS
 
@@ -19,8 +20,8 @@ def two(program, qtbot, monkeypatch):
     """Two matt reflectances, and the panel Numbers with their figures."""
     monkeypatch.setattr(program.fits, "_fit", lambda _subject: None)
     program.numbers.choose_group("overview")
-    program.sources.add(Subject("", "Grey", Lambertian((0.5, 0.5, 0.5))))
-    program.sources.add(Subject("", "Red", Lambertian((0.6, 0.1, 0.1))))
+    program.sources.add(PlottedMaterial("", "Grey", Material("Grey", Lambertian((0.5, 0.5, 0.5)))))
+    program.sources.add(PlottedMaterial("", "Red", Material("Red", Lambertian((0.6, 0.1, 0.1)))))
     program.numbers.dock.show()
     wait(program, qtbot)
     return program
@@ -81,7 +82,7 @@ def test_errors_come_with_a_reference(two, qtbot) -> None:
 
 def test_figures_follow_a_subject_that_changes_and_are_stale_until_then(two, qtbot) -> None:
     key = two.desk.subjects[0].key
-    two.desk.change(key, reflectance=Lambertian((0.9, 0.9, 0.9)))
+    two.desk.change(key, material=Material("Grey", Lambertian((0.9, 0.9, 0.9))))
     assert two.numbers.work.is_stale(key)
     wait(two, qtbot)
     assert float(shown(two)["hemispherical albedo, red"][0]) == pytest.approx(0.9, abs=2e-3)
@@ -90,7 +91,7 @@ def test_figures_follow_a_subject_that_changes_and_are_stale_until_then(two, qtb
 def test_nothing_is_worked_out_while_nobody_looks(two) -> None:
     two.numbers.dock.hide()
     before = two.numbers.work.figures(two.desk.subjects[0].key)
-    two.desk.change(two.desk.subjects[0].key, reflectance=Lambertian((0.1, 0.1, 0.1)))
+    two.desk.change(two.desk.subjects[0].key, material=Material("Grey", Lambertian((0.1, 0.1, 0.1))))
     assert two.numbers.is_complete
     assert two.numbers.work.figures(two.desk.subjects[0].key) is before
 
@@ -102,7 +103,9 @@ def test_only_an_anisotropic_one_is_worked_out_anew_where_the_azimuth_turns(two,
     assert two.numbers.work.figures(two.desk.subjects[0].key) is grey
     metal = MODELS["poulin_fournier"].default
     wanted = [
-        two.numbers.work._wanted_of(Subject("m", "Metal", metal, isotropic=isotropic))
+        two.numbers.work._wanted_of(
+            PlottedMaterial("m", "Metal", Material("Metal", metal), isotropic=isotropic)
+        )
         for isotropic in (False, True)
     ]
     assert [w.azimuth_deg for w in wanted] == [90.0, 0.0]

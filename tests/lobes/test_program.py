@@ -12,15 +12,16 @@ import pytest
 from brdf_lobe_visualizer import remembered
 from brdf_lobe_visualizer.__main__ import parser
 from brdf_lobe_visualizer.script import apply_subjects, apply_view, incidence, shown
-from brdf_lobe_visualizer.subjects import Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 from PySide6.QtGui import QImage
 
+from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
 SLOW = {
     "brdf_suite.pipeline.measuring",
     "brdf_suite.pipeline.scene",
-    "brdf_suite.pipeline.any_fit",
+    "brdf_suite.fitting.lobes.undivided",
     "trimesh",
     "moderngl",
     "colour",
@@ -77,7 +78,7 @@ def test_the_command_line_sets_the_view_of_the_run(program) -> None:
     program.window.inspector_dock.show()
     assert program.numbers.panel.buttons["errors"].isChecked()
     for name in ("A", "B"):
-        program.sources.add(Subject("", name, Lambertian((0.5, 0.5, 0.5))))
+        program.sources.add(PlottedMaterial("", name, Material(name, Lambertian((0.5, 0.5, 0.5)))))
     apply_subjects(program, options)
     assert (desk.front.title, desk.compared.title) == ("B", "A")
 

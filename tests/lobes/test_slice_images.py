@@ -7,13 +7,15 @@ import pytest
 from brdf_lobe_visualizer.slice_image_layout import Room, best_layout
 from brdf_lobe_visualizer.slice_options import SliceOptions
 from brdf_lobe_visualizer.slices import HALF_ANGLE, UNROLLED
-from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, Subject, SubjectFit
+from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, PlottedMaterial
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import mirror
+from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
 
 
@@ -25,13 +27,20 @@ class Spike:
         return np.repeat((1e4 * np.maximum(dot, 0.0) ** 1e5)[..., None], 3, axis=-1)
 
 
-def matt_fit() -> SubjectFit:
+def matt_fit() -> LobeFit:
     zero = np.zeros((1, 3))
-    return SubjectFit(LobeWeights(np.array([9.0]), np.full(3, 0.1), zero, zero, np.pi / 4.0, 1.0), 0.0)
+    return LobeFit(
+        Material("fit", LobeWeights(np.array([9.0]), np.full(3, 0.1), zero, zero, np.pi / 4.0, 1.0)),
+        "measured",
+        LobeWeights(np.array([9.0]), np.full(3, 0.1), zero, zero, np.pi / 4.0, 1.0),
+        {},
+        (),
+        0.0,
+    )
 
 
-def subject(key: str, reflectance: object, **more: object) -> Subject:
-    return Subject(key, key, reflectance, LINE_COLOURS[0], DASHES[0], **more)
+def subject(key: str, reflectance: object, **more: object) -> PlottedMaterial:
+    return PlottedMaterial(key, key, Material(key, reflectance), LINE_COLOURS[0], DASHES[0], **more)
 
 
 @pytest.fixture

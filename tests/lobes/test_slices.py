@@ -11,7 +11,7 @@ import pytest
 from brdf_lobe_visualizer.slice_options import SliceOptions, SliceState
 from brdf_lobe_visualizer.slice_pens import colour_of
 from brdf_lobe_visualizer.slices import HALF_ANGLE, POLAR, UNROLLED
-from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, SamplePoints, Subject, SubjectFit
+from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, PlottedMaterial, SamplePoints
 from pyqtgraph import TextItem
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QMouseEvent, QPalette
@@ -19,6 +19,8 @@ from PySide6.QtWidgets import QApplication
 
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import illumination, mirror, spherical
+from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.slices import light_at, view_at
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
@@ -42,13 +44,22 @@ class Nothing:
         return np.full(np.broadcast_shapes(wi.shape, wo.shape), np.nan)
 
 
-def fit_of(kd: float) -> SubjectFit:
+def fit_of(kd: float) -> LobeFit:
     zero = np.zeros((1, 3))
-    return SubjectFit(LobeWeights(np.array([9.0]), np.full(3, kd), zero, zero, np.pi / 4.0, 1.0), 0.0)
+    return LobeFit(
+        Material("fit", LobeWeights(np.array([9.0]), np.full(3, kd), zero, zero, np.pi / 4.0, 1.0)),
+        "measured",
+        LobeWeights(np.array([9.0]), np.full(3, kd), zero, zero, np.pi / 4.0, 1.0),
+        {},
+        (),
+        0.0,
+    )
 
 
-def subject(key: str, reflectance: object, number: int = 0, **more: object) -> Subject:
-    return Subject(key, key, reflectance, LINE_COLOURS[number], DASHES[number % len(DASHES)], **more)
+def subject(key: str, reflectance: object, number: int = 0, **more: object) -> PlottedMaterial:
+    return PlottedMaterial(
+        key, key, Material(key, reflectance), LINE_COLOURS[number], DASHES[number % len(DASHES)], **more
+    )
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from threading import Event
 import numpy as np
 import pytest
 from brdf_lobe_visualizer import sources_control
-from brdf_lobe_visualizer.sources import MOST_AT_ONCE, MeasuredBins, kind_of, names, open_source
+from brdf_lobe_visualizer.sources import MOST_AT_ONCE, MeasuredBins, names, open_source
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QPushButton, QWidget
@@ -20,6 +20,7 @@ from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.measured import write_measured
 from brdf_suite.geometry.directions import illumination, mirror
+from brdf_suite.pipeline.material import file_kind
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.registry import MODELS
 from brdf_suite.reflectance.tabulated.coverage import Coverage
@@ -57,7 +58,7 @@ def test_every_name_that_is_listed_can_be_opened(name: str) -> None:
     light = illumination(45.0)
     assert np.isfinite(subject.reflectance.eval(light, mirror(light))).all()
     listed = {origin for group in names().values() for _title, origin in group}
-    assert {subject.origin, name} <= listed
+    assert {subject.material.origin, name} <= listed
 
 
 @pytest.mark.parametrize(
@@ -82,8 +83,8 @@ def test_measured_files_are_known_by_their_content(shared_data, tmp_path, file, 
 def test_a_paint_under_another_name_is_still_a_paint(tmp_path) -> None:
     renamed = tmp_path / "paint.json"
     shutil.copy(resource("paints", "copper.brdfpaint"), renamed)
-    assert kind_of(str(renamed)) == "paint"
-    assert only(renamed).paint.name == "Copper"
+    assert file_kind(renamed) == "paint"
+    assert only(renamed).material.document.name == "Copper"
 
 
 def test_a_brushed_metal_is_anisotropic_and_a_table_is_not(holed_table) -> None:
@@ -285,3 +286,9 @@ def test_reading_that_lasts_is_shown_and_can_be_cancelled(program, qtbot, monkey
     qtbot.waitUntil(ended.is_set)
     assert program.window.messages.shown() == {}
     assert program.desk.subjects == ()
+
+
+def test_every_kind_of_material_is_opened(materials) -> None:
+    light = illumination(45.0)
+    for asked in materials.values():
+        assert np.isfinite(open_source(asked).subjects[0].reflectance.eval(light, light)).all(), asked

@@ -8,12 +8,13 @@ from brdf_lobe_visualizer.assembly import LobeVisualizer
 from brdf_lobe_visualizer.numbers import Numbers
 from brdf_lobe_visualizer.parts import PARTS
 from brdf_lobe_visualizer.plot_row import PlotRow
-from brdf_lobe_visualizer.subjects import Subject
+from brdf_lobe_visualizer.subjects import PlottedMaterial
 from brdf_qt.command_palette import commands
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.registry import MODELS
 
@@ -135,8 +136,10 @@ def test_odd_reflectances_have_a_picture_and_figures_and_no_exception(whole, qtb
     for key in whole.window.plots.plots:
         whole.window.plots.set_shown(key, key != "basis", remember=False)
     whole.numbers.dock.show()
-    key = whole.sources.add(Subject("", name, ODD[name](), isotropic=name != "anisotropic"))
-    whole.sources.add(Subject("", "Matt", Lambertian((0.5, 0.5, 0.5))))
+    key = whole.sources.add(
+        PlottedMaterial("", name, Material(name, ODD[name]()), isotropic=name != "anisotropic")
+    )
+    whole.sources.add(PlottedMaterial("", "Matt", Material("Matt", Lambertian((0.5, 0.5, 0.5)))))
     whole.desk.set_compared(key)
     for incidence in ((0.0, 0.0), (60.0, 90.0), (89.9, 0.0)):
         whole.desk.set_incidence(*incidence)
@@ -164,7 +167,7 @@ def test_the_whole_program_has_its_parts_and_no_shortcut_twice(whole) -> None:
 def test_keys_of_the_legend_are_the_legends_own(whole, qtbot) -> None:
     """Space is the sweep of the light elsewhere."""
     whole.desk.set_subjects(())
-    key = whole.sources.add(Subject("", "Matt", Lambertian((0.5, 0.5, 0.5))))
+    key = whole.sources.add(PlottedMaterial("", "Matt", Material("Matt", Lambertian((0.5, 0.5, 0.5)))))
     before = whole.desk.incidence
     rows = whole.legend.legend.rows
     rows.setFocus()

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import trimesh
 from brdf_lobe_visualizer.camera import Camera, remembered, told
-from brdf_lobe_visualizer.subjects import SamplePoints, Subject, SubjectFit
+from brdf_lobe_visualizer.subjects import PlottedMaterial, SamplePoints
 from brdf_qt import theme
 from PIL import Image
 from PySide6.QtCore import QCoreApplication, QPoint, QPointF, Qt
@@ -19,13 +19,15 @@ from PySide6.QtTest import QTest
 
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import mirror, spherical
+from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
 from brdf_suite.reflectance.registry import MODELS
 
 RED = (0.9, 0.15, 0.1)
 
 
-def shown(space, *subjects: Subject) -> QImage:
+def shown(space, *subjects: PlottedMaterial) -> QImage:
     """Put subjects on the desk and return the picture of the view, without the frame about the lobes."""
     space.state.set(hemisphere=False, labels=False, arrows=False, rings=False, colouring="line")
     space._desk.set_subjects(subjects)
@@ -68,17 +70,17 @@ def lobe(exponent: float = 60.0, kd: float = 0.02, kg: float = 1.0) -> CosineLob
     return CosineLobes((kd,) * 3, (exponent,), ((0.0,) * 3,), ((kg,) * 3,))
 
 
-def fit(reflectance: CosineLobes) -> SubjectFit:
+def fit(reflectance: CosineLobes) -> LobeFit:
     weights = LobeWeights(
         reflectance.exponents, np.array(reflectance.kd), reflectance.kdd, reflectance.kg, 0.7, 1.5
     )
-    return SubjectFit(weights, 0.001)
+    return LobeFit(Material("fit", weights), "measured", weights, {}, (), 0.001)
 
 
 @pytest.mark.parametrize(("theta", "phi"), [(50.0, 0.0), (30.0, 180.0), (65.0, 20.0)])
 def test_the_lobe_is_where_the_mirror_direction_is(space, program, theta: float, phi: float) -> None:
     program.desk.set_incidence(theta, phi)
-    seen = red_of(shown(space, Subject("a", "A", lobe(), RED)))
+    seen = red_of(shown(space, PlottedMaterial("a", "A", Material("A", lobe()), RED)))
     top = mirror(program.desk.light)
     # Along the mirror direction up to just below radius 1; not past it, and not towards the light.
     for reach in (0.3, 0.6, 0.93):
@@ -88,7 +90,7 @@ def test_the_lobe_is_where_the_mirror_direction_is(space, program, theta: float,
 
 
 def test_a_spike_of_exponent_1e5_is_seen_up_to_its_tip(space, program) -> None:
-    seen = red_of(shown(space, Subject("a", "A", lobe(1e5, kd=0.0), RED)))
+    seen = red_of(shown(space, PlottedMaterial("a", "A", Material("A", lobe(1e5, kd=0.0)), RED)))
     top = mirror(program.desk.light)
     for reach in (0.2, 0.5, 0.85):
         row, column = spot(space, reach * top)
@@ -102,12 +104,12 @@ def test_holes_and_zero_are_a_picture_and_a_note(space, program) -> None:
             value[np.asarray(wo)[..., 0] > 0.0] = np.nan
             return value
 
-    seen = red_of(shown(space, Subject("a", "A", Holed(), RED)))
+    seen = red_of(shown(space, PlottedMaterial("a", "A", Material("A", Holed()), RED)))
     # Matt is a hemisphere: half of it is left out, and its inside shows.
     assert seen[spot(space, 0.9 * spherical(np.radians(45.0), np.pi))]
     assert not seen[spot(space, 0.97 * spherical(np.radians(60.0), 0.0))]
     assert "holes" in space.view.scene.panels[0].note
-    seen = red_of(shown(space, Subject("a", "A", lobe(kd=0.0, kg=0.0), RED)))
+    seen = red_of(shown(space, PlottedMaterial("a", "A", Material("A", lobe(kd=0.0, kg=0.0)), RED)))
     assert not seen.any()
     assert "zero" in space.view.scene.panels[0].note
     assert program.window.messages.shown() == {} or not list(program.window.messages.shown())
@@ -121,13 +123,15 @@ def test_a_model_that_fails_is_told_and_ends_nothing(space, program) -> None:
         def eval(self, wi, wo):
             raise ZeroDivisionError("nothing to divide by")
 
-    shown(space, Subject("a", "A", Broken(), RED))
+    shown(space, PlottedMaterial("a", "A", Material("A", Broken()), RED))
     assert "space a" in list(program.window.messages.shown())
     assert "no value in any direction" in space.view.scene.panels[0].note
 
 
 def test_brushed_metal_turns_with_the_azimuth(space, program) -> None:
-    subject = Subject("a", "A", MODELS["poulin_fournier"].default, RED, isotropic=False)
+    subject = PlottedMaterial(
+        "a", "A", Material("A", MODELS["poulin_fournier"].default), RED, isotropic=False
+    )
     space.go_to("top")
     shown(space, subject)
     pictures = []
@@ -158,7 +162,7 @@ def test_what_is_slow_follows_a_drag_and_holds_nothing_up(space, program, qtbot)
             return np.repeat(cosine[..., None], 3, axis=-1)
 
     model = Slow()
-    shown(space, Subject("slow", "A", model, RED))
+    shown(space, PlottedMaterial("slow", "A", Material("A", model), RED))
     kept = space._values._kept["slow"]
     kept.seconds = 1.0  # as after a long evaluation
     model.may.clear()
@@ -168,7 +172,7 @@ def test_what_is_slow_follows_a_drag_and_holds_nothing_up(space, program, qtbot)
         space.draw_now()
     assert (panel := space.view.scene.panels[0]).layers, "the lobes of before stay"
     assert "was before" in panel.note
-    space._desk.set_subjects((Subject("slow", "A", Slow(), RED),))
+    space._desk.set_subjects((PlottedMaterial("slow", "A", Material("A", Slow()), RED),))
     space.draw_now()
     assert space.view.scene.panels[0].layers, "of what is edited, too"
     assert not any(model.threads)
@@ -181,7 +185,7 @@ def test_what_is_slow_follows_a_drag_and_holds_nothing_up(space, program, qtbot)
 
 def test_target_and_fit_over_one_another_beside_and_their_difference(space, program) -> None:
     target, other = lobe(60.0), lobe(20.0, kg=0.8)
-    subject = Subject("a", "A", target, RED, fit=fit(other))
+    subject = PlottedMaterial("a", "A", Material("A", target), RED, fit=fit(other))
     shown(space, subject)
     for what, panels, layers in (("fit", 1, 1), ("both", 1, 2), ("side by side", 2, 1), ("difference", 1, 1)):
         program.desk.set_options(shown=what)
@@ -198,7 +202,7 @@ def test_target_and_fit_over_one_another_beside_and_their_difference(space, prog
     np.testing.assert_allclose(surface.values, wanted, atol=1e-5 * np.abs(wanted).max())
     assert space.view.scene.bar is not None
     # Against a reference instead of the fit.
-    program.desk.add(Subject("b", "B", lobe(kd=0.2, kg=0.0), RED))
+    program.desk.add(PlottedMaterial("b", "B", Material("B", lobe(kd=0.2, kg=0.0)), RED))
     program.desk.set_compared("b")
     settle(space)
     assert [panel.title for panel in space.view.scene.panels] == ["A"]
@@ -214,7 +218,16 @@ def test_lobes_alone_stacked_and_switched_off(space, program) -> None:
         0.7,
         1.5,
     )
-    shown(space, Subject("a", "A", lobe(), RED, fit=SubjectFit(weights, 0.001)))
+    shown(
+        space,
+        PlottedMaterial(
+            "a",
+            "A",
+            Material("A", lobe()),
+            RED,
+            fit=LobeFit(Material("fit", weights), "measured", weights, {}, (), 0.001),
+        ),
+    )
     program.desk.set_options(shown="fit")
     for view, panels, layers in (("apart", 4, 1), ("stacked", 1, 4), ("parts", 1, 3), ("sum", 1, 1)):
         space.state.set(lobes=view)
@@ -238,7 +251,7 @@ def test_samples_lie_on_the_surface_at_their_incidence(space, program) -> None:
     wi = spherical(np.radians([45.0, 45.5, 70.0]), np.radians([10.0, 200.0, 0.0]))
     wo = spherical(np.radians([40.0, 20.0, 10.0]), np.radians([190.0, 30.0, 180.0]))
     samples = SamplePoints(wi, wo, model.eval(wi, wo))
-    shown(space, Subject("a", "A", model, RED, samples=samples))
+    shown(space, PlottedMaterial("a", "A", Material("A", model), RED, samples=samples))
     points = space.view.scene.panels[0].points
     # Two lie near this incidence; of an isotropic reflectance what is not in its plane stands on both sides.
     assert len(points.places) == 3
@@ -258,7 +271,9 @@ def test_samples_lie_on_the_surface_at_their_incidence(space, program) -> None:
 def test_a_sample_behind_a_lobe_is_seen_faintly(space, program) -> None:
     behind = spherical(np.radians(60.0), np.radians(70.0))
     samples = SamplePoints(program.desk.light[None], behind[None], np.array([[0.0, 0.0, 0.01]]), False)
-    with_it = pixels(shown(space, Subject("a", "A", lobe(kd=0.3, kg=0.0), RED, samples=samples)))
+    with_it = pixels(
+        shown(space, PlottedMaterial("a", "A", Material("A", lobe(kd=0.3, kg=0.0)), RED, samples=samples))
+    )
     at = spot(space, space.view.scene.panels[0].points.places[0])
     space.state.set(samples=False)
     without = pixels(picture(space))
@@ -267,7 +282,9 @@ def test_a_sample_behind_a_lobe_is_seen_faintly(space, program) -> None:
 
 
 def test_the_body_of_a_coated_paint_is_seen_at_once(space, program) -> None:
-    assert red_of(shown(space, Subject("a", "A", lobe(1e5, kg=1500.0), RED)))[spot(space, (0.15, 0.0, 0.42))]
+    assert red_of(shown(space, PlottedMaterial("a", "A", Material("A", lobe(1e5, kg=1500.0)), RED)))[
+        spot(space, (0.15, 0.0, 0.42))
+    ]
     assert "cut off" in space.view.scene.panels[0].caption
     space.state.set(fill="greatest")
     assert not red_of(picture(space))[spot(space, (0.15, 0.0, 0.42))]
@@ -275,7 +292,7 @@ def test_the_body_of_a_coated_paint_is_seen_at_once(space, program) -> None:
 
 def test_the_light_is_dragged_by_its_handle_and_turned_by_alt(space, program) -> None:
     view, desk = space.view, program.desk
-    shown(space, Subject("a", "A", lobe(), RED))
+    shown(space, PlottedMaterial("a", "A", Material("A", lobe()), RED))
     space.state.set(arrows=True)
     space.go_to("top")
     settle(space)
@@ -340,7 +357,7 @@ def test_the_sweep_moves_the_light(space, program) -> None:
 def test_what_is_under_the_cursor_is_read(space, program) -> None:
     from brdf_lobe_visualizer.space_probe import words_of
 
-    shown(space, Subject("a", "A", lobe(5.0), RED))
+    shown(space, PlottedMaterial("a", "A", Material("A", lobe(5.0)), RED))
     at = space.view.project((0.0, 0.0, 0.2), space.view.rooms()[0])
     probe = space.view.probe_at(at)
     assert probe is not None
@@ -357,7 +374,9 @@ def test_what_is_under_the_cursor_is_read(space, program) -> None:
 
 def test_pictures_and_surfaces_are_written_and_read_back(space, program, tmp_path: Path) -> None:
     space.go_to("three_quarters")
-    program.desk.set_subjects([Subject("a", "A <b>", lobe(), RED, fit=fit(lobe(30.0)))])
+    program.desk.set_subjects(
+        [PlottedMaterial("a", "A <b>", Material("A <b>", lobe()), RED, fit=fit(lobe(30.0)))]
+    )
     program.desk.set_options(shown="both")
     space.state.set(colouring="values")
     section = space.save.section
@@ -399,7 +418,7 @@ def test_every_theme_draws_its_own_ground(space, program, qapp) -> None:
         for name in ("dark", "booth", "light"):
             theme.apply(qapp, name, remember=False)
             QCoreApplication.processEvents()
-            image = pixels(shown(space, Subject("a", "A", lobe(), RED)))
+            image = pixels(shown(space, PlottedMaterial("a", "A", Material("A", lobe()), RED)))
             grounds.append(int(image[-5, 5, 0]))
             assert np.ptp(image[-5, 5]) == 0
     finally:

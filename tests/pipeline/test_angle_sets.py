@@ -11,7 +11,7 @@ from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.pipeline.angle_sets import at_geometries, set_name, with_angle, without_angle
-from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
+from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.reflectance.build import build_paint
 
 ONE_LIGHT = ("e2194", "five", "six")

@@ -16,9 +16,9 @@ from brdf_suite.errors import Cancelled, FileError, FittingError, UnreachableErr
 from brdf_suite.files.measured import FORMATS, write_measured
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.pipeline.any_fit import fit_any, fit_reflectance
 from brdf_suite.pipeline.fit_errors import held_out_errors
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.lobe_fit import PaintFitter, fit_material
+from brdf_suite.pipeline.material import Material, load_material, load_shipped_paint
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
@@ -29,11 +29,11 @@ from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 
 def test_a_designed_paint_keeps_its_fit() -> None:
-    found = fit_any("blue")
+    found = fit_material(load_material("blue"), errors=True)
     assert found.kind == "designed"
-    assert found.paint_fit is not None
-    np.testing.assert_array_equal(found.weights.kdd, found.paint_fit.weights.kdd)
-    assert found.worst_delta_e == found.paint_fit.worst_delta_e < 0.2
+    edited = PaintFitter(time_limit_s=1.0).fit(load_shipped_paint("blue"))
+    np.testing.assert_array_equal(found.weights.kdd, edited.weights.kdd)
+    assert found.worst_delta_e == edited.worst_delta_e < 0.2
     assert found.weights.base_under_coat
     assert found.held_out is not None
     assert found.held_out.relative_rms < 0.2
@@ -41,7 +41,7 @@ def test_a_designed_paint_keeps_its_fit() -> None:
 
 @pytest.mark.parametrize("name", TABLE_1)
 def test_the_paints_of_table_1_meet_their_readings(name: str) -> None:
-    found = fit_any(name)
+    found = fit_material(load_material(name), errors=True)
     assert found.kind == "cook_torrance"
     assert not found.weights.base_under_coat
     # Round lobes cannot be narrower across the plane than in it, which a lobe of slope .075 is (Blue Matte).
@@ -56,13 +56,16 @@ def test_the_paints_of_table_1_meet_their_readings(name: str) -> None:
 
 def test_layers_are_called_what_they_are_and_keep_their_notices() -> None:
     paint = build_paint(load_shipped_paint("blue"))
-    told = fit_reflectance("blue", replace(paint, notices=("made up",)))
+    told = fit_material(Material("blue", replace(paint, notices=("made up",)), notices=("made up",)))
     assert told.kind == "designed"
     assert told.notices == ("made up",)
-    coated = fit_reflectance("coated", Coated(Lambertian((0.4, 0.2, 0.1))), notices=("before",))
+    coated = fit_material(Material("coated", Coated(Lambertian((0.4, 0.2, 0.1))), notices=("before",)))
     assert coated.kind == "layered"
     assert coated.notices == ("before",)
-    assert fit_reflectance("coated", Coated(CookTorrance(TABLE_1["table1_white"]))).kind == "cook_torrance"
+    assert (
+        fit_material(Material("coated", Coated(CookTorrance(TABLE_1["table1_white"])))).kind
+        == "cook_torrance"
+    )
 
 
 def test_a_fit_of_measured_data_can_be_cancelled_while_it_works(shared_data: Path) -> None:
@@ -74,21 +77,23 @@ def test_a_fit_of_measured_data_can_be_cancelled_while_it_works(shared_data: Pat
             raise Cancelled
 
     with pytest.raises(Cancelled):
-        fit_any(shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf", progress=cancel)
-    assert told == ["reading", "fitting", "fitting", "fitting"]
+        fit_material(
+            load_material(shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf"), errors=True, progress=cancel
+        )
+    assert told == ["fitting", "fitting", "fitting"]
 
 
 def test_a_clearcoat_of_its_own_is_the_coat(tmp_path: Path) -> None:
     path = tmp_path / "coated.brdfpaint"
     save_paint(replace(TABLE_1["table1_white"], clearcoat=Clearcoat(1.6, 0.005)), path)
-    found = fit_any(path)
+    found = fit_material(load_material(path), errors=True)
     assert found.weights.ior == 1.6
     assert found.weights.base_under_coat
 
 
 def test_without_a_sharp_lobe_there_is_no_coat() -> None:
     paint = CookTorrancePaint("matt", (0.1, 0.2, 0.3))
-    found = fit_reflectance("matt", CookTorrance(paint))
+    found = fit_material(Material("matt", CookTorrance(paint)))
     assert found.weights.ior == 1.0
     assert not found.weights.kg.any()
     assert any("no sharp lobe" in notice for notice in found.notices)
@@ -104,7 +109,7 @@ def test_a_table_is_fitted_undivided(tmp_path: Path) -> None:
             continue
         path = tmp_path / ("table" + known.endings[0])
         write_measured(table if known.name == "brdftable" else paint, path)
-        found[known.name] = fit_any(path)
+        found[known.name] = fit_material(load_material(path), errors=True)
     assert len(found) == 3
     for fit in found.values():
         assert fit.kind == "measured"
@@ -121,7 +126,7 @@ def test_measured_files_are_judged_where_the_fit_did_not_look(shared_data: Path)
         ("vch_golden_yellow_rgb.bsdf", 0.7, 0.06),
         ("krylon_blue.brdf", 1.1, 0.05),
     ):
-        found = fit_any(shared_data / "brdf" / name)
+        found = fit_material(load_material(shared_data / "brdf" / name), errors=True)
         assert found.held_out is not None
         assert 0.0 < found.held_out.relative_rms < relative
         assert 0.0 < found.held_out.figures.cube_root_rms < cube_root
@@ -131,7 +136,7 @@ def test_measured_files_are_judged_where_the_fit_did_not_look(shared_data: Path)
 
 def test_scattered_angles_are_those_of_samples(shared_data: Path) -> None:
     """No colour is interpolated: every judged geometry is a measured one, told by its own angles."""
-    found = fit_any(shared_data / "brdf" / "cayman.brdf", errors=False)
+    found = fit_material(load_material(shared_data / "brdf" / "cayman.brdf"))
     samples = found.reflectance
     assert {round(row.illumination_deg) for row in found.angles} == {40}
     for row in found.angles:
@@ -146,7 +151,7 @@ def test_scattered_angles_are_those_of_samples(shared_data: Path) -> None:
 
 def test_the_folds_never_see_what_they_are_judged_on(shared_data: Path) -> None:
     """A sample of nonsense worsens the held-out error and is not followed."""
-    samples = fit_any(shared_data / "brdf" / "krylon_blue.brdf", errors=False)
+    samples = fit_material(load_material(shared_data / "brdf" / "krylon_blue.brdf"))
     before = held_out_errors(samples.reflectance, samples.weights)
     values = np.array(samples.reflectance.values)
     values[700] = 1_000.0
@@ -157,7 +162,7 @@ def test_the_folds_never_see_what_they_are_judged_on(shared_data: Path) -> None:
 
 
 def test_of_very_many_samples_a_share_judges(shared_data: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    found = fit_any(shared_data / "brdf" / "krylon_blue.brdf")
+    found = fit_material(load_material(shared_data / "brdf" / "krylon_blue.brdf"), errors=True)
     monkeypatch.setattr("brdf_suite.pipeline.fit_errors._MOST_IN_A_FOLD", 400)
     fewer = held_out_errors(found.reflectance, found.weights)
     assert found.held_out is not None
@@ -168,7 +173,7 @@ def test_of_very_many_samples_a_share_judges(shared_data: Path, monkeypatch: pyt
 
 
 def test_few_samples_have_no_held_out_error(shared_data: Path) -> None:
-    found = fit_any(shared_data / "brdf" / "bird_example.json")
+    found = fit_material(load_material(shared_data / "brdf" / "bird_example.json"), errors=True)
     assert found.held_out is None
     assert found.angles == ()
     assert found.worst_delta_e is None
@@ -178,7 +183,7 @@ def test_few_samples_have_no_held_out_error(shared_data: Path) -> None:
 def test_another_basis() -> None:
     basis = LobeBasis((2.0, 20.0, 2_000.0))
     for name in ("blue", "table1_white"):
-        assert fit_any(name, basis, errors=False).weights.exponents.tolist() == [2.0, 20.0, 2_000.0]
+        assert fit_material(load_material(name), basis).weights.exponents.tolist() == [2.0, 20.0, 2_000.0]
 
 
 @pytest.mark.parametrize("bad", [np.nan, -1.0])
@@ -188,20 +193,20 @@ def test_bad_values_are_refused_by_name(bad: float) -> None:
             return np.full(np.broadcast_shapes(wi.shape, wo.shape), bad)
 
     with pytest.raises(FittingError, match="cannot be fitted"):
-        fit_reflectance("bad", Bad())
+        fit_material(Material("bad", Bad()))
 
 
 def test_what_is_not_there_or_no_paint_is_told(tmp_path: Path) -> None:
     with pytest.raises(FileError, match="table1_white"):
-        fit_any("nothing")
+        fit_material(load_material("nothing"), errors=True)
     noise = tmp_path / "noise.binary"
     noise.write_bytes(bytes(range(256)) * 20)
     with pytest.raises(FileError, match=r"noise\.binary"):
-        fit_any(noise)
+        fit_material(load_material(noise), errors=True)
     path = tmp_path / "dull.brdfpaint"
     path.write_text(json.dumps(_unreachable()))
     with pytest.raises(UnreachableError, match=r"dull\.brdfpaint"):
-        fit_any(path)
+        fit_material(load_material(path), errors=True)
 
 
 def _unreachable() -> dict[str, object]:

@@ -8,31 +8,31 @@ import pytest
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
-from brdf_suite.documents.store import save_paint
+from brdf_suite.documents.store import load_paint, save_paint
 from brdf_suite.errors import DocumentError, FileError
-from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import find_any_paint, find_paint
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_document
 
 
 def test_shipped_paints_table_1_and_files(tmp_path: Path) -> None:
-    assert isinstance(find_any_paint("blue"), Paint)
-    table_1 = find_any_paint("table1_blue")
+    assert isinstance(load_document("blue"), Paint)
+    table_1 = load_document("table1_blue")
     assert isinstance(table_1, CookTorrancePaint)
     path = tmp_path / "mine.brdfpaint"
     save_paint(table_1, path)
-    assert find_any_paint(path) == table_1
+    assert load_document(path) == table_1
 
 
 def test_what_is_not_there_is_told_with_what_is() -> None:
     with pytest.raises(FileError, match="table1_ford_f8"):
-        find_any_paint("nothing")
+        load_document("nothing")
 
 
 def test_where_readings_are_wanted_another_kind_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "mine.brdfpaint"
-    save_paint(find_any_paint("table1_blue"), path)
+    save_paint(load_document("table1_blue"), path)
     with pytest.raises(DocumentError, match="Cook-Torrance"):
-        find_paint(path)
+        load_paint(path)
 
 
 def test_a_fit_says_what_it_leaves_out_of_several_lights() -> None:
@@ -43,4 +43,4 @@ def test_a_fit_says_what_it_leaves_out_of_several_lights() -> None:
     assert fitter.fit(Paint("one", one, Gloss(90.0))).notices == ()
     fitted = fitter.fit(Paint("two", two, Gloss(90.0)))
     assert any("fitted with the light at 45°" in notice for notice in fitted.notices)
-    assert [row.delta_e_2000 < 0.1 for row in fitted.angles] == [True, True, True, False]
+    assert [row.delta_e_2000 < 0.1 for row in fitted.readings] == [True, True, True, False]

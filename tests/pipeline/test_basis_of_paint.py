@@ -11,7 +11,7 @@ from brdf_suite.errors import Cancelled
 from brdf_suite.fitting.basis_search.stored import load_search
 from brdf_suite.fitting.lobes.basis import STORED_NAME
 from brdf_suite.pipeline.basis_of_paint import errors_over_count
-from brdf_suite.pipeline.scene import find_any_paint
+from brdf_suite.pipeline.material import load_document
 from brdf_suite.reflectance.build import build_reflectance
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.resources import resource
@@ -20,7 +20,7 @@ from brdf_suite.resources import resource
 def test_a_shipped_paint_has_the_errors_of_the_stored_search() -> None:
     search = load_search(Path(str(resource("basis", STORED_NAME))))
     few = [result for result in search.results if result.count in (1, 3, 10)]
-    paint = build_reflectance(find_any_paint("blue_metallic"))
+    paint = build_reflectance(load_document("blue_metallic"))
     told: list[float] = []
     found = errors_over_count(
         paint,

@@ -23,7 +23,6 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, SurfaceLook
 from brdf_suite.errors import Cancelled, FileError, MissingExtraError, ValueRangeError
 from brdf_suite.pipeline import sheet_text, video
-from brdf_suite.pipeline.any_fit import fit_any
 from brdf_suite.pipeline.contact_sheet import (
     SheetItem,
     caption,
@@ -31,6 +30,8 @@ from brdf_suite.pipeline.contact_sheet import (
     write_sheet,
 )
 from brdf_suite.pipeline.contact_sheet_pictures import item_pictures
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.picture_file import PictureSettings
 from brdf_suite.pipeline.still import render_to_file
 from brdf_suite.pipeline.turning import turned
@@ -379,11 +380,11 @@ def test_a_cancelled_sheet_leaves_nothing(tmp_path: Path) -> None:
 
 
 def test_captions() -> None:
-    assert caption(fit_any("silver_metallic", errors=False))[:2] == [
+    assert caption(fit_material(load_material("silver_metallic")))[:2] == [
         "flop 18.3",
         "15°: L* 108.6  a* 0.3  b* 1.5",
     ]
-    assert len(caption(fit_any("table1_white", errors=False))) == 4
+    assert len(caption(fit_material(load_material("table1_white")))) == 4
 
 
 def test_text_fits_and_letters_that_no_font_has_are_told() -> None:

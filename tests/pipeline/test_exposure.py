@@ -11,8 +11,9 @@ import pytest
 from brdf_suite.appearance.colorimetry import LUMINANCE
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.files.images import write_exr
-from brdf_suite.pipeline.any_fit import fit_any
 from brdf_suite.pipeline.exposure import MIDDLE_GREY, automatic_ev, ev_of, exposed, metered
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_environment, load_surface
 
@@ -32,7 +33,7 @@ def scene(tmp_path: Path):
 
         light(1.0)
         scene.set_surface(load_surface("sphere"))
-        scene.set_paint_fit(fit_any("blue", errors=False))
+        scene.set_paint_fit(fit_material(load_material("blue")))
         scene.light = light
         yield scene
 

@@ -16,9 +16,9 @@ from brdf_suite.documents.store import load_any_paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.palettes.conversions import as_readings, face_lab
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.pipeline.any_fit import fit_any
 from brdf_suite.pipeline.factoring import FactoringOptions, factor_reflectance, save_factored
-from brdf_suite.pipeline.measuring import load_measurable
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.build import build_reflectance
 from brdf_suite.reflectance.factored import Factored
 from brdf_suite.reflectance.models.coated import Coated
@@ -43,7 +43,7 @@ def path(found, tmp_path_factory) -> Path:
 
 
 def test_the_file_is_the_product_that_was_found(found, path: Path) -> None:
-    value = load_measurable(path).reflectance
+    value = load_material(path).reflectance
     assert isinstance(value, Factored)
     np.testing.assert_allclose(value.eval(WI, WO), found.value.eval(WI, WO), rtol=1e-6)
     assert value.facts["largest"] == pytest.approx(found.value.facts["largest"])
@@ -51,11 +51,11 @@ def test_the_file_is_the_product_that_was_found(found, path: Path) -> None:
     np.testing.assert_allclose(value.eval(WI, WO), truth, rtol=0.35)
     table = path.with_name("polaris.brdftable")
     save_factored(found, table)
-    np.testing.assert_allclose(load_measurable(table).reflectance.eval(WI, WO), value.eval(WI, WO), rtol=1e-6)
+    np.testing.assert_allclose(load_material(table).reflectance.eval(WI, WO), value.eval(WI, WO), rtol=1e-6)
 
 
 def test_it_is_fitted_and_read_as_every_paint(path: Path) -> None:
-    fit = fit_any(path, errors=False)
+    fit = fit_material(load_material(path))
     assert fit.name == "Polaris"
     assert fit.weights.kd.shape == (3,)
     paint = load_any_paint(path)
@@ -89,4 +89,4 @@ def test_without_its_textures_a_palette_still_opens_and_the_paint_says_what_is_m
     moved = load_palette(file).entries[0].content
     assert moved == paint
     with pytest.raises(SuiteError, match="textures"):
-        load_measurable(out)
+        load_material(out)

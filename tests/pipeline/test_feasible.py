@@ -22,8 +22,8 @@ from brdf_suite.pipeline.feasible import (
     nearest_reachable,
 )
 from brdf_suite.pipeline.feasible_colours import nearest_in_cone
-from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.reflectance.build import build_paint
 
 BLUE = ((62.0, -4.0, -45.0), (25.0, 4.0, -38.0), (9.0, 8.0, -28.0))
@@ -45,7 +45,7 @@ def checked(found: Feasible | None, fitter: PaintFitter) -> Feasible:
     assert found is not None
     again = fitter.fit(found.paint)
     assert is_feasible(again)
-    assert max(again.angles[index].delta_e_2000 for index in judged(again)) <= TOLERANCE_DELTA_E
+    assert max(again.readings[index].delta_e_2000 for index in judged(again)) <= TOLERANCE_DELTA_E
     labs = [np.array([m.lab for m in item.measurements]) for item in (found.asked, found.paint)]
     assert found.delta_e == pytest.approx(delta_e_2000(*labs).tolist())
     return found
@@ -75,7 +75,7 @@ def test_what_no_lobes_give_is_offered_as_near_as_they_come(
     fit = fitter.fit(asked)
     assert not is_feasible(fit)
     found = checked(nearest_feasible(asked, fitter), fitter)
-    rows = np.array([row.fitted for row in fit.angles])
+    rows = np.array([row.fitted for row in fit.readings])
     given_by_fit = float((delta_e_2000(np.array(labs), rows) ** 2).sum())
     assert sum(d * d for d in found.delta_e) < 0.95 * given_by_fit, "nearer than what the fit gives anyway"
     assert not found.gloss_changed
@@ -142,8 +142,8 @@ def test_six_angles_with_one_reading_out_of_line(fitter: PaintFitter) -> None:
 def test_readings_under_a_second_light_are_left_alone(fitter: PaintFitter) -> None:
     shift = load_shipped_paint("teal_violet_shift")
     fit = fitter.fit(shift)
-    assert {fit.angles[index].illumination_deg for index in judged(fit)} == {45.0}
-    assert len(judged(fit)) < len(fit.angles)
+    assert {fit.readings[index].illumination_deg for index in judged(fit)} == {45.0}
+    assert len(judged(fit)) < len(fit.readings)
     asked = shift.with_lab(110.0, (95.0, 0.0, 0.0), 45.0)
     found = checked(nearest_feasible(asked, fitter), fitter)
     for before, after in zip(asked.measurements, found.paint.measurements, strict=True):

@@ -28,12 +28,12 @@ from brdf_suite.pipeline.handover import (
     format_named,
     format_of,
     formats,
+    item_of,
+    item_of_paint,
     read_paints,
-    subject_of,
-    subject_of_paint,
 )
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.pipeline.report import ReportOptions, build_report
-from brdf_suite.pipeline.scene import load_shipped_paint
 from brdf_suite.pipeline.standard import standard_of
 
 pytestmark = pytest.mark.usefixtures("shared_cache")
@@ -59,7 +59,7 @@ def test_every_format_has_a_name_and_an_ending_of_its_own() -> None:
 @pytest.mark.parametrize("name", ["html", "pdf"])
 def test_a_report_carries_the_paint(name: str, blue: Paint, tmp_path: Path) -> None:
     path = tmp_path / f"report.{name}"
-    done = export(format_named(name, PLAIN), [subject_of_paint(blue)], path)
+    done = export(format_named(name, PLAIN), [item_of_paint(blue)], path)
     assert done.losses
     assert done.losses[0].endswith(".")
     assert read_paints(path).paints == (blue,)
@@ -77,10 +77,10 @@ def test_a_report_leaves_the_old_file_on_a_full_disk(
     path = tmp_path / f"report.{name}"
     path.write_bytes(b"old")
     with pytest.raises(FileError, match="No space left"):
-        export(format_named(name, PLAIN), [subject_of_paint(blue)], path)
+        export(format_named(name, PLAIN), [item_of_paint(blue)], path)
     assert path.read_bytes() == b"old"
     with pytest.raises(FileError, match="cannot be written"):
-        export(format_named(name, PLAIN), [subject_of_paint(blue)], tmp_path / "none" / path.name)
+        export(format_named(name, PLAIN), [item_of_paint(blue)], tmp_path / "none" / path.name)
 
 
 class _Page(HTMLParser):
@@ -127,7 +127,7 @@ def test_the_page_shows_pictures_and_numbers_and_fetches_nothing(
         view=View(surface_look=bare),
         scale=0.08,
     )
-    export(format_named("html", options), [subject_of_paint(darker)], path)
+    export(format_named("html", options), [item_of_paint(darker)], path)
     text = path.read_text(encoding="utf-8")
     page = _Page()
     page.feed(text)
@@ -164,7 +164,7 @@ def test_the_pdf_is_one_page_with_the_paint_attached(blue: Paint, tmp_path: Path
         notes="a long note, " * 400,
         flakes=None,
     )
-    export(format_named("pdf", replace(PLAIN, standard=standard_of(blue))), [subject_of_paint(many)], path)
+    export(format_named("pdf", replace(PLAIN, standard=standard_of(blue))), [item_of_paint(many)], path)
     reader = pypdf.PdfReader(path)
     assert len(reader.pages) == 1
     assert reader.metadata is not None
@@ -178,7 +178,7 @@ def test_the_pdf_is_one_page_with_the_paint_attached(blue: Paint, tmp_path: Path
 
 
 def test_the_report_says_what_the_fit_gives(blue: Paint) -> None:
-    made = build_report(subject_of_paint(blue), PLAIN)
+    made = build_report(item_of_paint(blue), PLAIN)
     figures = {name: value for _, group in made.figures for name, value in group}
     assert figures["Flop index"] == "13.9"
     assert figures["Gloss 20°"] == "90.0 GU"
@@ -190,7 +190,7 @@ def test_the_report_says_what_the_fit_gives(blue: Paint) -> None:
 
 
 def test_a_cook_torrance_paint_is_read_by_instruments_and_handed_over(tmp_path: Path) -> None:
-    subject = subject_of("table1_white")
+    subject = item_of("table1_white")
     assert subject.computed
     assert len(subject.paint.measurements) == 5
     export(format_named("csv"), [subject], tmp_path / "a.csv")
@@ -201,7 +201,7 @@ def test_a_cook_torrance_paint_is_read_by_instruments_and_handed_over(tmp_path: 
 
 def test_spectra_of_a_measured_file_go_into_cxf(shared_data: Path, tmp_path: Path) -> None:
     path = shared_data / "brdf" / "cayman.brdf"
-    subject = subject_of(path)
+    subject = item_of(path)
     assert subject.spectra is not None
     export(format_named("cxf"), [subject], tmp_path / "a.cxf")
     readings = read_cxf(tmp_path / "a.cxf").samples[0].readings
@@ -214,18 +214,18 @@ def test_too_many_and_impossible_paints_are_refused_before_anything_is_written(
 ) -> None:
     path = tmp_path / "a.gltf"
     with pytest.raises(ValueRangeError, match="takes one paint, not 2"):
-        export(format_named("gltf"), [subject_of_paint(blue)] * 2, path)
+        export(format_named("gltf"), [item_of_paint(blue)] * 2, path)
     with pytest.raises(ValueRangeError, match="at least one"):
         export(format_named("gltf"), [], path)
     impossible = replace(blue, gloss=Gloss(150.0))
     with pytest.raises(UnreachableError, match="Blue: "):
-        export(format_named("gltf"), [subject_of_paint(impossible)], path)
+        export(format_named("gltf"), [item_of_paint(impossible)], path)
     with pytest.raises(UnreachableError):
-        export(format_named("pdf", PLAIN), [subject_of_paint(impossible)], path)
+        export(format_named("pdf", PLAIN), [item_of_paint(impossible)], path)
     assert not path.exists()
     # What only holds readings takes it all the same.
-    assert export_losses(format_named("csv"), subject_of_paint(impossible)) == ()
-    export(format_named("csv"), [subject_of_paint(impossible)], tmp_path / "a.csv")
+    assert export_losses(format_named("csv"), item_of_paint(impossible)) == ()
+    export(format_named("csv"), [item_of_paint(impossible)], tmp_path / "a.csv")
 
 
 def test_a_cancelled_report_leaves_nothing(blue: Paint, tmp_path: Path) -> None:
@@ -234,5 +234,5 @@ def test_a_cancelled_report_leaves_nothing(blue: Paint, tmp_path: Path) -> None:
             raise Cancelled
 
     with pytest.raises(Cancelled):
-        export(format_named("pdf", PLAIN), [subject_of_paint(blue)], tmp_path / "a.pdf", progress=stop)
+        export(format_named("pdf", PLAIN), [item_of_paint(blue)], tmp_path / "a.pdf", progress=stop)
     assert not list(tmp_path.iterdir())

@@ -11,9 +11,8 @@ import pytest
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.material import Material, load_shipped_paint
 from brdf_suite.pipeline.measured_start import USUAL_GLOSS, load_start, measured_start
-from brdf_suite.pipeline.measuring import Measurable
-from brdf_suite.pipeline.scene import load_shipped_paint
 from brdf_suite.reflectance.build import build_paint
 
 
@@ -29,7 +28,7 @@ class Diffuser:
 def test_a_design_measured_comes_back(angles: str) -> None:
     """The paint's own readings, gloss and look return: 0.01 of rounding, and nothing at angles not used."""
     paint = load_shipped_paint("blue")
-    item = Measurable("blue", build_paint(paint), source="blue")
+    item = Material("blue", build_paint(paint), origin="blue")
     start = measured_start(item, geometry_set(angles))
     for angle in (15.0, 45.0, 110.0):
         assert start.paint.lab_at(angle) == pytest.approx(paint.lab_at(angle), abs=0.006)
@@ -68,7 +67,7 @@ def test_the_rule_that_is_nearer_to_the_original_is_taken() -> None:
 
 
 def test_matter_without_a_mirror_lobe_gets_the_dullest_coat_and_is_told() -> None:
-    start = measured_start(Measurable("chalk.bin", Diffuser(0.5)))
+    start = measured_start(Material("chalk.bin", Diffuser(0.5)))
     assert start.paint.name == "chalk"
     assert start.paint.gloss.gu_20 < 3.0
     assert start.paint.lab_at(45.0)[0] == pytest.approx(76.07, abs=0.01)
@@ -101,7 +100,7 @@ def test_paper_gets_the_nearest_gloss_that_can_be(shared_data: Path) -> None:
 
 
 def test_brighter_than_a_paint_can_hold_is_told() -> None:
-    start = measured_start(Measurable("lamp", Diffuser(40.0)))
+    start = measured_start(Material("lamp", Diffuser(40.0)))
     assert start.paint.lab_at(45.0)[0] == 250.0
     assert any("beyond what a paint holds" in notice for notice in start.notices)
 

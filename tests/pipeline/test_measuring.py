@@ -10,13 +10,8 @@ import pytest
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.appearance.tolerance import Tolerances
-from brdf_suite.pipeline.measuring import (
-    Measurable,
-    compare,
-    hemisphere_pairs,
-    load_measurable,
-    measurement_json,
-)
+from brdf_suite.pipeline.material import Material, load_material
+from brdf_suite.pipeline.measuring import compare, hemisphere_pairs, measurement_json
 from brdf_suite.reflectance.aperture import WIDE
 from brdf_suite.reflectance.spectrophotometer import measure
 
@@ -44,7 +39,7 @@ def test_the_angle_set_is_even_in_solid_angle() -> None:
 
 def test_errors_by_hand() -> None:
     """f 0.3 against 0.1: cosine RMS is 0.2 √(mean cos²), cube roots likewise, the log of the two near 0.2 cosθ."""
-    result = compare(Measurable("a", Diffuser(0.3)), Measurable("b", Diffuser(0.1)), geometry_set("e2194"))
+    result = compare(Material("a", Diffuser(0.3)), Material("b", Diffuser(0.1)), geometry_set("e2194"))
     mean_square = math.sqrt(1.0 / 3.0 - 1.0 / (12 * 64))
     assert result.figures.cosine_rms == pytest.approx(0.2 * mean_square)
     assert result.figures.cube_root_rms == pytest.approx((0.3 ** (1 / 3) - 0.1 ** (1 / 3)) * mean_square)
@@ -56,15 +51,15 @@ def test_errors_by_hand() -> None:
 
 
 def test_a_verdict_is_part_of_the_answer() -> None:
-    pair = (Measurable("a", Diffuser(0.3)), Measurable("b", Diffuser(0.29)))
+    pair = (Material("a", Diffuser(0.3)), Material("b", Diffuser(0.29)))
     answer = compare(*pair, geometry_set("e2194"), tolerances=Tolerances({45.0: 0.1}, 5.0)).to_json()
     assert [row["passes"] for row in answer["verdict"]["angles"]] == [True, False, True]
     assert answer["verdict"]["passes"] is False
 
 
 def test_a_mirror_that_leaves_the_receptor_counts_only_near_the_mirror() -> None:
-    blue = load_measurable("blue")
-    glossless = Measurable("base", blue.reflectance.base)
+    blue = load_material("blue")
+    glossless = Material("base", blue.reflectance.base)
     result = compare(blue, glossless)
     # The coat is all that differs, and it is a narrow lobe.
     assert result.away.cosine_rms < 1e-6
@@ -72,7 +67,7 @@ def test_a_mirror_that_leaves_the_receptor_counts_only_near_the_mirror() -> None
 
 
 def test_a_paint_is_solved_on_loading() -> None:
-    plain, solved = load_measurable("copper"), load_measurable("copper", solved_through=WIDE)
+    plain, solved = load_material("copper"), load_material("copper", solved_through=WIDE)
     angles = geometry_set("e2194")
     wanted = np.array([m.lab for m in plain.paint.measurements])
     np.testing.assert_allclose(measure(solved.reflectance, angles, WIDE).lab, wanted, atol=0.05)
@@ -80,7 +75,7 @@ def test_a_paint_is_solved_on_loading() -> None:
 
 
 def test_a_flop_that_does_not_exist_is_null() -> None:
-    item = Measurable("black", Diffuser(0.0))
+    item = Material("black", Diffuser(0.0))
     answer = measurement_json(item, measure(item.reflectance))
     assert answer["flop_index"] == 0.0
     assert measurement_json(item, measure(item.reflectance, geometry_set("45:45")))["flop_index"] is None

@@ -11,9 +11,10 @@ import pytest
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.pipeline import occlusion
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import default_paint
 from brdf_suite.pipeline.occlusion import baked_occlusion, occlusion_folder, occlusion_key
-from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import default_paint, load_surface
+from brdf_suite.pipeline.scene import load_surface
 from brdf_suite.pipeline.still import loaded_scene
 from brdf_suite.pipeline.surface import baked_where_wanted, load_shaped
 from brdf_suite.surface.forms.panel import panel

@@ -9,11 +9,10 @@ import pytest
 
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.fitting.lobes.angles import AngleFitter
-from brdf_suite.pipeline.any_fit import fit_any
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter, fit_material
+from brdf_suite.pipeline.material import default_paint, load_material, load_shipped_paint
 from brdf_suite.pipeline.paint_angles import PaintAngles, at_ramp
 from brdf_suite.pipeline.picture import OffscreenScene
-from brdf_suite.pipeline.scene import default_paint, load_shipped_paint
 from brdf_suite.realtime.look_up_table import RAMP_COSINES
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MeshPart
 
@@ -54,6 +53,7 @@ def test_asked_once_and_only_by_its_mode(fitter, monkeypatch):
             scene.set_paint_fit(fit)
             for mode in ("off", "raised", "multi_angle", "raised", "multi_angle"):
                 shown = View(view.camera, fresnel=mode)
+                scene.prepare(shown)
                 pictures[mode] = scene.renderer.linear_image(shown, (16, 16), 1)[8, 8, :3]
             assert len(asked) == 1 + fits.index(fit)
         apart = {name: float(pictures[name].mean()) for name in ("off", "raised", "multi_angle")}
@@ -77,7 +77,7 @@ def test_on_a_thread_where_somebody_waits(fitter):
 
 def test_facet_lobes_and_what_nothing_divides():
     angles = PaintAngles(time_limit_s=1.0)
-    fit = fit_any("table1_blue", errors=False)
+    fit = fit_material(load_material("table1_blue"))
     assert angles.of(fit).weights().kg.max() > 0
 
     class Measured:

@@ -18,6 +18,7 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Gloss, Measurement, Paint, solid_paint
 from brdf_suite.documents.palette import Entry
 from brdf_suite.errors import Cancelled, ValueRangeError
+from brdf_suite.pipeline.material import load_document, load_shipped_paint
 from brdf_suite.pipeline.palette_columns import Columns, ColumnsWork, labs_of
 from brdf_suite.pipeline.palette_duplicates import _WEIGHTS, duplicates
 from brdf_suite.pipeline.palette_order import ORDERS, hue_path, ordered, path_length
@@ -30,7 +31,6 @@ from brdf_suite.pipeline.palette_search import (
     matching,
     nearest,
 )
-from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
 
 ANGLES = (15.0, 45.0, 110.0)
 
@@ -81,7 +81,7 @@ def test_what_was_not_read_is_what_the_reflectance_gives_and_is_worked_out_in_pi
     from brdf_suite.pipeline.swatch_flat import colours_at
     from brdf_suite.reflectance.build import build_reflectance
 
-    measured = find_any_paint("table1_opel_titan")
+    measured = load_document("table1_opel_titan")
     assert isinstance(measured, CookTorrancePaint)
     blue = load_shipped_paint("blue")
     work = ColumnsWork([Entry(blue), Entry(measured)], (25.0,))

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from brdf_suite.documents.paint import Flakes
-from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.pipeline.sparkle import ANGLES_DEG, CROWDED, sparkle
 from brdf_suite.reflectance.flakes.footprint import flake_footprint
 from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio

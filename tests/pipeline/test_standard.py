@@ -18,8 +18,8 @@ from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.exports import FORMATS as EXPORTS
-from brdf_suite.files.exports import Subject
-from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
+from brdf_suite.files.exports import ExportItem
+from brdf_suite.pipeline.material import load_document, load_shipped_paint
 from brdf_suite.pipeline.standard import Standard, judge_all, judge_batch, standard_of
 from brdf_suite.pipeline.standard_files import load_standards
 
@@ -121,7 +121,7 @@ def test_standards_of_paint_files_and_names(blue: Paint, tmp_path: Path) -> None
 
 def test_every_paint_of_a_palette(blue: Paint, tmp_path: Path) -> None:
     path = tmp_path / "season.brdfpalette"
-    metallics = [Entry(paint, group=("metallics",)) for paint in (blue, find_any_paint("table1_blue"))]
+    metallics = [Entry(paint, group=("metallics",)) for paint in (blue, load_document("table1_blue"))]
     save_palette(Palette("Season", (Entry(solid_paint("white", (95.0, 0.0, 1.0))), *metallics)), path)
     found = load_standards(path)
     assert [standard.name for standard in found] == ["white", blue.name, "Blue"]
@@ -136,7 +136,7 @@ def test_what_was_handed_over_is_a_standard(blue: Paint, tmp_path: Path, ending:
     """Each keeps the readings; a batch that is the very paint passes to the last digit that is written."""
     path = tmp_path / f"handed{ending}"
     form = next(known for known in EXPORTS if known.ending == ending)
-    form.write([Subject(blue), Subject(load_shipped_paint("red"))], path, None)
+    form.write([ExportItem(blue), ExportItem(load_shipped_paint("red"))], path, None)
     found = load_standards(path)
     assert [standard.name for standard in found] == ["Blue", "Red"]
     assert found[0].origin == path.name
@@ -153,7 +153,7 @@ def test_a_cxf_sample_of_two_angles_is_judged_there(shared_data: Path, blue: Pai
         load_standards(shared_data / "palettes" / "cxf" / "geometry_edge_cases.cxf")
     path = tmp_path / "handed.cxf"
     form = next(known for known in EXPORTS if known.ending == ".cxf")
-    form.write([Subject(blue)], path, None)
+    form.write([ExportItem(blue)], path, None)
     text = path.read_text("utf-8")
     start = text.index("<cc:ColorCIELab" if "<cc:ColorCIELab" in text else "<ColorCIELab")
     end = text.index("ColorCIELab>", start) + len("ColorCIELab>")

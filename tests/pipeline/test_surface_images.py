@@ -9,8 +9,8 @@ import numpy as np
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import LightColour, TwoTone
-from brdf_suite.pipeline.any_fit import fit_any
-from brdf_suite.pipeline.relit import refit_under
+from brdf_suite.pipeline.lobe_fit import fit_material, refit_under
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.surface_images import ImageRequest, load_surface_images
 
 
@@ -19,7 +19,7 @@ def test_a_second_paint_with_spectra_is_fitted_for_the_views_lamp(shared_data: P
     lamp = LightColour("A")
     request = ImageRequest(second_paint=str(file), lamp="A")
     found = load_surface_images(request).second_paint
-    fit = fit_any(file, errors=False)
+    fit = fit_material(load_material(file))
     assert found is not None
     np.testing.assert_allclose(found.weights.kd, refit_under(fit, lamp).weights.kd, atol=1e-9)
     assert np.abs(found.weights.kd - fit.weights.kd).max() > 1e-4

@@ -20,8 +20,8 @@ from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import entry_to_json
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import GraphicsError, ValueRangeError
-from brdf_suite.pipeline.any_fit import fit_document
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_shipped_paint, material_of
 from brdf_suite.pipeline.still import loaded_scene
 from brdf_suite.pipeline.swatch_look import SwatchLook, swatch_key
 from brdf_suite.pipeline.swatch_pictures import SwatchPainter
@@ -59,7 +59,7 @@ def test_pictures_are_those_of_the_viewer_and_the_command(shared_cache: Path) ->
         for place in (0, 1):
             picture, content = pictures[place].pixels, contents[place]
             assert picture is not None
-            loaded.scene.set_paint_fit(fit_document(content))  # type: ignore[arg-type]
+            loaded.scene.set_paint_fit(fit_material(material_of(content)))  # type: ignore[arg-type]
             alone = loaded.scene.image(view, size)
             assert np.abs(picture.astype(int) - alone).max() <= 1
     ink = pictures[3].pixels

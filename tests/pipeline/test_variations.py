@@ -22,8 +22,8 @@ from brdf_suite.documents.paint import (
     solid_paint,
 )
 from brdf_suite.errors import SuiteError, ValueRangeError
-from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.pipeline.standard import Standard
 from brdf_suite.pipeline.standard_files import load_standards
 from brdf_suite.pipeline.variations import DIRECTIONS, examined, flop_shares, variations

@@ -12,8 +12,8 @@ from brdf_qt.fit_error import FINAL_TIP, LIMITED_TIP, fit_tips, large_error_tip
 from PySide6.QtCore import QThread
 
 from brdf_suite.errors import FittingError
-from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_shipped_paint
 
 
 @pytest.fixture
@@ -47,7 +47,7 @@ def test_the_optimum_of_the_paint_on_show_arrives_on_the_main_thread(hurried, ex
 
 def test_of_an_earlier_paint_nothing_is_told(hurried, exact, qtbot):
     first = hurried.fit(load_shipped_paint("copper"))
-    first.fit.exact.result(timeout=120)
+    first.exact.result(timeout=120)
     second = hurried.fit(load_shipped_paint("blue"))
     told = []
     exact.arrived.connect(told.append)
@@ -59,7 +59,7 @@ def test_of_an_earlier_paint_nothing_is_told(hurried, exact, qtbot):
     third = hurried.fit(load_shipped_paint("copper"))
     exact.watch(third)
     exact.forget()
-    third.fit.exact.result(timeout=120)
+    third.exact.result(timeout=120)
     qtbot.wait(50)
     assert len(told) == 1
 
@@ -86,7 +86,7 @@ def test_a_closed_fitter_tells_nothing(hurried, exact, qtbot, watched_first):
             exact.watch(fit)
         closing = threading.Thread(target=hurried.close)
         closing.start()
-        qtbot.waitUntil(fit.fit.exact.cancelled)
+        qtbot.waitUntil(fit.exact.cancelled)
     closing.join()
     if not watched_first:
         exact.watch(fit)
@@ -98,7 +98,7 @@ def test_a_closed_fitter_tells_nothing(hurried, exact, qtbot, watched_first):
 def test_a_solver_that_gives_up_is_told(hurried, exact, qtbot):
     future: Future[object] = Future()
     fit = hurried.fit(load_shipped_paint("blue"))
-    fit = replace(fit, fit=replace(fit.fit, exact=future))
+    fit = replace(fit, exact=future)
     assert fit.exact_follows
     with qtbot.waitSignal(exact.failed) as told:
         exact.watch(fit)

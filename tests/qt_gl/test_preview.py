@@ -6,7 +6,7 @@ import threading
 
 import numpy as np
 import pytest
-from brdf_designer.assembly import Designer, shipped_paint
+from brdf_designer.assembly import Designer
 from brdf_designer.preview import PreviewControl
 from brdf_designer.preview_pace import FAST_MS, REST_MS, PreviewPace
 from brdf_designer.preview_scene import LIGHT_WIDTH
@@ -17,6 +17,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.pipeline.scene import narrowed
 from brdf_suite.pipeline.seen_weights import SeenWeights
 
@@ -117,7 +118,7 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     # Hidden, it draws nothing.
     preview.show(False)
     kept = preview.drawn
-    designer.desk.edit(shipped_paint("copper"), "Copper")
+    designer.desk.edit(load_shipped_paint("copper"), "Copper")
     qtbot.wait(2 * REST_MS)
     assert preview.drawn is kept
     preview.show(True)

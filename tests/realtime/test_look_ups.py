@@ -33,17 +33,12 @@ VIEW = View(Camera(azimuth_deg=20, elevation_deg=10), tone_curve="linear")
 SIZE = (96, 96)
 
 
-class Given:
-    def __init__(self, table: WeightsOverAngle) -> None:
-        self.weights = lambda: table
-
-
 def white(albedo: float, exponents: tuple[float, ...], **others: object) -> MaterialWeights:
     """A base of this albedo, at every incidence."""
     none = np.zeros((len(exponents), 3))
     kd = np.full(3, albedo / np.pi)
     over = WeightsOverAngle(np.tile(kd, (64, 1)), np.tile(none, (64, 1, 1)), np.tile(none, (64, 1, 1)))
-    return MaterialWeights(exponents, kd, none, none, over_angle=Given(over), **others)  # type: ignore[arg-type]
+    return MaterialWeights(exponents, kd, none, none, over_angle=over, **others)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("look_up", LOOK_UPS)

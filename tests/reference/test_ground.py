@@ -10,6 +10,7 @@ from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.lighting.cubemap import texel_directions
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
+from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.reference_scene import build_reference
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
@@ -24,7 +25,7 @@ def light_of(function) -> Environment:
 
 def made(environment, sphere, *, ground: bool, reflectance=None, **changes):
     view = View(surface="sphere", surface_look=SurfaceLook(ground=ground), **changes)
-    return build_reference("test", reflectance or Lambertian(0.5), view, SIZE, environment, sphere)
+    return build_reference(Material("test", reflectance or Lambertian(0.5)), view, SIZE, environment, sphere)
 
 
 def test_the_shadow_of_a_sphere_in_even_light_is_its_form_factor(sphere) -> None:

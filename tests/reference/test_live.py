@@ -13,7 +13,7 @@ from brdf_suite.documents.view_settings import Lamp, LightColour, PartMaterial, 
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.images import write_exr
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.material import load_shipped_paint, material_of
 
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (24, 20)
@@ -51,7 +51,7 @@ def test_every_change_gives_what_a_new_scene_gives(live, light) -> None:
     steps = [
         ("blue", view, SIZE),
         (
-            replace(copper, near_specular=1.5),
+            material_of(replace(copper, near_specular=1.5)),
             replace(view, camera=Camera(120.0, 30.0), rotation_deg=50.0),
             SIZE,
         ),

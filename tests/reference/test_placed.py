@@ -14,7 +14,8 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Relief, Sparkle, TwoTone
 from brdf_suite.files.images import write_exr, write_png
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material, load_shipped_paint, material_of
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.flakes.countable import visible_flake_part
 from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio
@@ -269,7 +270,6 @@ SIZE = (64, 48)
 @pytest.fixture(scope="module")
 def pictures(variant, tmp_path_factory):
     """Return radiance of both renderers inside the object, for a view of a sphere in a lamp and soft light."""
-    from brdf_suite.pipeline.any_fit import fit_any
     from brdf_suite.pipeline.reference_live import LiveReference
     from brdf_suite.pipeline.still import loaded_scene
 
@@ -284,7 +284,7 @@ def pictures(variant, tmp_path_factory):
         for _ in range(passes):
             estimate = live.step()
         with loaded_scene(view) as loaded:
-            loaded.scene.set_paint_fit(fit_any(paint, errors=False))
+            loaded.scene.set_paint_fit(fit_material(load_material(paint)))
             drawn = loaded.scene.renderer.linear_image(loaded.composed(view, SIZE), SIZE)
         inside = (estimate.coverage > 0.999) & (drawn[..., 3] > 0.999)
         y = np.array([0.2627, 0.678, 0.0593])
@@ -354,7 +354,7 @@ def test_orange_peel_of_the_paint_or_of_the_view_moves_reflections(variant, tmp_
     live = LiveReference()
 
     def traced(worn, shown):
-        live.show(worn, shown, (48, 40))
+        live.show(material_of(worn), shown, (48, 40))
         for _ in range(5):
             estimate = live.step()
         return estimate.radiance[..., 1]

@@ -12,8 +12,8 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, Sparkle
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.raytraced import Quality, RaytracedSession
-from brdf_suite.pipeline.reference_paint import load_traced
 from brdf_suite.reference.variant import Variant
 from brdf_suite.surface.mesh import Mesh
 
@@ -76,7 +76,7 @@ def test_flakes_keep_the_mean_light_and_stay_where_they_are(variant: Variant, sp
     """With and without, over a ball in a small bright light; and from a camera moved by a tenth of a pixel."""
     lamp = Lamp("directional", azimuth_deg=20.0, elevation_deg=30.0, strength=3.0)
     view = replace(PLAIN, camera=Camera(10.0, 10.0), lamps=(lamp,), sparkle=Sparkle(mode="texture"))
-    base = load_traced("copper", PLAIN)
+    base = load_material("copper")
     size = (160, 120)
     d = direction(ring_angles(8)[:, None], column_angles(16)[None])
     light = Environment("sky", (1.0 + 0.8 * d).astype(np.float32))

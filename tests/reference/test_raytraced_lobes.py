@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 
 from brdf_suite.geometry.directions import spherical
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.reference.variant import Variant
 from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.coat_lobe import CoatLobe
@@ -61,10 +63,9 @@ def terms_of(variant: Variant) -> Any:
 
 
 def lobe_weights() -> Any:
-    from brdf_suite.pipeline.any_fit import fit_any
     from brdf_suite.reference.lobe_weights import LobeWeightsTerm
 
-    w = fit_any("copper", errors=False).weights
+    w = fit_material(load_material("copper")).weights
     return LobeWeightsTerm(w.exponents, w.kd, w.kdd, w.kg, "dielectric", w.theta_fit_rad, w.ior)
 
 

@@ -13,8 +13,8 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.lighting.lights import directional_lights
+from brdf_suite.pipeline.material import Material, load_material
 from brdf_suite.pipeline.raytraced import Quality, RaytracedSession
-from brdf_suite.pipeline.reference_paint import TracedPaint, load_traced
 from brdf_suite.pipeline.reference_scene import build_reference
 from brdf_suite.realtime.camera import Bounds, matrices
 from brdf_suite.reference.raytraced.light_set import Strata
@@ -30,7 +30,7 @@ from brdf_suite.surface.mesh import Mesh, PartGeometry
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (40, 32)
 PLAIN = View(surface="sphere", background="grey", sparkle=Sparkle(mode="off"))
-MATT = TracedPaint("matt", Lambertian(np.array([0.2, 0.5, 0.8])))
+MATT = Material("matt", Lambertian(np.array([0.2, 0.5, 0.8])))
 
 
 @pytest.fixture(scope="module")
@@ -85,7 +85,7 @@ def test_a_ball_has_the_sum_over_the_lights_by_hand(session, sphere, model: str,
     environment, count = sky(), 24
     view = replace(PLAIN, rotation_deg=rotation, camera=Camera(40, 20))
     scene = session.show(
-        TracedPaint(model, reflectance),
+        Material(model, reflectance),
         view,
         SIZE,
         Quality(count, 1, 1),
@@ -128,7 +128,7 @@ def floor_and_lid() -> Mesh:
 def test_a_lamps_shadow_lies_where_geometry_puts_it(session) -> None:
     """From above, a lamp at 45° on the right: the lid's shadow is half a metre to the left; both kinds of lamp."""
     view = replace(PLAIN, camera=Camera(0.0, 89.0))
-    white = TracedPaint("white", Lambertian(np.ones(3)))
+    white = Material("white", Lambertian(np.ones(3)))
     for lamp in (
         Lamp("directional", azimuth_deg=90.0, elevation_deg=45.0, strength=1.0),
         Lamp("point", position=(40.0, 40.5, 0.0), strength=3200.0),
@@ -191,14 +191,14 @@ def test_the_mean_of_many_rounds_is_the_path_traced_picture(session, sphere, kin
     from brdf_suite.reference.passes import trace_pass
 
     paints = {
-        "designed": lambda: replace(load_traced("copper", PLAIN), flakes=None),
-        "coat": lambda: TracedPaint("coat", CoatLobe(1.5, 0.05)),
-        "table_1": lambda: TracedPaint("blue", CookTorrance(TABLE_1["table1_blue"])),
-        "table": lambda: TracedPaint(
+        "designed": lambda: replace(load_material("copper"), flakes=None),
+        "coat": lambda: Material("coat", CoatLobe(1.5, 0.05)),
+        "table_1": lambda: Material("blue", CookTorrance(TABLE_1["table1_blue"])),
+        "table": lambda: Material(
             "table",
             IsotropicTable.from_reflectance(CookTorrance(TABLE_1["table1_white"]), HalfAngleGrid(40, 20, 36)),
         ),
-        "mirrors": lambda: TracedPaint("coat", CoatLobe(1.5, 0.002)),
+        "mirrors": lambda: Material("coat", CoatLobe(1.5, 0.002)),
     }
     paint, environment = paints[kind](), sky(12, 0.9)
     quality = Quality(64, 16, 4, mirror=kind == "mirrors")
@@ -208,7 +208,7 @@ def test_the_mean_of_many_rounds_is_the_path_traced_picture(session, sphere, kin
         if image.samples % 4 == 0:
             rounds.append((image.sums.values - sums[-1])[..., :3] / 4)
             sums.append(image.sums.values)
-    made = build_reference("x", paint.reflectance, PLAIN, SIZE, environment, sphere)
+    made = build_reference(Material("x", paint.reflectance), PLAIN, SIZE, environment, sphere)
     passes = [trace_pass(made.traced, 32, seed) for seed in range(12)]
     inside = (np.array(image.coverage) == 1.0) & (np.min([c for _, c in passes], axis=0) == 1.0)
     ours = np.array([blocks(r, inside) for r in rounds[1:]])  # the first has its lights in the middle
@@ -235,7 +235,7 @@ def test_a_chrome_floor_shows_the_wall_as_the_path_tracer_does(session) -> None:
     view = replace(PLAIN, camera=Camera(10.0, 25.0), lamps=(lamp,))
     session.show(MATT, view, SIZE, Quality(1, 64, 16), environment=black(), mesh=mesh)
     found = session.frame()
-    made = build_reference("x", MATT.reflectance, view, SIZE, black(), mesh)
+    made = build_reference(Material("x", MATT.reflectance), view, SIZE, black(), mesh)
     estimate = trace(made.traced, samples=512, samples_per_pass=128)
     inside = (found.coverage == 1.0) & (estimate.coverage == 1.0)
     ours, theirs = blocks(found.sums.radiance, inside), blocks(estimate.radiance, inside)
@@ -332,7 +332,7 @@ def test_exposure_backdrop_and_words(session, sphere) -> None:
     )
     assert grey.key == scene.key  # how it is shown is no part of the light
     assert session.frame().codes()[0, 0].tolist() == [118] * 3
-    bright = TracedPaint("bright", TooBright())
+    bright = Material("bright", TooBright())
     assert any(
         "1.30 times the light" in n
         for n in session.show(bright, PLAIN, SIZE, "fast", environment=sky(), mesh=sphere).notices

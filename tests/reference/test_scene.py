@@ -9,12 +9,13 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, LightColour, PartMaterial, SurfaceLook
 from brdf_suite.errors import UnreachableError
 from brdf_suite.files.images import write_exr
+from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles, sample
-from brdf_suite.pipeline.reference_paint import in_the_lamp, load_reflectance
+from brdf_suite.pipeline.material import Material, load_material, under_illuminant
+from brdf_suite.pipeline.paint_angles import material_weights
 from brdf_suite.pipeline.reference_scene import ReferenceScene, build_reference
-from brdf_suite.realtime.values import MaterialWeights
 from brdf_suite.reflectance.coat_lobe import CoatLobe
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
@@ -34,7 +35,7 @@ def even(value: float = 1.0) -> Environment:
 
 def scene(reflectance, environment, sphere, **changes) -> ReferenceScene:
     view = View(surface="sphere", **changes)
-    return build_reference("test", reflectance, view, SIZE, environment, sphere)
+    return build_reference(Material("test", reflectance), view, SIZE, environment, sphere)
 
 
 def traced(made: ReferenceScene, samples: int = 64):
@@ -144,16 +145,14 @@ def test_the_same_lobes_give_the_real_time_picture(sphere, tmp_path) -> None:
     exponents = default_basis().exponents
     kdd = np.zeros((len(exponents), 3))
     kdd[1] = (0.3, 0.2, 0.1)
-    weights = MaterialWeights(
-        tuple(exponents), np.array([0.1, 0.15, 0.2]), kdd, 0.0 * kdd, ior=1.0, coat="none"
-    )
+    weights = LobeWeights(np.array(exponents), np.array([0.1, 0.15, 0.2]), kdd, 0.0 * kdd, 0.0, 1.0)
     view = View(surface="sphere", rotation_deg=40.0, background="grey")
-    made = build_reference("lobes", weights, view, SIZE, prepared.environment, sphere)
+    made = build_reference(Material("lobes", weights), view, SIZE, prepared.environment, sphere)
     estimate = traced(made, 512)
     with OffscreenScene((1, 1)) as real:
         real.set_environment(prepared)
         real.set_surface(sphere)
-        real.renderer.set_material("paint", weights)
+        real.renderer.set_material("paint", material_weights(weights))
         drawn = real.renderer.linear_image(made.view, SIZE)
     inside = (estimate.coverage == 1.0) & (drawn[..., 3] == 1.0)
     ratio = drawn[inside][:, :3] / estimate.radiance[inside]
@@ -246,15 +245,16 @@ def test_a_paint_without_numbers_is_refused(sphere) -> None:
 
 def test_what_is_drawn_otherwise_is_reported(sphere) -> None:
     view = View(surface="sphere", fresnel="off", surface_look=SurfaceLook(occlusion=False))
-    reported = " ".join(build_reference("t", Lambertian(0.5), view, SIZE, even(), sphere).notices)
-    assert "Fresnel" in reported
-    assert "always shows the shadows" in reported
+    told = " ".join(build_reference(Material("t", Lambertian(0.5)), view, SIZE, even(), sphere).notices)
+    assert "Fresnel" in told
+    assert "always shows the shadows" in told
     assert not scene(Lambertian(0.5), even(), sphere).notices
 
 
 def test_a_paint_with_spectra_is_traced_in_the_lamp(shared_data) -> None:
-    _, reflectance, _ = load_reflectance(shared_data / "brdf" / "krylon_blue.brdf")
-    assert in_the_lamp(reflectance, View()) is reflectance
-    under = in_the_lamp(reflectance, View(light_colour=LightColour("A")))
+    material = load_material(shared_data / "brdf" / "krylon_blue.brdf")
+    reflectance = material.reflectance
+    assert under_illuminant(material, View().light_colour) is material
+    under = under_illuminant(material, LightColour("A")).reflectance
     wi, wo = illumination(45.0), aspecular_view(45.0, 45.0)
     assert np.abs(under.eval(wi, wo) / reflectance.eval(wi, wo) - 1.0).max() > 0.01

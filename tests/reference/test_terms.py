@@ -12,6 +12,8 @@ import numpy as np
 import pytest
 
 from brdf_suite.geometry.directions import spherical
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.reference.variant import Variant
 from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -131,11 +133,10 @@ def test_what_has_no_formula_here_is_a_table_and_says_so(variant: Variant) -> No
 
 
 def test_the_lobes_of_a_fit_are_those_of_the_core(variant: Variant) -> None:
-    from brdf_suite.pipeline.any_fit import fit_any
     from brdf_suite.reference.lobe_weights import LobeWeightsTerm
     from brdf_suite.reflectance.lobe_sum import lobe_sums
 
-    weights = fit_any("copper", errors=False).weights
+    weights = fit_material(load_material("copper")).weights
     term = LobeWeightsTerm(
         weights.exponents,
         weights.kd,

@@ -14,7 +14,7 @@ from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_at
-from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
+from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.reflectance.aperture import (
     APERTURES,
     NARROW,

@@ -9,7 +9,7 @@ import pytest
 
 from brdf_suite.documents.cook_torrance import Clearcoat, CookTorranceLobe, CookTorrancePaint
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.pipeline.scene import load_shipped_paint
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.reflectance.build import build_paint, build_reflectance
 from brdf_suite.reflectance.layers import LARGEST_IOR, Layers, split_layers
 from brdf_suite.reflectance.models.coated import Coated

@@ -11,8 +11,8 @@ from brdf_suite.appearance.spectra import DEFAULT_WAVELENGTHS_NM as BANDS
 from brdf_suite.appearance.spectra import spectrum_to_working
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.pipeline.any_fit import fit_reflectance
-from brdf_suite.pipeline.relit import refit_under
+from brdf_suite.pipeline.lobe_fit import fit_material, refit_under
+from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.relit import Relit, relit
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -51,7 +51,7 @@ def test_what_is_no_table_of_samples_is_asked_for_its_spectra() -> None:
 
 
 def test_the_fit_follows_the_lamp_and_is_the_same_where_nothing_is_known() -> None:
-    fit = fit_reflectance("red", samples())
+    fit = fit_material(Material("red", samples()))
     for colour in (LightColour(), LightColour("D65"), LightColour("environment", adapted=False)):
         assert refit_under(fit, colour) is fit
     under = refit_under(fit, LightColour("A"))
@@ -59,5 +59,5 @@ def test_the_fit_follows_the_lamp_and_is_the_same_where_nothing_is_known() -> No
     assert (
         under.weights.kd[0] + under.weights.kdd[:, 0].sum() > fit.weights.kd[0] + fit.weights.kdd[:, 0].sum()
     )
-    plain = fit_reflectance("plain", ScatteredSamples(samples().wi, samples().wo, samples().values))
+    plain = fit_material(Material("plain", ScatteredSamples(samples().wi, samples().wo, samples().values)))
     assert refit_under(plain, LightColour("A")) is plain

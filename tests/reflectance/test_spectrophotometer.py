@@ -15,7 +15,7 @@ from brdf_suite.appearance.geometries import GEOMETRY_SETS, geometry_set
 from brdf_suite.appearance.gloss import black_glass, gloss_units
 from brdf_suite.documents.paint import Gloss
 from brdf_suite.errors import FittingError
-from brdf_suite.pipeline.scene import load_shipped_paint, paint_names
+from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.reflectance.aperture import WIDE, Aperture
 from brdf_suite.reflectance.build import build_paint
 from brdf_suite.reflectance.coat_lobe import CoatLobe

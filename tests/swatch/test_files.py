@@ -201,3 +201,15 @@ def test_the_library_remembers_its_files(swatch, tmp_path: Path, monkeypatch) ->
         del swatch.library._items[item.key]
     swatch.library.restore()
     assert [(item.path, item.state) for item in swatch.library.items] == [(path, "closed")]
+
+
+def test_every_kind_of_material_is_added_or_opened(swatch, materials, qtbot) -> None:
+    for kind, asked in materials.items():
+        if kind == "palette of one":
+            continue
+        before = len(swatch.desk.palette)
+        swatch.open(asked)
+        qtbot.waitUntil(lambda before=before: len(swatch.desk.palette) > before)
+    palettes = len(swatch.library.items)
+    swatch.open(materials["palette of one"])
+    qtbot.waitUntil(lambda: len(swatch.library.items) > palettes)

@@ -15,7 +15,7 @@ from shiboken6 import isValid
 
 from brdf_suite.lighting.procedural import sky, studio
 from brdf_suite.pipeline import environments
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.realtime import environment_textures
 from brdf_suite.realtime.renderer import Renderer
 

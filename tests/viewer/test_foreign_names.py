@@ -16,7 +16,7 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import paint_to_json, save_paint
 from brdf_suite.documents.studio import Backdrop, Studio, StudioLamp
-from brdf_suite.pipeline.scene import find_any_paint, load_shipped_paint
+from brdf_suite.pipeline.material import load_document, load_shipped_paint
 
 
 def open_and_wait(viewer, kind: str, path: Path) -> None:
@@ -35,7 +35,7 @@ def test_names_are_plain_text_in_the_whole_window(start, lights, walks, qtbot, t
     viewer.wait_idle()
     viewer.controller.compare.freeze()
     lobes = tmp_path / f"{walks.HOSTILE_FILE} lobes.brdfpaint"
-    save_paint(replace(find_any_paint("table1_blue"), name=walks.HOSTILE), lobes)
+    save_paint(replace(load_document("table1_blue"), name=walks.HOSTILE), lobes)
     viewer.controller.paint.open(str(lobes))
     palette = tmp_path / f"{walks.HOSTILE_FILE}.brdfpalette"
     save_palette(Palette(walks.HOSTILE, (Entry(copper),)), palette)

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import QApplication
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Compare
-from brdf_suite.pipeline.paint import PaintFit, PaintFitter
+from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter
 from brdf_suite.pipeline.scene import load_environment
 from brdf_suite.realtime.context import adopt_context
 from brdf_suite.surface.mesh import Mesh, PartGeometry
@@ -97,7 +97,7 @@ needs_proc = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="re
 
 def fits_alive() -> int:
     """How many fits of paints there are in this process."""
-    return sum(isinstance(known, PaintFit) for known in gc.get_objects())
+    return sum(isinstance(known, LobeFit) for known in gc.get_objects())
 
 
 @needs_proc

@@ -21,8 +21,8 @@ from brdf_suite.documents.paint import Gloss, solid_paint
 from brdf_suite.documents.store import paint_to_json, view_from_json
 from brdf_suite.documents.view import Camera
 from brdf_suite.fitting.lobes.solver import SolverOutcome
-from brdf_suite.pipeline.any_fit import fit_any
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter, fit_material
+from brdf_suite.pipeline.material import load_material
 
 PROGRAM = Path(__file__).with_name("designer_program.py")
 
@@ -188,7 +188,7 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(viewer, qtbot) -> No
 
 
 def test_a_fit_without_an_angle_to_compare_at_claims_no_bound(viewer) -> None:
-    fit = fit_any("table1_2k_acrylack")
+    fit = fit_material(load_material("table1_2k_acrylack"), errors=True)
     none = replace(fit, angles=tuple(replace(row, fitted=False) for row in fit.angles))
     assert none.worst_delta_e is None
     viewer.controller.paint._show_fit(none, "file")

@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
-from brdf_suite.pipeline.scene import paint_names
+from brdf_suite.pipeline.material import paint_names
 
 COLOURS = {"white": (95.0, 0.0, 1.0), "sky": (60.0, -10.0, -30.0), "brick": (40.0, 40.0, 30.0)}
 
@@ -128,3 +128,11 @@ def test_every_measured_format_is_opened() -> None:
     from brdf_suite.files.measured.registry import FORMATS
 
     assert {ending for known in FORMATS for ending in known.endings} <= set(ENDINGS["paint"])
+
+
+def test_every_kind_of_material_is_opened(viewer, materials, qtbot) -> None:
+    for kind, asked in materials.items():
+        before = viewer.stage.fit
+        viewer.controller.paint.open(asked)
+        qtbot.waitUntil(lambda before=before: viewer.stage.fit is not before)
+        assert "paint" not in viewer.messages(), kind

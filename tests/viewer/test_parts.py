@@ -27,6 +27,7 @@ from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import load_any_paint, paint_to_json, save_paint
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import FileError
+from brdf_suite.pipeline.material import load_document
 from brdf_suite.pipeline.turning import turned
 
 RED, GREY = solid_paint("red", (45.0, 60.0, 40.0)), solid_paint("grey", (50.0, 0.0, 0.0))
@@ -105,11 +106,11 @@ def test_a_file_ends_following_and_a_bad_one_changes_nothing(qapp, tmp_path) -> 
     source = PaintSource()
     heard = Heard(source)
     with pytest.raises(FileError, match="nowhere"):
-        source.choose(str(tmp_path / "nowhere.brdfpaint"))
+        source.show(load_document(tmp_path / "nowhere.brdfpaint"), "nowhere")
     assert (source.following, heard) == (True, [])
     file = tmp_path / "red.brdfpaint"
     save_paint(RED, file)
-    source.choose(str(file))
+    source.show(load_document(file), str(file))
     assert (source.following, heard) == (False, [("red", str(file))])
 
 

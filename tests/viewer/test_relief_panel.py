@@ -12,7 +12,7 @@ from PIL import Image
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle, SurfaceLook
-from brdf_suite.pipeline.paint import PaintFitter
+from brdf_suite.pipeline.lobe_fit import PaintFitter
 
 
 @pytest.fixture

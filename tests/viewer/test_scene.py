@@ -20,7 +20,7 @@ from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import save_paint
 from brdf_suite.documents.view import Camera
 from brdf_suite.errors import GraphicsError
-from brdf_suite.pipeline.scene import find_any_paint
+from brdf_suite.pipeline.material import load_document
 from brdf_suite.progress import report
 
 
@@ -287,7 +287,7 @@ def test_a_dropped_paint_is_shown(viewer, tmp_path) -> None:
 
 def test_a_cook_torrance_paint_is_shown(viewer, tmp_path) -> None:
     file = tmp_path / "measured.brdfpaint"
-    save_paint(find_any_paint("table1_2k_acrylack"), file)
+    save_paint(load_document("table1_2k_acrylack"), file)
     before = viewer.pixels()
     drop(viewer, file)
     assert viewer.stage.fit.name == "2K Acrylack"

@@ -129,12 +129,12 @@ class StartRequest:
 
 def find_start(request: StartRequest, progress: Progress) -> MeasuredStart:
     """Read the lobes by the virtual spectrophotometer, and start a design from them."""
+    from brdf_suite.pipeline.material import Material
     from brdf_suite.pipeline.measured_start import measured_start
-    from brdf_suite.pipeline.measuring import Measurable
     from brdf_suite.reflectance.build import build_reflectance
 
     paint = request.paint
-    item = Measurable(paint.name, build_reflectance(paint), source=request.source)
+    item = Material(paint.name, build_reflectance(paint), source=request.source)
     return measured_start(item, progress=progress)
 
 

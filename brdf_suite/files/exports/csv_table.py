@@ -21,7 +21,7 @@ from functools import cache
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Gloss, Paint
 from brdf_suite.errors import DocumentError, FileError, SuiteError
-from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike, Subject, readings_loss
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, PathLike, readings_loss
 from brdf_suite.files.measured.bounded_reading import read_bytes
 from brdf_suite.files.paint_fields import Reading, build_paint, flatten_paint, setting_from_text, setting_text
 from brdf_suite.progress import Progress
@@ -36,15 +36,15 @@ _FORMULA = ("=", "+", "-", "@")
 DELIMITERS = (",", ";", "\t")
 
 
-def losses(subject: Subject) -> tuple[str, ...]:
+def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what a row cannot hold of a paint."""
-    spectra = ("The spectra are left out.",) if subject.spectra is not None else ()
-    return (*readings_loss(subject), *spectra)
+    spectra = ("The spectra are left out.",) if item.spectra is not None else ()
+    return (*readings_loss(item), *spectra)
 
 
-def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
+def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write a row per paint; raise :class:`FileError` where the disk refuses."""
-    rows = [format_row(subject.paint) for subject in subjects]
+    rows = [format_row(item.paint) for item in items]
     names = {name for row in rows for name in row}
     angles = sorted((column for column in names if COLUMN.fullmatch(column)), key=parse_angles)
     colours = [axis + column[1:] for column in angles for axis in "Lab"]

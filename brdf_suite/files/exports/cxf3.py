@@ -25,10 +25,10 @@ from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.cxf import NAMESPACE, SETTING, SOURCE, TAGS, VERSION, is_cxf, read_cxf
 from brdf_suite.files.exports.format import (
     ExportFormat,
+    ExportItem,
     ImportedPaints,
     PathLike,
     Spectra,
-    Subject,
     readings_loss,
 )
 from brdf_suite.files.paint_fields import flatten_paint, setting_text
@@ -40,43 +40,41 @@ _LEAST, _MOST = -0.1, 3.0
 _NO_XML = re.compile("[^\t\n -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-def losses(subject: Subject) -> tuple[str, ...]:
+def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what CxF3 cannot hold of a paint."""
-    losses = list(readings_loss(subject))
-    kept = [name for name in flatten_paint(subject.paint) if "." in name]
+    found = list(readings_loss(item))
+    kept = [name for name in flatten_paint(item.paint) if "." in name]
     parts = " and ".join(dict.fromkeys(name.partition(".")[0].replace("_", " ") for name in kept))
     what = f"The {parts}, the rule between angles" if parts else "The rule between angles"
-    losses.append(
+    found.append(
         f"{what} and the near-specular factor go in as tags of this suite; other programs pass over them."
     )
-    if any(_NO_XML.search(text) for text in (subject.name, subject.paint.notes, subject.paint.source)):
-        losses.append("Characters that XML does not know are written as �.")
-    if subject.spectra is not None:
-        losses += _spectral_losses(subject.spectra)
-    return tuple(losses)
+    if any(_NO_XML.search(text) for text in (item.name, item.paint.notes, item.paint.source)):
+        found.append("Characters that XML does not know are written as �.")
+    if item.spectra is not None:
+        found += _spectral_losses(item.spectra)
+    return tuple(found)
 
 
 def _spectral_losses(spectra: Spectra) -> list[str]:
     losses = []
     if not _is_even(spectra):
-        losses.append(
+        found.append(
             "The spectra are read off at 400 to 700 nm, every 10 nm: CxF3 wants even steps from 360 to 400 nm."
         )
     high = sum(not fits(row) for row in spectra.values)
     if high:
-        losses.append(
+        found.append(
             f"{high} of {len(spectra.values)} spectra are left out: a reflectance there is 3 or more, or -0.1 or less."
         )
     return losses
 
 
-def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
+def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write paints as one CxF3 file; raise :class:`FileError` where the disk refuses."""
     now = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
     specifications: dict[str, str] = {}
-    objects = [
-        write_object(subject, f"paint{i + 1}", now, specifications) for i, subject in enumerate(subjects)
-    ]
+    objects = [write_object(item, f"paint{i + 1}", now, specifications) for i, item in enumerate(items)]
     text = (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
         f'<cc:CxF xmlns:cc="{NAMESPACE}">\n'
@@ -98,15 +96,15 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
 
 
 def write_object(
-    subject: Subject,
+    item: ExportItem,
     identity: str,
     now: str,
     specifications: dict[str, str],
     further_tags: Mapping[str, str] = MappingProxyType({}),
 ) -> str:
     """Return the Object of a paint; what its values are measured by is added to ``specifications`` by its Id."""
-    paint, values = subject.paint, []
-    spectra = None if subject.spectra is None else _even(subject.spectra)
+    paint, values = item.paint, []
+    spectra = None if item.spectra is None else _even(item.spectra)
     for index, reading in enumerate(paint.measurements):
         geometry = Geometry(reading.illumination_deg, reading.aspecular_deg)
         row = None if spectra is None else spectra.values[index]
@@ -131,7 +129,7 @@ def write_object(
         f"        <cc:CreationDate>{now}</cc:CreationDate>\n"
         + (f"        <cc:Comment>{escape(clean_text(paint.notes))}</cc:Comment>\n" if paint.notes else "")
         + f"        <cc:ColorValues>\n{''.join(values)}        </cc:ColorValues>\n"
-        + tag_collection({**_tags(subject), **further_tags})
+        + tag_collection({**_tags(item), **further_tags})
         + "        <cc:PhysicalAttributes>\n"
         + f'          <cc:Gloss Method="20° GU">{paint.gloss.gu_20!r}</cc:Gloss>\n'
         + (
@@ -143,11 +141,11 @@ def write_object(
     )
 
 
-def _tags(subject: Subject) -> dict[str, str]:
+def _tags(item: ExportItem) -> dict[str, str]:
     tags = {VERSION: str(VERSIONS["brdfpaint"])}
-    if subject.paint.source:
-        tags[SOURCE] = subject.paint.source
-    tags.update({SETTING + name: setting_text(value) for name, value in flatten_paint(subject.paint).items()})
+    if item.paint.source:
+        tags[SOURCE] = item.paint.source
+    tags.update({SETTING + name: setting_text(value) for name, value in flatten_paint(item.paint).items()})
     return tags
 
 

@@ -1,4 +1,4 @@
-"""Subject of an export, and the registry's entry for an export format."""
+"""What is exported, and what the registry knows of one format that it is exported in."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import Reflectance
 
 PathLike = str | os.PathLike[str]
@@ -32,25 +33,23 @@ class Spectra:
 
 
 @dataclass(frozen=True, eq=False)
-class Subject:
-    """A paint to be exported.
+class ExportItem:
+    """A paint as it is exported.
 
     Parameters
     ----------
     paint
         Its readings, gloss, flakes and texts. Of anything that is not designed by readings, what the virtual
         instruments read of it.
-    document
-        The paint's own document where it has one.
-    whole
-        Its reflectance where that is not the one of ``paint``: of a measured file, of a Cook-Torrance paint.
+    material
+        What the virtual instruments read; None for a paint that is designed by readings, which need not be one that
+        can be built.
     spectra
         One per reading of ``paint``, where they are known.
     """
 
     paint: Paint
-    document: AnyPaint | None = None
-    whole: Reflectance | None = None
+    material: Material | None = None
     spectra: Spectra | None = None
 
     @property
@@ -59,9 +58,14 @@ class Subject:
         return self.paint.name
 
     @property
+    def document(self) -> AnyPaint | None:
+        """The paint's own document where it has one."""
+        return self.paint if self.material is None else self.material.document
+
+    @property
     def computed(self) -> bool:
         """Whether the readings are the virtual instruments' and not the document's own."""
-        return self.whole is not None
+        return self.material is not None
 
     @cached_property
     def modelled(self) -> Paint:
@@ -78,8 +82,8 @@ class Subject:
 
     @property
     def reflectance(self) -> Reflectance:
-        """The paint's reflectance; :class:`UnreachableError` where no paint has these readings."""
-        return build_paint(self.paint) if self.whole is None else self.whole
+        """All that is known of how it reflects; :class:`UnreachableError` where no paint has these readings."""
+        return build_paint(self.paint) if self.material is None else self.material.reflectance
 
 
 @dataclass(frozen=True)
@@ -90,8 +94,8 @@ class ImportedPaints:
     notes: tuple[str, ...] = ()
 
 
-Losses = Callable[[Subject], tuple[str, ...]]
-Write = Callable[[Sequence[Subject], PathLike, Progress | None], tuple[str, ...]]
+Losses = Callable[[ExportItem], tuple[str, ...]]
+Write = Callable[[Sequence[ExportItem], PathLike, Progress | None], tuple[str, ...]]
 
 
 @dataclass(frozen=True)
@@ -109,9 +113,9 @@ class ExportFormat:
     holds
         What it carries, a sentence for the user.
     losses
-        ``(subject) -> sentences``: what of this paint the format cannot hold. Asked before anything is written.
+        ``(item) -> sentences``: what of this paint the format cannot hold. Asked before anything is written.
     write
-        ``(subjects, path, progress) -> notes``: writes the file whole or not at all, and returns sentences about it.
+        ``(items, path, progress) -> notes``: writes the file whole or not at all, and returns sentences about it.
     read
         ``(path) -> Imported``, or None where a paint cannot be read back from the format.
     sniff
@@ -131,29 +135,29 @@ class ExportFormat:
     many: bool = False
 
 
-def flake_loss(subject: Subject) -> tuple[str, ...]:
+def flake_loss(item: ExportItem) -> tuple[str, ...]:
     """Return the sentences about flakes and orange peel for formats that have neither."""
-    losses = []
-    if subject.paint.flakes is not None:
-        losses.append("The flakes do not sparkle there: density, size and tilt are left out.")
-    if subject.paint.orange_peel is not None:
-        losses.append("The orange peel is left out: the surface is smooth there.")
-    return tuple(losses)
+    told = []
+    if item.paint.flakes is not None:
+        told.append("The flakes do not sparkle there: density, size and tilt are left out.")
+    if item.paint.orange_peel is not None:
+        told.append("The orange peel is left out: the surface is smooth there.")
+    return tuple(told)
 
 
-def readings_loss(subject: Subject) -> tuple[str, ...]:
+def readings_loss(item: ExportItem) -> tuple[str, ...]:
     """Return the sentence for formats of readings about a paint that is more than its readings."""
-    if not subject.computed:
+    if not item.computed:
         return ()
-    count = len(subject.paint.measurements)
+    count = len(item.paint.measurements)
     return (
         f"Only what the virtual instruments read of it goes in: L*a*b* at {count} angles and gloss. How it reflects "
         "between and beyond them is left out.",
     )
 
 
-def model_loss(subject: Subject) -> tuple[str, ...]:
+def model_loss(item: ExportItem) -> tuple[str, ...]:
     """Return the sentence for formats with a model of their own about a paint that is not designed by readings."""
-    if not subject.computed:
+    if not item.computed:
         return ()
     return ("The model is fitted to the designed paint that has the same readings, not to the paint itself.",)

@@ -18,7 +18,7 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.reading import read_json
 from brdf_suite.errors import FileError
 from brdf_suite.files.exports import json_document
-from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike, Subject, model_loss
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, PathLike, model_loss
 from brdf_suite.files.exports.metal_rough_fit import GLTF_IOR, fit_gltf
 from brdf_suite.files.exports.model_fit import format_differences
 from brdf_suite.geometry.directions import spherical
@@ -29,27 +29,27 @@ _RINGS, _SECTORS = 32, 64
 _RADIUS_M = 0.1
 
 
-def losses(subject: Subject) -> tuple[str, ...]:
+def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what a viewer of glTF does not show of a paint; it is fitted for this."""
-    found = fit_gltf(subject.modelled)
-    losses = [
-        *model_loss(subject),
-        format_differences(subject.paint, found.differences, "glTF's clearcoat (one colour for every angle)"),
+    found = fit_gltf(item.modelled)
+    notices = [
+        *model_loss(item),
+        format_differences(item.paint, found.differences, "glTF's clearcoat (one colour for every angle)"),
         f"The clearcoat of glTF has the index {GLTF_IOR:g}, whatever the paint's.",
         "Viewers show no change of hue over the angle, and no flakes: readings, gloss, flakes and texts go along in "
         "the material's extras, which only this suite reads.",
     ]
     if found.clipped:
-        losses.append(
+        notices.append(
             "A colour lies outside Rec. 709, in which the parameters are kept; it is moved to the edge."
         )
-    return (*losses, *json_document.losses(subject))
+    return (*notices, *json_document.losses(item))
 
 
-def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
+def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write one paint on a sphere; :class:`FileError` where the disk refuses, :class:`UnreachableError` of a paint."""
-    (subject,) = subjects
-    model = fit_gltf(subject.modelled)
+    (item,) = items
+    model = fit_gltf(item.modelled)
     vertices, triangles = _sphere()
     data = vertices.tobytes() + triangles.tobytes()
     half, bound = vertices.nbytes, (_RADIUS_M * np.ones(3)).tolist()
@@ -59,13 +59,13 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
         "extensionsUsed": ["KHR_materials_clearcoat"],
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"name": subject.name, "mesh": 0, "scale": bound}],
+        "nodes": [{"name": item.name, "mesh": 0, "scale": bound}],
         "meshes": [
             {"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 0}, "indices": 1, "material": 0}]}
         ],
         "materials": [
             {
-                "name": subject.name,
+                "name": item.name,
                 "pbrMetallicRoughness": {
                     "baseColorFactor": [*model.colour, 1.0],
                     "metallicFactor": model.metalness,
@@ -77,7 +77,7 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
                         "clearcoatRoughnessFactor": model.coat_roughness,
                     }
                 },
-                "extras": {EXTRAS: json_document.document(subjects)},
+                "extras": {EXTRAS: json_document.document(items)},
             }
         ],
         "accessors": [

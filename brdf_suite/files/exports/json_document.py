@@ -31,7 +31,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.reading import FieldReader, read_json
 from brdf_suite.documents.store import AnyPaint, any_paint_from_json, paint_to_json
 from brdf_suite.errors import FileError, ValueRangeError
-from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike, Subject
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, PathLike
 from brdf_suite.progress import Progress
 
 NAME = "brdf-suite-paints"
@@ -40,27 +40,27 @@ _MOST_PAINTS = 100_000
 _LIGHT_DEG = 45.0
 
 
-def losses(subject: Subject) -> tuple[str, ...]:
+def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what the object cannot hold of a paint: the table of a measured file."""
-    if not subject.computed or subject.document is not None:
+    if not item.computed or item.document is not None:
         return ()
     return ("The measured table itself is left out: what the virtual instruments read of it goes in.",)
 
 
-def document(subjects: Sequence[Subject]) -> dict[str, object]:
+def document(items: Sequence[ExportItem]) -> dict[str, object]:
     """Return the JSON object of paints, as the module describes it."""
     return {
         "format": NAME,
         "version": _VERSION,
         "creator": f"BRDF Suite {version('brdf-suite')}",
         "created": datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z"),
-        "paints": [_item(subject) for subject in subjects],
+        "paints": [_item(item) for item in items],
     }
 
 
-def _item(subject: Subject) -> dict[str, object]:
-    paint = subject.paint
-    spectra = subject.spectra
+def _item(item: ExportItem) -> dict[str, object]:
+    paint = item.paint
+    spectra = item.spectra
     return {
         "paint": paint_to_json(paint),
         "illuminant": paint.illuminant,
@@ -79,8 +79,8 @@ def _item(subject: Subject) -> dict[str, object]:
         "gloss": {"gu_20": paint.gloss.gu_20, "gu_60": paint.gloss.gu_60},
         "flop_index": compute_flop(paint),
         "travel": _travel_of(paint),
-        "computed": subject.computed,
-        "original": paint_to_json(subject.document) if subject.computed and subject.document else None,
+        "computed": item.computed,
+        "original": paint_to_json(item.document) if item.computed and item.document else None,
         "spectra": None
         if spectra is None
         else {
@@ -108,9 +108,9 @@ def _travel_of(paint: Paint) -> dict[str, float] | None:
     return {name: value for name, value in asdict(found).items() if name != "notice"}
 
 
-def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
+def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write paints as one JSON file; raise :class:`FileError` where the disk refuses."""
-    write_atomically(path, encode(document(subjects)))
+    write_atomically(path, encode(document(items)))
     return ()
 
 

@@ -11,35 +11,34 @@ from importlib.metadata import version
 
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.files.exports.carpaint_fit import CarPaint, fit_carpaint
-from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, PathLike
 from brdf_suite.files.exports.material_names import material_names
 from brdf_suite.files.exports.model_fit import fitted_losses
 from brdf_suite.progress import Progress
 
 
-def losses(subject: Subject) -> tuple[str, ...]:
+def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what the car paint of LuxCore cannot hold of a paint; it is fitted for this."""
-    found = fit_carpaint(subject.modelled)
+    found = fit_carpaint(item.modelled)
     return fitted_losses(
-        subject, "LuxCore's car paint (two lobes under a coat)", found.differences, found.clipped
+        item, "LuxCore's car paint (two lobes under a coat)", found.differences, found.clipped
     )
 
 
-def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
+def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write the materials of paints; raise :class:`FileError`, or :class:`UnreachableError` of a paint."""
-    names = material_names([subject.name for subject in subjects])
+    names = material_names([item.name for item in items])
     blocks = [
-        _block(subject, name, fit_carpaint(subject.modelled))
-        for subject, name in zip(subjects, names, strict=True)
+        _block(item, name, fit_carpaint(item.modelled)) for item, name in zip(items, names, strict=True)
     ]
     write_atomically(path, "\n".join(blocks).encode("utf-8"))
     return ()
 
 
-def _block(subject: Subject, name: str, paint: CarPaint) -> str:
+def _block(item: ExportItem, name: str, paint: CarPaint) -> str:
     differences = ", ".join(f"{value:.2f}" for value in paint.differences)
     lines = [
-        f"# {' '.join(subject.name.split())}, by BRDF Suite {version('brdf-suite')}",
+        f"# {' '.join(item.name.split())}, by BRDF Suite {version('brdf-suite')}",
         f"# dE00 to the paint at its readings: {differences}",
         f'scene.materials.{name}.type = "carpaint"',
         f"scene.materials.{name}.kd = {_numbers(paint.kd)}",

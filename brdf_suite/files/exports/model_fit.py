@@ -20,7 +20,7 @@ from brdf_suite.appearance.colorimetry import (
 )
 from brdf_suite.appearance.difference import delta_e_2000
 from brdf_suite.documents.paint import Paint
-from brdf_suite.files.exports.format import Subject, flake_loss, model_loss
+from brdf_suite.files.exports.format import ExportItem, flake_loss, model_loss
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 
@@ -95,15 +95,15 @@ def format_differences(paint: Paint, differences: tuple[float, ...], what: str) 
 
 
 def fitted_losses(
-    subject: Subject, what: str, differences: tuple[float, ...], clipped: bool
+    item: ExportItem, what: str, differences: tuple[float, ...], clipped: bool
 ) -> tuple[str, ...]:
     """Return what is lost of a paint in a format that holds a fitted model and nothing beside it."""
-    losses = [*model_loss(subject), format_differences(subject.paint, differences, what)]
+    losses = [*model_loss(item), format_differences(item.paint, differences, what)]
     if clipped:
         losses.append(
             "A colour lies outside Rec. 709, in which the parameters are kept; it is moved to the edge."
         )
-    return (*losses, *flake_loss(subject), "Gloss readings, notes and source are left out.")
+    return (*losses, *flake_loss(item), "Gloss readings, notes and source are left out.")
 
 
 def half_vector(wi: Floats, wo: Floats) -> tuple[Floats, Floats]:

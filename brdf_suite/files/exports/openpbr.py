@@ -13,27 +13,24 @@ from importlib.metadata import version
 from xml.sax.saxutils import quoteattr
 
 from brdf_suite.documents.atomic import write_atomically
-from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, PathLike
 from brdf_suite.files.exports.material_names import material_names
 from brdf_suite.files.exports.metal_rough_fit import MetalRough, fit_openpbr
 from brdf_suite.files.exports.model_fit import fitted_losses
 from brdf_suite.progress import Progress
 
 
-def losses(subject: Subject) -> tuple[str, ...]:
+def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what an OpenPBR surface cannot hold of a paint; it is fitted for this."""
-    found = fit_openpbr(subject.modelled)
+    found = fit_openpbr(item.modelled)
     what = "OpenPBR (one colour for every angle, so no change of hue)"
-    return fitted_losses(subject, what, found.differences, found.clipped)
+    return fitted_losses(item, what, found.differences, found.clipped)
 
 
-def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
+def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write the materials of paints; raise :class:`FileError`, or :class:`UnreachableError` of a paint."""
-    names = material_names([subject.name for subject in subjects])
-    blocks = [
-        _block(subject, name, fit_openpbr(subject.modelled))
-        for subject, name in zip(subjects, names, strict=True)
-    ]
+    names = material_names([item.name for item in items])
+    blocks = [_block(item, name, fit_openpbr(item.modelled)) for item, name in zip(items, names, strict=True)]
     text = (
         '<?xml version="1.0"?>\n<materialx version="1.39" colorspace="lin_rec709">\n'
         f"{''.join(blocks)}</materialx>\n"
@@ -42,7 +39,7 @@ def write(subjects: Sequence[Subject], path: PathLike, _progress: Progress | Non
     return ()
 
 
-def _block(subject: Subject, name: str, model: MetalRough) -> str:
+def _block(item: ExportItem, name: str, model: MetalRough) -> str:
     floats = {
         "base_weight": 1.0,
         "base_metalness": model.metalness,
@@ -58,7 +55,7 @@ def _block(subject: Subject, name: str, model: MetalRough) -> str:
     inputs = [f'    <input name="base_color" type="color3" value="{colour}"/>']
     inputs += [f'    <input name="{key}" type="float" value="{value:.9g}"/>' for key, value in floats.items()]
     differences = ", ".join(f"{value:.2f}" for value in model.differences)
-    comment = f"{subject.name}, by BRDF Suite {version('brdf-suite')}; ΔE00 at its readings: {differences}"
+    comment = f"{item.name}, by BRDF Suite {version('brdf-suite')}; ΔE00 at its readings: {differences}"
     lines = "\n".join(inputs)
     return (
         f'  <open_pbr_surface name="{name}_surface" type="surfaceshader" doc={quoteattr(comment)}>\n{lines}\n'

@@ -4,29 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_suite.files.exports.format import ExportFormat, PathLike, Subject, flake_loss
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, PathLike, flake_loss
 from brdf_suite.files.measured import write_measured
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 
 
-def losses(subject: Subject) -> tuple[str, ...]:
+def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what the table cannot hold of a paint."""
     texts = "Name, gloss readings, notes and source are left out; nothing that is edited can be read back."
-    if isinstance(subject.whole, TensorReflectance):
+    if item.material is not None and isinstance(item.material.reflectance, TensorReflectance):
         return (texts,)
     return (
         "The paint is tabulated: in the middle of the hemisphere within 2 in 10,000, near the horizon within percents.",
-        *flake_loss(subject),
+        *flake_loss(item),
         texts,
     )
 
 
-def write(subjects: Sequence[Subject], path: PathLike, progress: Progress | None = None) -> tuple[str, ...]:
+def write(items: Sequence[ExportItem], path: PathLike, progress: Progress | None = None) -> tuple[str, ...]:
     """Write the table of one paint and return what the writer found out; errors as :func:`write_measured`."""
-    (subject,) = subjects
+    (item,) = items
     report(progress, 0.0, "tabulating")
-    return write_measured(subject.reflectance, path).notes
+    return write_measured(item.reflectance, path).notes
 
 
 FORMAT = ExportFormat(

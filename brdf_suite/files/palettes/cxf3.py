@@ -22,7 +22,7 @@ from brdf_suite.documents.palette_store import flat_to_json
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.cxf import NAMESPACE, is_cxf
 from brdf_suite.files.exports.cxf3 import attribute, clean_text, fits, tag_collection, write_object
-from brdf_suite.files.exports.format import Spectra, Subject
+from brdf_suite.files.exports.format import ExportItem, Spectra
 from brdf_suite.files.palettes.conversions import as_readings, convert_to_flat
 from brdf_suite.files.palettes.cxf3_reading import read
 from brdf_suite.files.palettes.cxf3_tags import (
@@ -94,8 +94,8 @@ def write(palette: Palette) -> bytes:
             paint = as_readings(entry.content)
             if entry.notes:
                 tags[NOTES] = entry.notes
-            subject = Subject(paint, paint, spectra=_spectra_of(entry, paint))
-            objects.append(write_object(subject, identity, now, specifications, tags))
+            item = ExportItem(paint, spectra=_spectra_of(entry, paint))
+            objects.append(write_object(item, identity, now, specifications, tags))
     about = {PALETTE: palette.name, NOTES: palette.notes, COLOUR: palette.colour}
     about[COLUMNS] = str(palette.columns) if palette.columns else ""
     if palette.groups:

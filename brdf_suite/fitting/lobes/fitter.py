@@ -52,8 +52,8 @@ class PartError:
 
 
 @dataclass(frozen=True, eq=False)
-class LobeFit:
-    """A lobe fit with its errors and status.
+class LayersFit:
+    """A fit and how it went.
 
     ``seconds`` is the time from target samples in hand to weights; ``sampling_seconds`` that of evaluating
     the reflectance at the samples (0 when samples were given); ``time_limited``: the limit came first.
@@ -68,7 +68,7 @@ class LobeFit:
     sampling_seconds: float
     time_limited: bool
     iterations: int
-    exact: Future[LobeFit] | None = field(default=None, repr=False)
+    exact: Future[LayersFit] | None = field(default=None, repr=False)
 
     def __getstate__(self) -> dict[str, object]:
         """Leave out ``exact``: another process cannot receive what this one's thread finds."""
@@ -92,7 +92,7 @@ class LobeFitter:
         The fixed exponents; the default set if left out.
     time_limit_s
         Hard limit of a whole fit, samples in hand to weights, in seconds. On the limit the best feasible weights
-        available are returned, marked ``time_limited``, and the optimum follows in ``LobeFit.exact``.
+        at hand are returned, marked ``time_limited``, and the optimum follows in ``LayersFit.exact``.
     base_samples, coat_samples
         The fixed sample directions; the measured default sets if left out. Both are for one incidence.
     weighting
@@ -184,7 +184,7 @@ class LobeFitter:
         rings = (np.asarray(coat, np.float64) * self.coat_samples.cosines[..., None]).mean(axis=1)
         return self._cosine * np.asarray(base, np.float64), rings
 
-    def fit(self, reflectance: Layered) -> LobeFit:
+    def fit(self, reflectance: Layered) -> LayersFit:
         """Fit ``reflectance``: base to KD and KDD, coat to KG.
 
         Raises
@@ -210,7 +210,7 @@ class LobeFitter:
         ior: float,
         base_under_coat: bool = True,
         sampling_seconds: float = 0.0,
-    ) -> LobeFit:
+    ) -> LayersFit:
         """Fit given samples of ``f_r·(N·L)``: ``(n, 3)`` at ``base_samples``, ``(k, 3)`` at ``coat_samples``.
 
         Same result as :meth:`fit` on a reflectance with those samples; the way in for data that were
@@ -232,7 +232,7 @@ class LobeFitter:
         sampling_seconds: float = 0.0,
         *,
         finish: bool = True,
-    ) -> LobeFit:
+    ) -> LayersFit:
         """Fit checked samples until ``deadline``; what comes later comes by ``exact``."""
         kd = np.zeros(3)
         if self._diffuse_sample is not None:
@@ -242,7 +242,7 @@ class LobeFitter:
         factors = self._factors(base, coat) if self.weighting == "relative" else None
         weighted = [p.row_weights[:, None] * t for p, t in zip(self.programs, targets, strict=True)]
 
-        def fit_of(answer: LimitedSolution) -> LobeFit:
+        def fit_of(answer: LimitedSolution) -> LayersFit:
             return self._fit_of(answer, kd, over, start, sampling_seconds)
 
         return fit_of(self._solver.solve(weighted, deadline, factors=factors, finish=finish, then=fit_of))
@@ -259,7 +259,7 @@ class LobeFitter:
         over: _Coat,
         start: float,
         sampling_seconds: float,
-    ) -> LobeFit:
+    ) -> LayersFit:
         """Return lobe weights and errors of a solver's answer."""
         base, coat = (
             solution * program.column_scale[:, None]
@@ -281,7 +281,7 @@ class LobeFitter:
             time_limited=not answer.optimal,
             base_under_coat=over.base_under_coat,
         )
-        return LobeFit(
+        return LayersFit(
             weights=weights,
             base_error=errors[0],
             coat_error=errors[1],

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FittingError
@@ -71,7 +72,7 @@ class LobeWeights:
             raise FittingError(f"The lobe weights {name} hold a negative or not finite value.")
         check_ior(self.ior)
 
-    def reflected(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+    def reflected(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> FloatArray:
         """Return ``f_r·(N·L)`` in 1/sr: reflected radiance for light of unit strength (cosine included).
 
         ``wi``, ``wo``: unit directions ``(..., 3)`` to light and view, local frame with the normal as z; they
@@ -79,7 +80,7 @@ class LobeWeights:
         """
         return lobe_sums(wi, wo, self.exponents, self.kd, self.kdd, self.kg).reflected()
 
-    def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> FloatArray:
         """Return the lobes' f_r in 1/sr, **without** the cosine: ``reflected`` over ``N·L``.
 
         Shapes as for :meth:`reflected`; 0 at or below the horizon. The gloss part grows without bound as

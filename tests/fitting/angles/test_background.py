@@ -15,7 +15,7 @@ from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles import AngleFitter
 from brdf_suite.fitting.lobes.angles import fitter as fitter_module
 from brdf_suite.fitting.lobes.angles.late import chain_futures
-from brdf_suite.pipeline.scene import find_any_paint, find_paint
+from brdf_suite.pipeline.material import load_document, load_shipped_paint
 from brdf_suite.reflectance.build import build_paint, build_reflectance
 from brdf_suite.reflectance.layers import split_layers
 from brdf_suite.reflectance.protocol import Layered
@@ -32,7 +32,7 @@ def hurried() -> Iterator[AngleFitter]:
 
 
 def paint(name: str) -> Layered:
-    layers = split_layers(build_reflectance(find_any_paint(name)))
+    layers = split_layers(build_reflectance(load_document(name)))
     assert layers is not None
     return layers
 
@@ -161,7 +161,7 @@ def test_a_coat_without_an_optimum_is_reported(hurried: AngleFitter, monkeypatch
 
 
 def test_a_fit_whose_optimum_is_to_come_can_be_pickled(hurried: AngleFitter) -> None:
-    fit = hurried.fit(build_paint(find_paint("blue")))
+    fit = hurried.fit(build_paint(load_shipped_paint("blue")))
     assert fit.exact is not None
     copy = pickle.loads(pickle.dumps(fit))
     assert copy.exact is None

@@ -17,8 +17,8 @@ from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleGrid, An
 from brdf_suite.fitting.lobes.angles.program import joint_program
 from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.pipeline.paint import PaintFitter
-from brdf_suite.pipeline.scene import find_any_paint, find_paint
+from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.material import load_document, load_shipped_paint
 from brdf_suite.reflectance.build import build_paint, build_reflectance
 from brdf_suite.reflectance.layers import split_layers
 from brdf_suite.reflectance.paint_reflectance import PaintReflectance
@@ -26,7 +26,7 @@ from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 
 @cache
 def paint(name: str) -> PaintReflectance:
-    return build_paint(find_paint(name))
+    return build_paint(load_shipped_paint(name))
 
 
 def relative(fit: AngleFit) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -62,7 +62,7 @@ def test_true_at_measured_and_at_other_incidences(angle_fitter: AngleFitter, nam
 
 def test_better_than_one_incidence_raised(angle_fitter: AngleFitter) -> None:
     target = paint("fine_silver")
-    single = PaintFitter(time_limit_s=60.0).fit(find_paint("fine_silver")).weights
+    single = PaintFitter(time_limit_s=60.0).fit(load_shipped_paint("fine_silver")).weights
     several = angle_fitter.fit(target).weights
     for theta in (65.0, 75.0, 80.0):
         gammas = [15.0, 25.0, 45.0, 75.0]
@@ -308,7 +308,7 @@ def test_a_paint_without_transmission_is_flat_over_its_angles(
 
 @pytest.mark.parametrize("name", ["table1_blue", "table1_polaris_silver"])
 def test_wide_facet_lobes_are_true_on_both_sides_of_the_mirror(name: str) -> None:
-    model = build_reflectance(find_any_paint(name))
+    model = build_reflectance(load_document(name))
     layers = split_layers(model)
     assert layers is not None
     facets = AngleFitter(facets=True, time_limit_s=20.0).fit(layers).weights

@@ -10,7 +10,8 @@ from types import ModuleType
 import pytest
 from PIL import Image
 
-from brdf_suite.pipeline.any_fit import fit_any
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.registry import MODELS
@@ -48,7 +49,10 @@ def test_slices_and_tables_are_drawn(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     plots = script(checkout / "packaging" / "plot_measured_fits.py", monkeypatch)
-    fits = {"one": fit_any("table1_white"), "two": fit_any(shared_data / "brdf" / "cayman.brdf")}
+    fits = {
+        "one": fit_material(load_material("table1_white"), errors=True),
+        "two": fit_material(load_material(shared_data / "brdf" / "cayman.brdf"), errors=True),
+    }
     out = tmp_path / "slices.png"
     plots.draw_slices(out, fits, 2)
     with Image.open(out) as image:

@@ -1,0 +1,411 @@
+"""A material becomes a :class:`LobeFit`: the weights of the fixed cosine lobes, their errors and notices.
+
+The weights are of one kind, whatever they were fitted to, and the renderer draws them all. What differs is how:
+
+- A designed paint and a Cook-Torrance one are two layers, each fitted for itself (``reflectance.layers``).
+- A reflectance without separate layers is fitted in a single step (``fitting.lobes.undivided``).
+
+:class:`PaintFitter` is the edit path: no file access, no import, no allocation that grows; under a millisecond or
+two. What only :func:`fit_material` needs is therefore imported in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from brdf_suite.appearance.colorimetry import working_to_lab
+from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.documents.paint import Flakes, OrangePeel, Paint
+from brdf_suite.documents.view_settings import LightColour
+from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.basis import LobeBasis
+from brdf_suite.fitting.lobes.fitter import LayersFit, LobeFitter
+from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.fitting.metrics import AngleError, HeldOut, as_rgb_tuple
+from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.pipeline.material import SCATTERED, material_of, under_illuminant
+from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reflectance.material import Material
+from brdf_suite.reflectance.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.protocol import Layered, Reflectance
+from brdf_suite.reflectance.several_lights import SeveralLights
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future
+
+DEFAULT_TIME_LIMIT_S = 0.004
+PATIENT_TIME_LIMIT_S = 1.0
+"""For work without a screen: no frame waits for the fit, and a busy machine must not make the answer worse."""
+
+#: ``split_layers`` is what has a coat and a base but is neither of the two kinds of paint.
+Kind = Literal["designed", "cook_torrance", "layered", "measured"]
+
+
+@dataclass(frozen=True, eq=False)
+class LobeFit:
+    """A material and the lobes fitted to it.
+
+    Parameters
+    ----------
+    l1_errors
+        Per part of the fit and channel, Σ w·|M x - b| over Σ w·b.
+    notices
+        Sentences for the user: those of the material, and what the fit has to add.
+    fit_seconds
+        The time from target samples in memory to weights.
+    seconds
+        The time from the paint's document to its weights, of a paint that is edited; else 0.
+    readings
+        A designed paint's readings: the document's L*a*b* and what the lobes give.
+    angles
+        The same at the usual geometries; empty where they were not evaluated, as on the edit path.
+    held_out
+        Errors where the fit did not look; None where they were not asked for, or there are too few samples.
+    incidences_deg
+        Those of the fit.
+    samples
+        How many samples an undivided fit had.
+    exact
+        Where the time limit came first, it gets the fit with the optimum, unless the fitter's next paint comes before
+        it; :meth:`with_exact` makes it a fit of this material.
+    """
+
+    material: Material
+    kind: Kind
+    weights: LobeWeights
+    l1_errors: Mapping[str, tuple[float, float, float]]
+    notices: tuple[str, ...]
+    fit_seconds: float
+    seconds: float = 0.0
+    readings: tuple[AngleError, ...] = ()
+    angles: tuple[AngleError, ...] = ()
+    held_out: HeldOut | None = None
+    split_determined: bool = True
+    incidences_deg: tuple[float, ...] = ()
+    samples: int = 0
+    exact: Future[LayersFit] | None = None
+
+    @property
+    def name(self) -> str:
+        """The material's name."""
+        return self.material.name
+
+    @property
+    def paint(self) -> Paint:
+        """The designed paint that the lobes were fitted to; only of a material that is one."""
+        assert self.material.paint is not None
+        return self.material.paint
+
+    @property
+    def reflectance(self) -> Reflectance:
+        """What the lobes were fitted to."""
+        return self.material.reflectance
+
+    @property
+    def flakes(self) -> Flakes | None:
+        """The material's flakes, where it has any."""
+        return self.material.flakes
+
+    @property
+    def orange_peel(self) -> OrangePeel | None:
+        """The waviness of the material's coat, where it has any."""
+        return self.material.orange_peel
+
+    @property
+    def time_limited(self) -> bool:
+        """True where the time limit came before the optimum."""
+        return self.weights.time_limited
+
+    @property
+    def exact_follows(self) -> bool:
+        """True while the optimum is still to come by ``exact``; False where it was cancelled or not found."""
+        if self.exact is None or self.exact.cancelled():
+            return False
+        return not self.exact.done() or self.exact.exception() is None
+
+    @property
+    def compared(self) -> tuple[AngleError, ...]:
+        """A designed paint's readings, of all else the usual geometries that the fit looked at."""
+        return self.readings or tuple(row for row in self.angles if row.fitted)
+
+    @property
+    def worst_delta_e(self) -> float | None:
+        """The largest ΔE00 of :attr:`compared`; None where there is no such angle."""
+        return max((row.delta_e_2000 for row in self.compared), default=None)
+
+    def with_exact(self, fit: LayersFit) -> LobeFit:
+        """Return the same material with the lobes that came after the time limit."""
+        return replace(
+            self,
+            weights=fit.weights,
+            l1_errors=_l1_errors(fit),
+            fit_seconds=fit.seconds,
+            seconds=self.seconds + fit.seconds - self.fit_seconds,
+            readings=_readings(self.material.paint, fit.weights),
+            exact=fit.exact,
+        )
+
+    def to_json(self) -> dict[str, object]:
+        """Return everything as plain values; angles in degrees, times in milliseconds."""
+        weights, reflectance = self.weights, self.reflectance
+        plain: dict[str, object] = {
+            "name": self.name,
+            "kind": self.kind,
+            "exponents": weights.exponents.tolist(),
+            "kd": weights.kd.tolist(),
+            "kdd": weights.kdd.tolist(),
+            "kg": weights.kg.tolist(),
+            "theta_fit_deg": float(np.degrees(weights.theta_fit_rad)),
+            "ior": weights.ior,
+            "base_under_coat": weights.base_under_coat,
+            "ms": self.fit_seconds * 1e3,
+            "time_limited": self.time_limited,
+            "split_determined": self.split_determined,
+            "incidences_deg": list(self.incidences_deg),
+            "samples": self.samples,
+            "l1_relative": {name: list(errors) for name, errors in self.l1_errors.items()},
+            "angles": [
+                {
+                    "illumination_deg": row.illumination_deg,
+                    "aspecular_deg": row.aspecular_deg,
+                    "lab": list(row.lab),
+                    "lab_fitted": list(row.lab_fitted),
+                    "delta_e_2000": row.delta_e_2000,
+                    "fitted": row.fitted,
+                }
+                for row in self.angles
+            ],
+            "delta_e_2000_worst": self.worst_delta_e,
+            "held_out": None if self.held_out is None else asdict(self.held_out),
+            "notices": list(self.notices),
+        }
+        if self.readings and isinstance(reflectance, PaintReflectance):
+            plain["judged_angles"] = plain["angles"]
+            plain["paint"] = self.name
+            plain["coat_roughness"] = reflectance.roughness
+            plain["paint_to_weights_ms"] = self.seconds * 1e3
+            plain["angles"] = [
+                {
+                    "illumination_deg": row.illumination_deg,
+                    "aspecular_deg": row.aspecular_deg,
+                    "lab_asked": list(row.lab),
+                    "lab_fitted": list(row.lab_fitted),
+                    "delta_e_2000": row.delta_e_2000,
+                }
+                for row in self.readings
+            ]
+        return plain
+
+
+class PaintFitter:
+    """Fits paint after paint, or other layered materials, on one kept linear program.
+
+    Parameters
+    ----------
+    basis
+        Lobe exponents; default: the suite's own.
+    time_limit_s
+        Hard limit of one fit, in seconds.
+
+    :meth:`close`, or losing the last reference, ends the thread that finishes what the limit cut short.
+    """
+
+    def __init__(self, basis: LobeBasis | None = None, *, time_limit_s: float = DEFAULT_TIME_LIMIT_S) -> None:
+        self._fitter = LobeFitter(basis, time_limit_s=time_limit_s)
+
+    @property
+    def basis(self) -> LobeBasis:
+        """The exponents that weights are fitted for."""
+        return self._fitter.basis
+
+    def close(self) -> None:
+        """Drop what is still worked at; a fit whose optimum is to come will not get it."""
+        self._fitter.close()
+
+    def fit(self, paint: Paint) -> LobeFit:
+        """Return the lobe fit of a paint that is edited.
+
+        Raises
+        ------
+        UnreachableError
+            The gloss or a colour is one that no such paint can have; the message says which.
+        """
+        start = perf_counter()
+        material = material_of(paint)
+        assert isinstance(material.reflectance, PaintReflectance)
+        fit = self.fit_layers(material, material.reflectance)
+        return replace(fit, seconds=perf_counter() - start)
+
+    def fit_layers(self, material: Material, layers: Layered) -> LobeFit:
+        """Return the lobe fit of a material, whose layers are given; the usual geometries are not evaluated."""
+        fit = self._fitter.fit(layers)
+        weights, kind = fit.weights, _kind_of_layers(material)
+        notices = material.notices + _light_notice(material.reflectance, weights)
+        if kind == "cook_torrance" and weights.ior == 1.0:
+            notices += ("It has no sharp lobe that would be a coat: everything is fitted as base.",)
+        return LobeFit(
+            material=material,
+            kind=kind,
+            weights=weights,
+            l1_errors=_l1_errors(fit),
+            notices=notices,
+            fit_seconds=fit.seconds,
+            readings=_readings(material.paint, weights),
+            incidences_deg=(float(np.degrees(weights.theta_fit_rad)),),
+            exact=fit.exact,
+        )
+
+
+def fit_material(
+    material: Material,
+    basis: LobeBasis | None = None,
+    *,
+    errors: bool = False,
+    progress: Progress | None = None,
+) -> LobeFit:
+    """Fit lobes to a material where no frame waits for them: as layers where it has them, else undivided.
+
+    Parameters
+    ----------
+    basis
+        The lobes' exponents; the default set if left out.
+    errors
+        Whether ``held_out`` is worked out, which takes longer than the fit.
+
+    Raises
+    ------
+    FittingError
+        A value is negative or not finite, or nothing lies above the horizon; the message names the material's origin.
+    Cancelled
+        The progress callback asked for it.
+    """
+    # Much to import, and no paint that is edited needs it.
+    from brdf_suite.pipeline.factored_maps import TOO_MANY, too_many_maps
+    from brdf_suite.pipeline.fit_errors import held_out_errors
+    from brdf_suite.reflectance.layers import split_layers
+
+    report(progress, 0.0, "fitting")
+    layers = split_layers(material.reflectance)
+    try:
+        if layers is None:
+            found = _fit_undivided(material, basis, subrange(progress, 0.0, 0.3 if errors else 1.0))
+        else:
+            found = _fit_layers(material, layers, basis)
+    except FittingError as error:
+        if not material.origin:
+            raise
+        raise type(error)(f"{Path(material.origin).name}: {error}") from error
+    if too_many_maps(material.reflectance):
+        found = replace(found, notices=(*found.notices, TOO_MANY))
+    if errors:
+        judging = subrange(progress, 0.3, 1.0)
+        found = replace(found, held_out=held_out_errors(material.reflectance, found.weights, basis, judging))
+    report(progress, 1.0, "done")
+    return found
+
+
+def refit_under(fit: LobeFit, colour: LightColour, progress: Progress | None = None) -> LobeFit:
+    """Return the fit of the same material as it looks in a light to an adapted eye; the very fit where nothing differs.
+
+    Raises as :func:`fit_material`.
+    """
+    material = under_illuminant(fit.material, colour)
+    if material is fit.material:
+        return fit
+    return replace(fit_material(material, progress=progress), notices=fit.notices)
+
+
+def _fit_layers(material: Material, layers: Layered, basis: LobeBasis | None) -> LobeFit:
+    from brdf_suite.pipeline.fit_errors import angle_errors  # see fit_material
+
+    fitter = PaintFitter(basis, time_limit_s=PATIENT_TIME_LIMIT_S)
+    try:
+        found = fitter.fit_layers(material, layers)
+    finally:
+        fitter.close()
+    return replace(found, angles=angle_errors(material.reflectance, found.weights))
+
+
+def _fit_undivided(material: Material, basis: LobeBasis | None, progress: Progress | None) -> LobeFit:
+    # See fit_material.
+    from brdf_suite.fitting.lobes.undivided import fit_undivided
+    from brdf_suite.fitting.lobes.undivided_samples import PLANE_GAMMAS_DEG
+    from brdf_suite.pipeline.fit_errors import angle_errors, sample_errors
+    from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+
+    reflectance = material.reflectance
+    fit = fit_undivided(reflectance, basis, progress=progress)
+    if isinstance(reflectance, ScatteredSamples):
+        angles = sample_errors(reflectance, fit)
+    else:
+        angles = angle_errors(reflectance, fit.weights, PLANE_GAMMAS_DEG)
+    # That samples are interpolated is true of reading them, not of fitting them.
+    known = tuple(notice for notice in material.notices if notice != SCATTERED)
+    return LobeFit(
+        material=material,
+        kind="measured",
+        weights=fit.weights,
+        l1_errors={"whole": as_rgb_tuple(fit.relative_error)},
+        notices=(*known, *fit.notices),
+        fit_seconds=fit.seconds,
+        angles=angles,
+        split_determined=fit.split_determined,
+        incidences_deg=tuple(float(np.degrees(angle)) for angle in fit.incidences_rad),
+        samples=fit.samples,
+    )
+
+
+def _kind_of_layers(material: Material) -> Kind:
+    if isinstance(material.reflectance, PaintReflectance):
+        return "designed"
+    # With models that no paint that is edited needs.
+    from brdf_suite.reflectance.models.coated import Coated
+    from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+
+    reflectance = material.reflectance
+    below = reflectance.base if isinstance(reflectance, Coated) else reflectance
+    return "cook_torrance" if isinstance(below, CookTorrance) else "layered"
+
+
+def _l1_errors(fit: LayersFit) -> dict[str, tuple[float, float, float]]:
+    return {
+        "base": as_rgb_tuple(fit.base_error.relative),
+        "coat": as_rgb_tuple(fit.coat_error.relative),
+    }
+
+
+def _light_notice(reflectance: Reflectance, weights: LobeWeights) -> tuple[str, ...]:
+    if not (isinstance(reflectance, PaintReflectance) and isinstance(reflectance.base, SeveralLights)):
+        return ()
+    # Lobes know the mirror angle only, not how far light and view are apart.
+    return (
+        f"The lobes are fitted with the light at {np.degrees(weights.theta_fit_rad):.0f}°; the readings under other "
+        "lights enter the picture by weights fitted for every angle of the view.",
+    )
+
+
+@lru_cache(maxsize=16)
+def _directions(geometries: tuple[tuple[float, float], ...]) -> tuple[Floats, Floats]:
+    """wi (n, 3) and wo (n, 3) of readings at illumination and aspecular angles, degrees: the same from edit to edit."""
+    incidence, aspecular = np.array(geometries).T
+    return illumination(incidence), aspecular_view(incidence, aspecular)
+
+
+def _readings(paint: Paint | None, weights: LobeWeights) -> tuple[AngleError, ...]:
+    if paint is None:
+        return ()
+    lab = np.array([m.lab for m in paint.measurements])
+    light, view = _directions(tuple((m.illumination_deg, m.aspecular_deg) for m in paint.measurements))
+    fitted = working_to_lab(np.pi * weights.eval(light, view))
+    difference = delta_e_2000(lab, fitted)
+    return tuple(
+        AngleError(m.illumination_deg, m.aspecular_deg, m.lab, as_rgb_tuple(fitted[i]), float(difference[i]))
+        for i, m in enumerate(paint.measurements)
+    )
