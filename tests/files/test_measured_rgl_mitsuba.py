@@ -44,16 +44,16 @@ class Mitsuba:
 
     def eval(self, wi: np.ndarray, wo: np.ndarray) -> np.ndarray:
         found = []
-        for i, o in zip(wi, wo, strict=True):
-            self.at.wi = self.mi.Vector3f(*i)
-            found.append(np.array(self.bsdf.eval(self.context, self.at, self.mi.Vector3f(*o))).reshape(-1))
-        return np.array(found)
+        for i, o in zip(wi.tolist(), wo.tolist(), strict=True):  # lists are converted faster than arrays
+            self.at.wi = i
+            found.append([*self.bsdf.eval(self.context, self.at, o)])
+        return np.array(found, np.float32)
 
     def pdf(self, wi: np.ndarray, wo: np.ndarray) -> np.ndarray:
         found = []
-        for i, o in zip(wi, wo, strict=True):
-            self.at.wi = self.mi.Vector3f(*i)
-            found.append(self.bsdf.pdf(self.context, self.at, self.mi.Vector3f(*o)))
+        for i, o in zip(wi.tolist(), wo.tolist(), strict=True):
+            self.at.wi = i
+            found.append(self.bsdf.pdf(self.context, self.at, o))
         return np.array(found)
 
 
