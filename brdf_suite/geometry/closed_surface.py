@@ -34,7 +34,7 @@ def is_closed_outward(positions: NDArray[np.float32], triangles: NDArray[np.inte
     _, merged = np.unique((grid[:, 0] * size + grid[:, 1]) * size + grid[:, 2], return_inverse=True)
     corners = merged[triangles]
     count = len(positions)
-    first, second = corners.ravel(), corners[:, [1, 2, 0]].ravel()
+    first, second = corners.ravel(), np.roll(corners, -1, axis=1).ravel()
     real = first != second
     forward, backward = (first * count + second)[real], (second * count + first)[real]
     if not np.array_equal(np.sort(forward), np.sort(backward)):

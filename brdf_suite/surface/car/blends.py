@@ -92,6 +92,6 @@ def ramp(t: Floats, start: float, end: float) -> Floats:
 
     ``start`` may be the greater one; then the ramp goes down.
     """
-    u = np.minimum(np.maximum((t - start) / (end - start), 0.0), 1.0)
+    u = np.clip((t - start) / (end - start), 0.0, 1.0)
     result: Floats = u * u * u * (u * (6.0 * u - 15.0) + 10.0)
     return result

@@ -173,7 +173,7 @@ def split_edges(soup: Soup, chosen: NDArray[np.bool_], middles: Floats, edge_of_
     tri = soup.triangles
     out = [tri[split.sum(axis=1) == 0]]
     for turn in range(3):  # rotate so that each pattern is written once
-        t, mm, s = (array[:, [turn, (turn + 1) % 3, (turn + 2) % 3]] for array in (tri, m, split))
+        t, mm, s = (np.roll(array, -turn, axis=1) for array in (tri, m, split))
         one = s[:, 0] & ~s[:, 1] & ~s[:, 2]
         a, b, c, ab = t[one, 0], t[one, 1], t[one, 2], mm[one, 0]
         out += [np.stack([a, ab, c], 1), np.stack([ab, b, c], 1)]
