@@ -88,6 +88,8 @@ def main() -> int:
     # Hundreds of tests start programs; each would compile every module again where no bytecode may be kept.
     environment.pop("PYTHONDONTWRITEBYTECODE", None)
     environment["PYTHONPYCACHEPREFIX"] = str(ROOT / ".venv" / "bytecode")
+    # A home folder without Mesa's cache would make every program translate its shaders again.
+    environment.setdefault("MESA_SHADER_CACHE_DIR", str(ROOT / ".venv" / "shaders"))
     # A worker has a core: threads of linear algebra would wait for each other in a loop, a quarter of all time.
     environment.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:

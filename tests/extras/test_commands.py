@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -98,7 +99,9 @@ def test_no_command_ends_with_a_traceback(folder: Path, without_extras: dict[str
     tried = [words(command) for command in every]
     untried = [path for path in commands(parser()) if all(tuple(t[: len(path)]) != path for t in tried)]
     assert untried == []
-    answers = dict(zip(every, walk(tried, folder, without_extras), strict=True))
+    # A cache of its own: "cache clear" would empty that of the other tests.
+    alone = {**without_extras, "BRDF_SUITE_CACHE": str(folder / "cache")}
+    answers = dict(zip(every, walk(tried, folder, alone), strict=True))
     for command, answer in answers.items():
         assert answer["status"] in (0, 1, 2), (command, answer)
         assert "Traceback" not in str(answer["errors"]), (command, answer)
@@ -111,25 +114,23 @@ def test_no_command_ends_with_a_traceback(folder: Path, without_extras: dict[str
         assert "` installs it" in line
 
 
-def test_raw_photographs_are_named(folder: Path, without_extras: dict[str, str]) -> None:
-    described = folder / "session" / "session.json"
-    place = folder / "session" / "light_0000"
+def test_photographs_name_what_reads_them(folder: Path, without_extras: dict[str, str]) -> None:
+    """Raw photographs want rawpy, and the photographs of a board OpenCV."""
+    shutil.copytree(folder / "session", folder / "raw")
+    described = folder / "raw" / "session.json"
+    place = folder / "raw" / "light_0000"
     first = min(file.name for file in place.iterdir())
     (place / "a.nef").write_bytes(b"II*\0" + bytes(100))
     described.write_text(described.read_text().replace(f"light_0000/{first}", "light_0000/a.nef"))
     # PNG photographs are read by compiled kernels.
     with_kernels = {**without_extras, "BRDF_SUITE_TEST_KEPT": "numba"}
-    (answer,) = walk([words("acquire session --check --json")], folder, with_kernels)
-    (finding,) = json.loads(str(answer["output"]))["findings"]
+    both = [words("acquire raw --check --json"), words("acquire session -o a.brdftable")]
+    raw, board = walk(both, folder, with_kernels)
+    (finding,) = json.loads(str(raw["output"]))["findings"]
     assert Path(finding["path"]).name == "a.nef"
     assert "needs rawpy, which is not installed; `" in finding["reason"]
-
-
-def test_a_board_is_looked_for_by_opencv(folder: Path, without_extras: dict[str, str]) -> None:
-    with_kernels = {**without_extras, "BRDF_SUITE_TEST_KEPT": "numba"}
-    (answer,) = walk([words("acquire session -o a.brdftable")], folder, with_kernels)
-    assert answer["status"] == 1
-    assert "needs OpenCV, which is not installed; `" in str(answer["errors"])
+    assert board["status"] == 1
+    assert "needs OpenCV, which is not installed; `" in str(board["errors"])
 
 
 def test_what_is_blocked_is_all_that_is_optional(without_extras: dict[str, str]) -> None:

@@ -17,6 +17,7 @@ from brdf_suite.lighting.map_file import DamagedMapFileError
 from brdf_suite.lighting.packed_maps import pack_maps, read_packed_maps
 from brdf_suite.lighting.prefilter import LobeMaps, prefilter
 from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_environment, load_surface
 from brdf_suite.progress import Progress
@@ -107,7 +108,7 @@ def test_a_damaged_file_is_said_and_its_maps_are_made(
 
 def test_a_still_picture_uploads_only_the_maps_that_it_shows_and_looks_the_same() -> None:
     prepared = load_environment(View().environment)
-    fit = fit_material("blue", errors=False)
+    fit = fit_material(load_material("blue"), errors=False)
     uploads, pictures = [], []
     for only in (True, False):
         with OffscreenScene((1, 1)) as scene:

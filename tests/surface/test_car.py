@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import pickle
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
+from filelock import FileLock
 from numpy.typing import NDArray
 
 from brdf_suite.files.meshes import read_mesh
@@ -19,8 +22,15 @@ Floats = NDArray[np.float64]
 
 
 @pytest.fixture(scope="module")
-def mesh() -> Mesh:
-    return car()
+def mesh(cache_folder: Path) -> Mesh:
+    """The car as the code makes it now: once a run for all workers, since that takes many seconds."""
+    folder = cache_folder / "tests"
+    folder.mkdir(exist_ok=True)
+    made = folder / "car.pickle"
+    with FileLock(f"{made}.lock"):
+        if not made.exists():
+            made.write_bytes(pickle.dumps(car()))
+        return pickle.loads(made.read_bytes())
 
 
 def part(mesh: Mesh, name: str) -> PartGeometry:

@@ -57,14 +57,14 @@ def losses(item: ExportItem) -> tuple[str, ...]:
 
 
 def _spectral_losses(spectra: Spectra) -> list[str]:
-    losses = []
+    losses: list[str] = []
     if not _is_even(spectra):
-        found.append(
+        losses.append(
             "The spectra are read off at 400 to 700 nm, every 10 nm: CxF3 wants even steps from 360 to 400 nm."
         )
     high = sum(not fits(row) for row in spectra.values)
     if high:
-        found.append(
+        losses.append(
             f"{high} of {len(spectra.values)} spectra are left out: a reflectance there is 3 or more, or -0.1 or less."
         )
     return losses
